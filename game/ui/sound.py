@@ -53,8 +53,10 @@ RAIL = (
     _Tone(3920.0, 0.5, 0.025),
     _Tone(5400.0, 0.3, 0.015),
 )
+STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
 KINDS = (
-    "tip", "ball", "cushion", "pocket", "wood", "thud", "mortar", "burst", "crackle", "steel", "rail", "roll",
+    "tip", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
+    "steel", "rail", "roll",
 )  # fmt: skip
 
 
@@ -82,6 +84,8 @@ def sample_of(kind: str, layer: int) -> Array:
         made = thump + (0.5 + 0.5 * bright) * _noise(0.11, 350.0 + 900.0 * bright, 0.018, 2)
     elif kind == "wood":
         made = _tones(WOOD, 0.06, bright) + 0.12 * bright * _noise(0.06, 4000.0, 0.002, 4)
+    elif kind == "stone":
+        made = _tones(STONE, 0.05, bright) + 0.35 * bright * _noise(0.05, 2600.0, 0.003, 8)
     elif kind == "thud":
         made = _tones((_Tone(310.0, 1.0, 0.02), _Tone(160.0, 0.6, 0.03)), 0.12, 1.0) + 0.3 * bright * _noise(
             0.12, 900.0, 0.01, 5

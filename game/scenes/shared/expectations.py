@@ -21,11 +21,12 @@ Number = Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)]
 
 
 class Expectation(LevelEntry, frozen=True, kw_only=True):
-    """What a readout should be, or become (SI), give or take ``within``."""
+    """What a readout should be, or become (SI), give or take ``within``; or the most that it may be."""
 
     readout: Annotated[str, msgspec.Meta(max_length=40)]
     value: Number
     within: Annotated[float, msgspec.Meta(ge=0.0, le=1e12)] = 0.0
+    at_most: bool = False
 
 
 Expectations = Annotated[tuple[Expectation, ...], msgspec.Meta(max_length=4)]
@@ -47,6 +48,11 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
             known = ", ".join(measured)
             raise ValueError(f"expected[{i}].readout: no readout {entry.readout!r}; there are {known}")
         _, value, unit = measured[entry.readout]
+        if entry.at_most:
+            bound, found_now = format_si(entry.value, unit), format_si(value, unit)
+            words = f"{entry.readout}: at most {bound}, measured {found_now}"
+            found.append(Caption(words, abs(value) <= entry.value))
+            continue
         met = abs(value - entry.value) <= entry.within
         counted = isinstance(value, int) and float(entry.value).is_integer()
         aim = int(entry.value) if counted else entry.value

@@ -9,6 +9,9 @@ import numpy as np
 
 from game.physics.solids import Capsule, Chain, Disc, Material, Polygon, SolidWorld
 from game.physics.solids.joints.layout import (
+    ANGLE,
+    AXIS_X,
+    AXIS_Y,
     BREAK_FORCE,
     BREAK_TORQUE,
     BROKEN,
@@ -30,6 +33,7 @@ from game.scenes.solids.level import BodyEntry, Colour, JointEntry, Point, Shape
 
 COLOURS: tuple[Colour, ...] = (
     "plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow",
+    "brass",
 )  # fmt: skip
 OWN_FRICTION, OWN_RESTITUTION = 256, 512  # bits of a tint beside the colour's number
 HIDDEN = 1024  # what joints to the ground hang on
@@ -83,6 +87,7 @@ def _shape(entry: ShapeEntry, material: Material) -> Shape:
 def joint_options(entry: JointEntry) -> dict[str, Any]:
     """What `SolidWorld.add_joint` takes by name."""
     return {
+        "axis": entry.axis,
         "length": entry.length,
         "limits": entry.limits or (-math.inf, math.inf),
         "hertz": entry.hertz,
@@ -176,13 +181,17 @@ def joint_entry(world: SolidWorld, joint: int, numbers: dict[int, int]) -> Joint
 
     kind: Any = JOINT_NAMES[int(world.joints.kinds[joint])]
     low, high = finite(LOWER), finite(UPPER)
+    angles, (c, s) = world.bodies.angles, world.bodies.rotations[a].tolist()
+    turned = float(angles[b] - angles[a] - own[ANGLE]) if kind in ("pin", "motor") else 0.0
+    axis = (c * own[AXIS_X] - s * own[AXIS_Y], s * own[AXIS_X] + c * own[AXIS_Y])
     return JointEntry(
         kind=kind,
         bodies=(numbers[a], numbers[b]),
         at=place_of(world, joint, 0),
         other=place_of(world, joint, 1),
         length=float(own[LENGTH]),
-        limits=None if low is None or high is None else (low, high),
+        axis=(float(axis[0]), float(axis[1])) if kind == "slider" else (1.0, 0.0),
+        limits=None if low is None or high is None else (low - turned, high - turned),
         hertz=float(own[HERTZ]),
         damping=float(own[DAMPING]),
         speed=float(own[SPEED]),

@@ -14,11 +14,15 @@ Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e5)]
 Rate = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
 Amount = Annotated[float, msgspec.Meta(ge=0.0, le=1e12)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
+Moment = Annotated[float, msgspec.Meta(ge=0.0, le=1e6)]
+Load = Annotated[float, msgspec.Meta(gt=0.0, le=1e12)]
 Index = Annotated[int, msgspec.Meta(ge=-1, le=100_000)]
 Count = Annotated[int, msgspec.Meta(ge=1, le=400)]
 Point = tuple[Metre, Metre]
 Points = Annotated[tuple[Point, ...], msgspec.Meta(max_length=400)]
-Colour = Literal["plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow"]
+Colour = Literal[
+    "plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow", "brass"
+]
 MOST_BODIES, MOST_JOINTS = 12_000, 12_000
 GROUND = -1  # stands for what never moves, in joints
 
@@ -50,14 +54,17 @@ class MaterialEntry(LevelEntry, frozen=True, kw_only=True):
 
 
 class SwingEntry(LevelEntry, frozen=True, kw_only=True):
-    """A key-framed body goes by amplitude (m) times the sine of rate (rad/s) times the time."""
+    """A key-framed body goes by amplitude (m) times sin(rate t + phase); rate rad/s, phase degrees."""
 
     amplitude: Point
     rate: Rate
+    phase: Rate = 0.0
 
 
 class BodyEntry(MaterialEntry, frozen=True, kw_only=True):
-    """A body. angle: degrees. gone_at: s, when it is taken away; 0: never. ghost: it touches nothing."""
+    """A body. angle: degrees. gone_at: s, when it is taken away; free_at: s, when a key-framed one becomes
+    dynamic; 0: never. ghost: it touches nothing.
+    """
 
     shapes: Annotated[tuple[ShapeEntry, ...], msgspec.Meta(min_length=1, max_length=400)]
     position: Point = (0.0, 0.0)
@@ -67,36 +74,94 @@ class BodyEntry(MaterialEntry, frozen=True, kw_only=True):
     kind: Literal["dynamic", "fixed", "key-framed"] = "dynamic"
     gravity_scale: Rate = 1.0
     swing: SwingEntry | None = None
-    gone_at: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] = 0.0
+    gone_at: Moment = 0.0
+    free_at: Moment = 0.0
     ghost: bool = False
 
 
 class JointEntry(LevelEntry, frozen=True, kw_only=True):
-    """A joint of two bodies, by their numbers (-1: the ground), at points of the world, m; None: no limit."""
+    """A joint of two bodies, by their numbers (-1: the ground), at points of the world, m; None: no limit.
+
+    axis: of a slider, in the world. limits: rad of a pin or motor, from how the bodies stand; m of others.
+    """
 
     kind: Literal["pin", "slider", "weld", "distance", "rope", "spring", "motor"]
     bodies: tuple[Index, Index]
     at: Point
     other: Point | None = None
+    axis: Point = (1.0, 0.0)
     length: Annotated[float, msgspec.Meta(ge=0.0, le=1e5)] | None = None
     limits: tuple[Rate, Rate] | None = None
     hertz: Annotated[float, msgspec.Meta(ge=0.0, le=1e4)] = 0.0
     damping: Annotated[float, msgspec.Meta(ge=0.0, le=1e3)] = 1.0
     speed: Rate = 0.0
     most: Amount | None = None
-    break_force: Annotated[float, msgspec.Meta(gt=0.0, le=1e12)] | None = None
-    break_torque: Annotated[float, msgspec.Meta(gt=0.0, le=1e12)] | None = None
+    break_force: Load | None = None
+    break_torque: Load | None = None
     colliding: bool = False
 
 
 class StackEntry(MaterialEntry, frozen=True, kw_only=True):
-    """Boxes from the middle of the bottom upwards. count: of a column, or rows of a pyramid or wall."""
+    """Boxes from the middle of the bottom upwards. count: of a column, or rows of a pyramid or wall;
+    overlap: part of a box that is in its neighbours.
+    """
 
     form: Literal["column", "pyramid", "wall"] = "column"
     at: Point
     count: Count
     across: Count = 1
     size: tuple[Length, Length] = (1.0, 1.0)
+    overlap: Annotated[float, msgspec.Meta(ge=0.0, le=0.9)] = 0.0
+
+
+class BeamEntry(MaterialEntry, frozen=True, kw_only=True):
+    """Equal blocks end to end from ``at``, in a direction (degrees): welded, or loose or fixed side by side.
+
+    size: along, across, m. held: how the start hangs on the ground. spin rad/s about the start. break_force
+    N, break_torque N m: of each weld, and of what holds the start.
+    """
+
+    at: Point
+    count: Count
+    size: tuple[Length, Length]
+    direction: Rate = 0.0
+    form: Literal["welded", "loose", "fixed"] = "welded"
+    held: Literal["none", "weld", "pin"] = "none"
+    spin: Rate = 0.0
+    break_force: Load | None = None
+    break_torque: Load | None = None
+
+
+class TrussEntry(MaterialEntry, frozen=True, kw_only=True):
+    """A Warren truss from its left support: bars pinned to knots, which are discs.
+
+    Knots first, the lower ones before the upper ones; then bars: lower, upper, diagonal. Joints: both
+    supports, then two of each bar. panel, height, thickness: m. break_force N: of each pin of a bar.
+    """
+
+    at: Point
+    panels: Annotated[int, msgspec.Meta(ge=2, le=40)]
+    panel: Length
+    height: Length
+    thickness: Length = 0.12
+    break_force: Load | None = None
+
+
+class EscapementEntry(MaterialEntry, frozen=True, kw_only=True):
+    """An escape wheel about ``at``, the anchor above it, and a pendulum that hangs from the anchor.
+
+    radius m, of the tips of the teeth; torque N m, of the spring; pendulum m, from the pivot to the bob; bob:
+    its radius m; weight kg/m² of the bob; swing: degrees, at the beginning.
+    """
+
+    at: Point
+    teeth: Annotated[int, msgspec.Meta(ge=9, le=40)] = 15
+    radius: Length = 1.0
+    torque: Amount = 0.6
+    pendulum: Length = 4.0
+    bob: Length = 0.35
+    weight: Load = 8.0
+    swing: Annotated[float, msgspec.Meta(ge=-20.0, le=20.0)] = 6.0
 
 
 class ArchEntry(MaterialEntry, frozen=True, kw_only=True):
@@ -175,17 +240,22 @@ class HeapEntry(MaterialEntry, frozen=True, kw_only=True):
 class GaugeEntry(LevelEntry, frozen=True, kw_only=True):
     """A measured number with a name. until: s, the time from which it stays as it is; 0: never.
 
-    right, up, way (m), turn (degrees): since the beginning; speed, spin; sink: -up; force (N): of a joint;
-    passed: bodies right of x (fallen: below y) = ``level``; when: s, at which a body first had moved by
-    ``level`` m; highest: of all bodies.
+    right, up, way (m), turn (degrees): since the beginning; speed, spin; sink: -up; force (N), moment (N m):
+    of a joint; passed: bodies right of x (fallen: below y) = ``level``; when: s, at which a body first had
+    moved by ``level`` m; between: s, from then until ``other`` had; period: s, between the last two times
+    that it turned through ``level`` degrees, anticlockwise; highest: of all bodies; broken: joints. The
+    largest since the beginning: fastest (m/s) of all bodies; gap (m) between the points of a pin, motor or
+    weld.
     """
 
     name: Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
     measure: Literal[
-        "right", "up", "sink", "way", "turn", "speed", "spin", "force", "passed", "fallen", "when", "highest"
-    ]
+        "right", "up", "sink", "way", "turn", "speed", "spin", "force", "moment", "passed", "fallen", "when",
+        "between", "period", "highest", "broken", "fastest", "gap",
+    ]  # fmt: skip
     of: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
-    until: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] = 0.0
+    other: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
+    until: Moment = 0.0
     level: Metre = 0.0
 
 
@@ -210,6 +280,9 @@ class SolidContent(LevelEntry, frozen=True, kw_only=True):
 
     bodies: Annotated[tuple[BodyEntry, ...], msgspec.Meta(max_length=MOST_BODIES)] = ()
     stacks: Annotated[tuple[StackEntry, ...], Few] = ()
+    beams: Annotated[tuple[BeamEntry, ...], Few] = ()
+    trusses: Annotated[tuple[TrussEntry, ...], Few] = ()
+    escapements: Annotated[tuple[EscapementEntry, ...], Few] = ()
     arches: Annotated[tuple[ArchEntry, ...], Few] = ()
     dominoes: Annotated[tuple[DominoEntry, ...], Few] = ()
     cards: Annotated[tuple[CardEntry, ...], Few] = ()

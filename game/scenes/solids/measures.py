@@ -23,6 +23,7 @@ from game.physics.solids.state import (
     TOUCHING,
     USED,
 )
+from game.scenes.shared.tables.sounds import REMEMBERED_S
 from game.scenes.solids.bodies import place_of
 
 Floats = NDArray[np.float64]
@@ -124,6 +125,37 @@ def contact_points(world: SolidWorld) -> ContactPoints:
             )
         )
     return ContactPoints(*(np.concatenate([part[i] for part in found]) for i in range(5)))
+
+
+HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X, HEARD_WIDTH = range(5)  # columns of what is heard: s, m/s, m
+THUD, WOOD, STONE, STEEL, SNAP = range(5)  # sounds, of impacts from the softest; and of a joint that breaks
+SNAP_SPEED = 3.0  # m/s: as loud as an impact at that
+LEAST_HEARD = 0.3  # m/s of approach; what leans and slides is silent
+MOST_HEARD = 24  # the latest
+USUAL_MASS = 0.5  # kg that meet; what is heavier sounds as if it were faster, by the cube root
+
+
+def heard_now(world: SolidWorld, heard: Floats, began: float, kinds: NDArray[np.int64]) -> Floats:
+    """Impacts (k, HEARD_WIDTH) of the last moments, those of a step that began at ``began`` (s) among them.
+
+    kinds: of the sound of each body; of two, the lower one is heard: the softer body says how long they meet.
+    """
+    shapes, places = world.contacts_begun()
+    if len(heard):
+        heard = heard[heard[:, HEARD_TIME] > began - REMEMBERED_S]
+    loud, broken = np.flatnonzero(places[:, 3] > LEAST_HEARD), world.joints_broken().tolist()
+    if not (len(loud) or broken):
+        return heard
+    rows = places[loud]
+    pairs = world.shapes.bodies[shapes[loud]]
+    found = kinds[pairs].min(axis=1).astype(np.float64)
+    # speed times the mass that meets: the impulse of the step in which a contact begins is only a part of it
+    lightness = world.bodies.inverse_masses[pairs].sum(axis=1)
+    speeds = rows[:, 3] * np.clip(np.cbrt(1.0 / np.maximum(USUAL_MASS * lightness, 1e-12)), 0.3, 3.0)
+    hits = np.stack([began + rows[:, 4], found, speeds, rows[:, 0]], axis=1)
+    snaps = [(began, SNAP, SNAP_SPEED, place_of(world, joint, 0)[0]) for joint in broken]
+    added = np.concatenate([hits, np.array(snaps).reshape(-1, HEARD_WIDTH)])
+    return np.concatenate([heard, added[np.lexsort((added[:, 3], added[:, 0]))]])[-MOST_HEARD:]
 
 
 def islands(world: SolidWorld) -> NDArray[np.int64]:

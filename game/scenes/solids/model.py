@@ -13,6 +13,7 @@ from game.physics.solids import Disc, Material, SolidSettings, SolidState, Solid
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.solids.bodies import (
+    COLOURS,
     HIDDEN,
     OWN_FRICTION,
     OWN_RESTITUTION,
@@ -20,7 +21,9 @@ from game.scenes.solids.bodies import (
     shapes_of,
     tint_of,
 )
-from game.scenes.solids.level import BodyEntry, GaugeEntry, JointEntry, Point, SolidContent
+from game.scenes.solids.gauges import Gauges
+from game.scenes.solids.level import BodyEntry, JointEntry, Point, SolidContent
+from game.scenes.solids.measures import HEARD_WIDTH, STEEL, STONE, THUD, WOOD, heard_now
 from game.scenes.solids.parameters import SolidParameters
 from game.scenes.solids.structures import make
 from game.stage import ParameterError, Part
@@ -28,30 +31,35 @@ from game.stage import ParameterError, Part
 Floats = NDArray[np.float64]
 ANCHOR = 0  # the body that joints to the ground hang on
 GROUND_DEPTH, WALL_WIDTH, ENDLESS = 20.0, 4.0, 4000.0  # m
+SOUNDS = np.array(
+    [{"stone": STONE, "steel": STEEL, "brass": STEEL}.get(name, WOOD) for name in COLOURS], dtype=np.int64
+)
 
 
 class ModelState(NamedTuple):
-    """world; tints: colour and own materials of each body; gauges: what they show; starts: (g, 3) poses."""
+    """world; tints: colour and own materials of each body; gauges: what they show; marks: see `Gauges`;
+    heard: see `heard_now`.
+    """
 
     world: SolidState
     tints: NDArray[np.int64]
     gauges: Floats
+    marks: Floats
+    heard: Floats
 
 
 class Shake(NamedTuple):
-    """A key-framed body's swing: place m, amplitude m, rate rad/s."""
+    """A key-framed body's swing about a place: m, amplitude m, rate rad/s, phase rad."""
 
     body: int
     place: Point
     amplitude: Point
     rate: float
+    phase: float
 
 
 class SolidModel(Part):
-    """Bodies and joints of a level in a world.
-
-    ids: of the level's bodies. time: s. snapped, bumps: of the last step.
-    """
+    """Bodies and joints of a level in a world. floors: bodies of the ground and the walls; time: s."""
 
     def __init__(self, content: SolidContent, parameters: SolidParameters, active: EffectSet, seed: int):
         self.content, self.parameters, self.active = content, parameters, active
@@ -62,18 +70,18 @@ class SolidModel(Part):
         self._lay_ground()
         made = make(content, seed)
         ids = [self.add(entry) for entry in made.bodies]
-        self.shakes = [
-            Shake(ids[k], entry.position, entry.swing.amplitude, entry.swing.rate)
-            for k, entry in enumerate(made.bodies) if entry.swing is not None
-        ]  # fmt: skip
-        self.leaving = [(entry.gone_at, ids[k]) for k, entry in enumerate(made.bodies) if entry.gone_at > 0.0]
+        bodies = list(zip(made.bodies, ids, strict=True))
+        self.shakes = [self._shake(entry, body) for entry, body in bodies if entry.swing is not None]
+        self.leaving = [(entry.gone_at, body) for entry, body in bodies if entry.gone_at > 0.0]
+        self.freed = [(entry.free_at, body) for entry, body in bodies if entry.free_at > 0.0]
         joints = [self.join(entry, ids) for entry in made.joints]
-        self.time = 0.0
-        self.gauges: Floats = np.zeros(len(content.gauges))
-        self._of = [self._gauged(gauge, ids, joints) for gauge in content.gauges]
-        self._starts = [self._pose(body) for body in self._of]
-        for k, gauge in enumerate(content.gauges):
-            self.gauges[k] = self._measure(k, gauge, self._of[k])
+        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
+        self.gauges = Gauges(self.world, content.gauges, ids, joints)
+
+    @property
+    def time(self) -> float:
+        """s; the world's own, which goes back with its state."""
+        return self.world.time
 
     # -- building -------------------------------------------------------------------------------------
 
@@ -102,6 +110,13 @@ class SolidModel(Part):
             self.tints = np.concatenate([self.tints, np.zeros(body + 1 - len(self.tints), dtype=np.int64)])
         self.tints[body] = tint
 
+    def _shake(self, entry: BodyEntry, body: int) -> Shake:
+        assert entry.swing is not None
+        (ax, ay), phase = entry.swing.amplitude, math.radians(entry.swing.phase)
+        x, y = self.world.bodies.positions[body].tolist()
+        middle = x - ax * math.sin(phase), y - ay * math.sin(phase)
+        return Shake(body, middle, entry.swing.amplitude, entry.swing.rate, phase)
+
     def add(self, entry: BodyEntry) -> int:
         """A body; its id. ValueError for nonsense."""
         body = self.world.add_body(
@@ -122,19 +137,6 @@ class SolidModel(Part):
             raise ValueError(f"joints: there is no body {max(entry.bodies)}")
         a, b = (ANCHOR if k < 0 else ids[k] for k in entry.bodies)
         return self.world.add_joint(entry.kind, a, b, entry.at, entry.other, **joint_options(entry))
-
-    def _gauged(self, gauge: GaugeEntry, ids: list[int], joints: list[int]) -> int:
-        things = joints if gauge.measure == "force" else ids
-        if gauge.of >= len(things) and gauge.measure not in ("passed", "fallen", "highest"):
-            raise ValueError(f"gauges: {gauge.name!r} is of {gauge.of}; there are {len(things)}")
-        return things[gauge.of] if gauge.of < len(things) else ANCHOR
-
-    def _pose(self, body: int) -> tuple[float, float, float]:
-        rows = self.world.bodies
-        if body >= len(rows.angles):
-            return 0.0, 0.0, 0.0
-        x, y = rows.positions[body].tolist()
-        return x, y, float(rows.angles[body])
 
     # -- changes --------------------------------------------------------------------------------------
 
@@ -175,8 +177,8 @@ class SolidModel(Part):
         self.world.remove_body(body)
         self.shakes = [shake for shake in self.shakes if shake.body != body]
         self.leaving = [row for row in self.leaving if row[1] != body]
-        self._of = [ANCHOR if of == body and gauge.measure != "force" else of
-                    for of, gauge in zip(self._of, self.content.gauges, strict=True)]  # fmt: skip
+        self.freed = [row for row in self.freed if row[1] != body]
+        self.gauges.forget(body)
 
     # -- a step ---------------------------------------------------------------------------------------
 
@@ -185,51 +187,34 @@ class SolidModel(Part):
         for leaves_at, body in list(self.leaving):
             if self.time + 0.5 * dt >= leaves_at:
                 self.remove(body)
+        for free_at, body in list(self.freed):
+            if self.time + 0.5 * dt >= free_at:
+                self._set_free(body)
         for shake in self.shakes:
             self._drive(shake, dt)
-        whole = int(np.count_nonzero(self.world.joints.flags & 8))
         with self.watch.time("step"):
             self.world.step(dt)
-        self.time += dt
-        for k, gauge in enumerate(self.content.gauges):
-            if gauge.until == 0.0 or self.time <= gauge.until + 0.25 * dt:
-                self.gauges[k] = self._measure(k, gauge, self._of[k])
-        return int(np.count_nonzero(self.world.joints.flags & 8)) - whole
+        self.gauges.measure(self.world, self.time, dt)
+        kinds = SOUNDS[self.tints & 255]
+        kinds[self.floors] = THUD
+        self.heard = heard_now(self.world, self.heard, self.time - dt, kinds)
+        return len(self.world.joints_broken())
+
+    def _set_free(self, body: int) -> None:
+        """A key-framed body goes on by itself, as it goes now."""
+        self.world.set_kind(body, "dynamic")
+        self.freed = [row for row in self.freed if row[1] != body]
+        self.shakes = [shake for shake in self.shakes if shake.body != body]
 
     def _drive(self, shake: Shake, dt: float) -> None:
         """Give a key-framed body the velocity that takes it to where it is to be."""
-        height = math.sin(shake.rate * (self.time + dt))
+        height = math.sin(shake.rate * (self.time + dt) + shake.phase)
         x, y = self.world.bodies.positions[shake.body].tolist()
         speed = (
             (shake.place[0] + shake.amplitude[0] * height - x) / dt,
             (shake.place[1] + shake.amplitude[1] * height - y) / dt,
         )
         self.world.set_velocity(shake.body, speed)
-
-    def _measure(self, k: int, gauge: GaugeEntry, of: int) -> float:
-        rows, measure = self.world.bodies, gauge.measure
-        dynamic = rows.flags & DYNAMIC != 0
-        if measure == "passed":
-            return int(np.count_nonzero(rows.positions[dynamic, 0] > gauge.level))
-        if measure == "fallen":
-            return int(np.count_nonzero(rows.positions[dynamic, 1] < gauge.level))
-        if measure == "highest":
-            return float(rows.positions[dynamic, 1].max(initial=-math.inf)) if dynamic.any() else 0.0
-        if measure == "force":
-            return self.world.joint_load(of)[0] if self._holds(of) else 0.0
-        if of == ANCHOR:
-            return float(self.gauges[k])
-        x, y, angle = (now - then for now, then in zip(self._pose(of), self._starts[k], strict=True))
-        if measure == "when":
-            return self.time if self.gauges[k] == 0.0 and math.hypot(x, y) >= gauge.level else self.gauges[k]
-        return float({
-            "right": x, "up": y, "sink": -y, "way": math.hypot(x, y), "turn": math.degrees(angle),
-            "speed": math.hypot(*rows.velocities[of].tolist()), "spin": float(rows.spins[of]),
-        }[measure])  # fmt: skip
-
-    def _holds(self, joint: int) -> bool:
-        rows = self.world.joints
-        return joint < len(rows.kinds) and rows.kinds[joint] >= 0 and not rows.flags[joint] & 8
 
     # -- what is there --------------------------------------------------------------------------------
 
@@ -245,10 +230,11 @@ class SolidModel(Part):
 
     def state(self) -> ModelState:
         """All that later steps depend on."""
-        return ModelState(self.world.state(), self.tints, self.gauges)
+        return ModelState(self.world.state(), self.tints, self.gauges.values, self.gauges.marks, self.heard)
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.world.restore(state.world)
         self.tints = state.tints.copy()
-        np.copyto(self.gauges, state.gauges)
+        self.gauges.restore(state.gauges, state.marks)
+        self.heard = state.heard.copy()

@@ -11,7 +11,9 @@ from game.stage import Readout
 UNITS = {
     "right": "m", "up": "m", "sink": "m", "way": "m", "turn": "°", "speed": "m/s", "spin": "rad/s",
     "force": "N", "passed": "", "fallen": "", "when": "s", "highest": "m",
+    "moment": "N m", "period": "s", "between": "s", "broken": "", "fastest": "m/s", "gap": "m",
 }  # fmt: skip
+COUNTED = ("passed", "fallen", "broken")
 
 
 def readouts(model: SolidModel) -> list[Readout]:
@@ -19,9 +21,11 @@ def readouts(model: SolidModel) -> list[Readout]:
     world = model.world
     rows = [
         Readout(
-            gauge.name, int(value) if gauge.measure in ("passed", "fallen") else value, UNITS[gauge.measure]
+            gauge.name,
+            int(value) if gauge.measure in COUNTED else value,
+            UNITS[gauge.measure],
         )
-        for gauge, value in zip(model.content.gauges, model.gauges.tolist(), strict=True)
+        for gauge, value in zip(model.content.gauges, model.gauges.values.tolist(), strict=True)
     ]
     found, points = energies(world), contact_points(world)
     return [

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import msgspec
 
 from game.scenes.solids.bodies import entry_of, joint_entry, whole_joints
 from game.scenes.solids.level import GROUND, BodyEntry, SolidContent, SwingEntry
 from game.scenes.solids.model import ANCHOR, SolidModel
+
+SOON = 1e-6  # s
 
 
 def content_of(model: SolidModel) -> SolidContent:
@@ -26,10 +30,15 @@ def content_of(model: SolidModel) -> SolidContent:
 
 
 def _body(model: SolidModel, body: int) -> BodyEntry:
-    """One that swings begins its swing again."""
+    """One that swings goes on in its swing; one that goes, or is set free, does so after what is left."""
     entry = entry_of(model.world, body, int(model.tints[body]))
     for shake in model.shakes:
         if shake.body == body:
-            swing = SwingEntry(amplitude=shake.amplitude, rate=shake.rate)
-            return msgspec.structs.replace(entry, position=shake.place, velocity=(0.0, 0.0), swing=swing)
+            phase = math.degrees(math.remainder(shake.rate * model.time + shake.phase, math.tau))
+            swing = SwingEntry(amplitude=shake.amplitude, rate=shake.rate, phase=phase)
+            entry = msgspec.structs.replace(entry, swing=swing)
+    for name, rows in (("gone_at", model.leaving), ("free_at", model.freed)):
+        for moment, other in rows:
+            if other == body:
+                entry = msgspec.structs.replace(entry, **{name: max(moment - model.time, SOON)})
     return entry

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from game.lab.studies.stacks import stack_study
 from game.levels import Level
 from game.physics.solids.effects import USUAL
-from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.solids import SOLIDS as ROW
 from game.scenes.solids.figure import draw_contact
@@ -18,10 +18,12 @@ from game.scenes.solids.model import ModelState, SolidModel
 from game.scenes.solids.parameters import OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
 from game.scenes.solids.readouts import readouts
 from game.scenes.solids.saving import content_of
+from game.scenes.solids.sounds import hearing_of
 from game.scenes.solids.view import WHAT_NEXT, SolidView
 from game.stage import (
     Equation,
     Frame,
+    Hearing,
     Hint,
     Pointer,
     Readout,
@@ -92,6 +94,8 @@ class Solids(Scene):
         "Draw a boat, a hook, a spoon: concave outlines are cut into convex parts.",
         "Cut a wheel in two with the right button while it rolls.",
         "Show the contact forces, and build a tower until it falls.",
+        "Load the bridge until it breaks: statics says which bar is the first.",
+        "Make the clock's bob lighter, or its pendulum shorter: cut it, and read the period.",
     )
     default_content: ClassVar[SolidContent] = SolidContent(
         arches=(ArchEntry(at=(0.0, 0.0), radius=3.0, thickness=0.6, blocks=13, colour="stone"),),
@@ -164,6 +168,10 @@ class Solids(Scene):
     def messages(self) -> Sequence[str]:
         return self.said.take()
 
+    def hearing(self) -> Hearing:
+        """Impacts of the last moments, by their materials."""
+        return hearing_of(self.model)
+
     # -- what there is to see -----------------------------------------------------------------------
 
     def hints_now(self) -> Sequence[Hint]:
@@ -181,12 +189,13 @@ class Solids(Scene):
         return self.view.legend()
 
     def frame(self) -> Frame:
-        view = self.model.content.view
-        return Frame(view.left, view.bottom, view.right, view.top)
+        view, lines = self.model.content.view, len(self.model.content.expected)
+        return with_headroom(Frame(view.left, view.bottom, view.right, view.top), lines)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         content = self.model.content
         if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            frame = self.frame()
+            top = (0.5 * (frame.left + frame.right), frame.top)
             draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -25,13 +25,7 @@ from game.scenes.solids.level import (
     SolidContent,
     StackEntry,
 )
-
-
-class Made(NamedTuple):
-    """Bodies in their order, and joints by their numbers."""
-
-    bodies: list[BodyEntry]
-    joints: list[JointEntry]
+from game.scenes.solids.machines import Made, add_beam, add_escapement, add_truss, material_of
 
 
 def make(content: SolidContent, seed: int) -> Made:
@@ -39,6 +33,12 @@ def make(content: SolidContent, seed: int) -> Made:
     made = Made(list(content.bodies), [])
     for stack in content.stacks:
         made.bodies.extend(_stack(stack))
+    for beam in content.beams:
+        add_beam(beam, made)
+    for truss in content.trusses:
+        add_truss(truss, made)
+    for clock in content.escapements:
+        add_escapement(clock, made)
     for arch in content.arches:
         made.bodies.extend(_arch(arch))
     for row in content.dominoes:
@@ -58,25 +58,21 @@ def make(content: SolidContent, seed: int) -> Made:
     return made
 
 
-def _material(entry: MaterialEntry) -> dict[str, Any]:
-    return {name: getattr(entry, name) for name in ("density", "friction", "restitution", "colour")}
-
-
 def _box(entry: MaterialEntry, size: Point, place: Point, angle: float = 0.0, **more: Any) -> BodyEntry:
     return BodyEntry(
-        shapes=(ShapeEntry(box=size),), position=place, angle=angle, **{**_material(entry), **more}
+        shapes=(ShapeEntry(box=size),), position=place, angle=angle, **{**material_of(entry), **more}
     )
 
 
 def _stack(entry: StackEntry) -> Iterator[BodyEntry]:
-    (x, y), (width, height) = entry.at, entry.size
+    (x, y), half = entry.at, 0.5 * entry.size[1]
+    width, height = (side * (1.0 - entry.overlap) for side in entry.size)
     for row in range(entry.count):
         across = entry.count - row if entry.form == "pyramid" else entry.across
         shift = 0.25 * width if entry.form == "wall" and row % 2 else 0.0
         for k in range(across):
-            yield _box(
-                entry, entry.size, (x + shift + width * (k - 0.5 * (across - 1)), y + height * (row + 0.5))
-            )
+            place = x + shift + width * (k - 0.5 * (across - 1)), y + half + height * row
+            yield _box(entry, entry.size, place)
 
 
 def _arch(entry: ArchEntry) -> Iterator[BodyEntry]:
@@ -92,7 +88,7 @@ def _arch(entry: ArchEntry) -> Iterator[BodyEntry]:
         middle = np.mean(corners, axis=0)
         own = tuple((float(cx - middle[0]), float(cy - middle[1])) for cx, cy in reversed(corners))
         place = (x + float(middle[0]), y + float(middle[1]))
-        yield BodyEntry(shapes=(ShapeEntry(polygon=own),), position=place, **_material(entry))
+        yield BodyEntry(shapes=(ShapeEntry(polygon=own),), position=place, **material_of(entry))
 
 
 def _dominoes(entry: DominoEntry) -> Iterator[BodyEntry]:
@@ -136,7 +132,7 @@ def _cradle(entry: CradleEntry, made: Made) -> None:
             JointEntry(kind="distance", bodies=(GROUND, len(made.bodies)), at=top, other=place)
         )
         made.bodies.append(
-            BodyEntry(shapes=(ShapeEntry(disc=entry.ball),), position=place, **_material(entry))
+            BodyEntry(shapes=(ShapeEntry(disc=entry.ball),), position=place, **material_of(entry))
         )
 
 
@@ -151,7 +147,7 @@ def _links(entry: LinksEntry, made: Made) -> None:
         middle = first + 0.5 * step
         shape = ShapeEntry(capsule=((-half, 0.0), (half, 0.0)), radius=entry.radius)
         made.bodies.append(
-            BodyEntry(shapes=(shape,), position=_pair(middle), angle=angle, **_material(entry))
+            BodyEntry(shapes=(shape,), position=_pair(middle), angle=angle, **material_of(entry))
         )
         if k or entry.held != "none":
             made.joints.append(JointEntry(kind="pin", bodies=(before, number), at=_pair(first)))
@@ -177,7 +173,7 @@ def _pegs(entry: PegEntry) -> Iterator[BodyEntry]:
         for k in range(across):
             place = (x + entry.spacing * (k - 0.5 * (across - 1)), y - entry.spacing * math.sqrt(0.75) * row)
             shape = ShapeEntry(disc=entry.radius)
-            yield BodyEntry(shapes=(shape,), position=place, kind="fixed", **_material(entry))
+            yield BodyEntry(shapes=(shape,), position=place, kind="fixed", **material_of(entry))
 
 
 def _heap(entry: HeapEntry, chance: np.random.Generator) -> Iterator[BodyEntry]:
@@ -187,7 +183,7 @@ def _heap(entry: HeapEntry, chance: np.random.Generator) -> Iterator[BodyEntry]:
         size, turn = float(chance.uniform(*entry.size)), float(chance.uniform(-180.0, 180.0))
         disc = entry.form == "disc" or (entry.form == "mixed" and k % 2 == 0)
         shape = ShapeEntry(disc=size) if disc else ShapeEntry(box=(2.0 * size, 2.0 * size))
-        yield BodyEntry(shapes=(shape,), position=place, angle=turn, **_material(entry))
+        yield BodyEntry(shapes=(shape,), position=place, angle=turn, **material_of(entry))
 
 
 def _pair(point: Any) -> Point:

@@ -21,7 +21,7 @@ from game.scenes.solids.outlines import Outlines, outlines_of
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 
 Floats = NDArray[np.float64]
-SOLID = {"wood": "B98955", "stone": "A3A29B", "steel": "8096A6"}  # the same in both themes
+SOLID = {"wood": "B98955", "stone": "A3A29B", "steel": "8096A6", "brass": "BFA15A"}  # the same in both themes
 LIGHT = np.array([-0.45, 0.89])  # where light comes from
 MOST_BEVELLED = 700  # polygons; more are too small to show it
 ASLEEP_SHARE = 0.5

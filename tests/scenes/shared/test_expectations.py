@@ -54,6 +54,13 @@ def test_words_and_whether_it_is_as_expected():
     assert not captions_of(entries, [Readout("kinetic", 2.0, "J"), Readout("count", float("nan"))])[1].met
 
 
+def test_a_bound_is_told_with_what_is_measured():
+    entries = [Expectation(readout="sinks", value=0.1, at_most=True)]
+    told = [captions_of(entries, [Readout("sinks", sinks, "m")])[0] for sinks in (0.05, 0.2, -0.2)]
+    assert told[0] == ("sinks: at most 100 mm, measured 50.0 mm", True)
+    assert [caption.met for caption in told] == [True, False, False]
+
+
 @pytest.mark.parametrize(("scene_type", "name"), EXPECTING, ids=[f"{s.name}-{n}" for s, n in EXPECTING])
 def test_what_a_hard_level_expects_comes_true(scene_type, name):
     stage = open_level(scene_type, name, **WITH.get(name, {}))
