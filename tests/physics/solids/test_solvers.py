@@ -66,8 +66,7 @@ def test_a_box_slides_as_coulomb_says(name):
     assert found == pytest.approx(1.1781436183311982, rel=BOUNDS[name].slide)
 
 
-def test_a_box_stands_below_its_angle_of_friction(name, request):
-    fails(request, name, {"shock-propagation": "creeps 24 mm in 2 s on 20 degrees"})
+def test_a_box_stands_below_its_angle_of_friction(name):
     world, _ = world_of(name, Material(friction=0.4), 20.0)
     body = world.add_body(box(1.0, 1.0, material=Material(friction=0.4)), (0.0, 0.5))
     run(world, 2.0)
@@ -116,7 +115,7 @@ def test_a_disc_bounces_by_its_restitution(name):
 
 
 def test_a_pile_never_gains_energy(name, request):
-    fails(request, name, {"xpbd": "a step gains 1.9 %", "shock-propagation": "a step gains 0.015 %"})
+    fails(request, name, {"shock-propagation": "a step gains 0.015 %"})
     world, _ = world_of(name)
     rng = np.random.default_rng(5)
     for k in range(12):

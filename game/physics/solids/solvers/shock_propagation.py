@@ -171,11 +171,12 @@ def asked(row, c, at, motion, a, b, keep, h):
 
 
 @inner_kernel
-def rub(row, c, at, motion, a, b, most, masses):
-    """Friction at a point, by no more than ``most``."""
+def rub(row, c, at, motion, a, b, masses):
+    """Friction at a point: all of the substep so far within the cone of all that pressed so far."""
     _, vt = point_speeds(row, c, at, motion, a, b)
     _, ktt, _ = coupled(row, c, at, masses)
-    push(row, c, at, motion, a, b, (0.0, max(-most, min(most, -vt / ktt))), masses)
+    most, before = row[c, ROW_MU] * row[c, at + JN], row[c, at + JT]
+    push(row, c, at, motion, a, b, (0.0, max(-most, min(most, before - vt / ktt)) - before), masses)
 
 
 @inner_kernel
@@ -199,10 +200,8 @@ def touch(rows, motion, c, masses, keep, h):
         j1, j2 = solve_two(knn, between, other, v1, v2)
         push(row, c, at, motion, a, b, (j1, 0.0), masses)
         push(row, c, second, motion, a, b, (j2, 0.0), masses)
-        if j1 > 0.0:
-            rub(row, c, at, motion, a, b, row[c, ROW_MU] * j1, masses)
-        if j2 > 0.0:
-            rub(row, c, second, motion, a, b, row[c, ROW_MU] * j2, masses)
+        rub(row, c, at, motion, a, b, masses)
+        rub(row, c, second, motion, a, b, masses)
 
 
 @inner_kernel

@@ -45,7 +45,7 @@ from game.physics.solids.joints.layout import (
 )
 from game.physics.solids.joints.lines import prepare_joints, write_lines
 from game.physics.solids.joints.points import line_weight
-from game.physics.solids.solvers.impulses import bounce_contacts, gap_now, push_point, solve_two
+from game.physics.solids.solvers.impulses import bounce_contacts, gap_now, gap_speed, push_point, solve_two
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.positions import (
     clear_impulses,
@@ -58,8 +58,6 @@ from game.physics.solids.solvers.positions import (
 )
 from game.physics.solids.state import (
     COUPLING,
-    CROSS_A,
-    CROSS_B,
     DA,
     DX,
     DY,
@@ -71,14 +69,9 @@ from game.physics.solids.state import (
     MASS_T,
     MOST_0,
     ROW_MU,
-    ROW_NX,
-    ROW_NY,
     ROW_POINT,
     ROW_POINT_WIDTH,
     STIFF_N,
-    VX,
-    VY,
-    W,
 )
 
 SECOND = ROW_POINT + ROW_POINT_WIDTH
@@ -173,28 +166,41 @@ def sweep_joint_places(joints, motion, before):
 
 
 @inner_kernel
-def scale_impulses(rows, joints, scratch, numbers):
-    """Impulses in N s; the speed that parting an overlap deeper than the slop gave is taken out.
-
-    Below the slop it stays: taken out point by point it would tip columns.
-    """
-    motion, h = scratch.motion, numbers.h
-    row, ends = rows.rows, rows.ends
+def scale_impulses(rows, joints, h):
+    """Impulses in N s."""
+    row = rows.rows
     for c in range(rows.count[0]):
-        a, b = ends[c, END_A], ends[c, END_B]
-        for k in range(ends[c, END_POINTS]):
+        for k in range(rows.ends[c, END_POINTS]):
             at = ROW_POINT + k * ROW_POINT_WIDTH
             row[c, at + JN] /= h
             row[c, at + JT] /= h
             rows.rare[c, MOST_0 + k] = max(rows.rare[c, MOST_0 + k], row[c, at + JN])
-            if row[c, at + JN] > 0.0 and scratch.points[c, k] < -numbers.slop:
-                speed = (motion[b, VX] - motion[a, VX]) * row[c, ROW_NX]
-                speed += (motion[b, VY] - motion[a, VY]) * row[c, ROW_NY]
-                speed += motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
-                push_point(row, c, at, motion, a, b, -max(0.0, speed) / row[c, at + STIFF_N], 0.0)
     for k in range(joints.kinds.shape[0]):
         for slot in range(IMPULSES):
             joints.impulses[k, slot] /= h
+
+
+@inner_kernel
+def stop_parting(rows, motion):
+    """What was pushed apart does not go on parting (Müller and others 2020, section 3.6, restitution 0).
+
+    Both points of a row together, as they were pushed; each impulse only takes energy.
+    """
+    row, ends = rows.rows, rows.ends
+    for c in range(rows.count[0]):
+        a, b, at = ends[c, END_A], ends[c, END_B], ROW_POINT
+        v1 = gap_speed(row, c, at, motion, a, b) if row[c, at + JN] > 0.0 else 0.0
+        if ends[c, END_POINTS] == 1 or not row[c, SECOND + JN] > 0.0:
+            push_point(row, c, at, motion, a, b, -max(0.0, v1) / row[c, at + STIFF_N], 0.0)
+        elif not row[c, at + JN] > 0.0:
+            v2 = gap_speed(row, c, SECOND, motion, a, b)
+            push_point(row, c, SECOND, motion, a, b, -max(0.0, v2) / row[c, SECOND + STIFF_N], 0.0)
+        else:
+            v2 = gap_speed(row, c, SECOND, motion, a, b)
+            k1, k2 = row[c, at + STIFF_N], row[c, SECOND + STIFF_N]
+            j1, j2 = solve_two(k1, row[c, COUPLING], k2, -v1, -v2)
+            push_point(row, c, at, motion, a, b, -j1, 0.0)
+            push_point(row, c, SECOND, motion, a, b, -j2, 0.0)
 
 
 @inner_kernel
@@ -221,5 +227,6 @@ def solve_xpbd(bodies, contacts, rows, joints, scratch, numbers):
             sweep_joint_places(joints, motion, scratch.before)
             sweep_places(rows, motion, scratch, h * numbers.push)
         velocities_from_places(bodies, motion, scratch.before, h)
-        scale_impulses(rows, joints, scratch, numbers)
+        stop_parting(rows, motion)
+        scale_impulses(rows, joints, h)
     bounce_contacts(rows, motion, numbers)
