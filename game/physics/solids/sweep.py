@@ -21,6 +21,7 @@ from game.physics.solids.state import DA, DISC, DX, DY, DYNAMIC, SEGMENT, VX, VY
 MOST_ADVANCES = 64
 LOOKS = 16  # at the way of two that touch
 FAST = 4.0  # times what is deep: slower motion of two that touch is left to the contacts
+SWIFT = 8.0  # times that: what lies flat in something thin is through before it is deeper than both are thick
 THIN = 0.5  # of both cores together: how far two may approach in a step and be left to the contacts
 
 
@@ -100,7 +101,10 @@ def meeting_time(bodies, shapes, pool, scratch, pair, target, deep):
             shapes, pool, scratch, a, b, pose_at(bodies, motion, i, t), pose_at(bodies, motion, j, t)
         )
         if t == 0.0 and gap <= 1.1 * target:
-            return first_deep(bodies, shapes, pool, scratch, pair, deep) if fastest > FAST * deep else 1.0
+            if fastest <= FAST * deep:
+                return 1.0
+            share = 0.5 if fastest > SWIFT * deep else 1.0
+            return first_deep(bodies, shapes, pool, scratch, pair, share * deep)
         if gap <= 1.1 * target:
             return t
         t += (gap - target) / fastest
