@@ -46,6 +46,7 @@ from game.physics.broadphase.kinetic.bounds import (
 )
 from game.physics.broadphase.kinetic.sweep import Order, keep_candidates, merge_order, sweep_all, sweep_events
 from game.physics.broadphase.naive import scan_boxes
+from game.physics.broadphase.ordering import LOW_HALF
 from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
 
 MANY = 0.3  # share of the boxes from which on all get new bounds: one sweep finds each pair once then
@@ -97,6 +98,11 @@ class KineticSweep(BroadPhase):
     def false_pairs(self) -> int:
         """Candidates of the last step that do not overlap."""
         return self.candidates - (0 if self._found is None else len(self._found))
+
+    def candidate_pairs(self) -> Pairs:
+        """The candidates of the last step, (m, 2), sorted as pairs are."""
+        keys = self._kept[: self.candidates]
+        return np.stack([keys >> 32, keys & LOW_HALF], axis=1)
 
     def coming_events(self) -> NDArray[np.int64]:
         """(RING,) how many bounds are used up in the next step, the one after it, and so on."""
