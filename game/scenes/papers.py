@@ -10,7 +10,7 @@ PAPERS = (
              "game.scenes.boxes.papers.bsp:BSP"),
     PaperRow("P02", "Interactive Collision Detection", "Hubbard", 1993),
     PaperRow("P03", "Velocity-Aligned Discrete Oriented Polytopes", "Coming, Staadt", 2004,
-             "broad-phase-race", "bounds", "game.scenes.boxes.papers.kinetic:KINETIC"),
+             "broad-phase-race", "crossfire", "game.scenes.boxes.papers.kinetic:KINETIC"),
     PaperRow("P04", "Optimized Spatial Hashing for Collision Detection of Deformable Objects",
              "Teschner, Heidelberger, Müller, Pomeranets, Gross", 2003),
     PaperRow("P05", "Nonconvex Rigid Bodies with Stacking", "Guendelman, Bridson, Fedkiw", 2003),
