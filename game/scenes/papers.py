@@ -6,9 +6,11 @@ from game.ui.widgets.paper import PaperRow
 
 PAPERS = (
     PaperRow("P01", "Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees",
-             "Luque, Comba, Freitas", 2005),
+             "Luque, Comba, Freitas", 2005, "broad-phase-race", "clustered",
+             "game.scenes.boxes.papers.bsp:BSP"),
     PaperRow("P02", "Interactive Collision Detection", "Hubbard", 1993),
-    PaperRow("P03", "Velocity-Aligned Discrete Oriented Polytopes", "Coming, Staadt", 2004),
+    PaperRow("P03", "Velocity-Aligned Discrete Oriented Polytopes", "Coming, Staadt", 2004,
+             "broad-phase-race", "crossfire", "game.scenes.boxes.papers.kinetic:KINETIC"),
     PaperRow("P04", "Optimized Spatial Hashing for Collision Detection of Deformable Objects",
              "Teschner, Heidelberger, Müller, Pomeranets, Gross", 2003),
     PaperRow("P05", "Nonconvex Rigid Bodies with Stacking", "Guendelman, Bridson, Fedkiw", 2003,

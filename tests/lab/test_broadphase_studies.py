@@ -7,6 +7,7 @@ import pytest
 
 from game.lab.studies.broadphase.count import count_study, work_study
 from game.lab.studies.broadphase.missed import meeting_times
+from game.lab.studies.broadphase.slabs import slabs_study
 from game.lab.studies.broadphase.speed import speed_study, swaps_study, sweep_study
 from game.lab.studies.broadphase.workloads import (
     cell_cost_study,
@@ -26,6 +27,7 @@ ALL = (
     speed_study,
     count_study,
     work_study,
+    slabs_study,
 )
 
 
@@ -112,8 +114,18 @@ def test_swaps_follow_speed_as_the_formula_says():
 
 
 @pytest.mark.parametrize(
-    ("method", "exponent"), [("naive", 2.0), ("uniform", 1.0), ("sweep", 1.5), ("bsp", 1.0)]
+    ("method", "exponent"), [("naive", 2.0), ("uniform", 1.0), ("sweep", 1.5), ("bsp", 1.0), ("kinetic", 1.0)]
 )
 def test_work_grows_with_the_number_of_boxes_as_expected(method, exponent):
     counts = [100.0, 300.0, 1000.0, 3000.0]
     assert slope(work_study, method, counts) == pytest.approx(exponent, abs=0.15)
+
+
+def test_sides_of_bounds_matter_where_boxes_are_fast():
+    slow = [outcome(slabs_study, slabs, 0.01).error for slabs in ("4", "16")]
+    fast = [outcome(slabs_study, slabs, 3.0).error for slabs in ("4", "8", "16")]
+    assert slow[1] < slow[0] < 1.1 * slow[1]
+    assert fast[0] > 1.15 * fast[1] > 1.15 * 1.15 * fast[2]
+    for setting in slabs_study.settings():
+        place = slabs_study.present(setting.scene)
+        assert place.method == setting.method and place.knob == pytest.approx(setting.knob)

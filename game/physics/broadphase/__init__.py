@@ -9,6 +9,7 @@ All broad phases take the same calls and give the same answers; closed boxes, so
 ``HierarchicalGrid``   hash tables, a grid for every size                              boxes of any size
 ``SweepAndPrune``      end points kept sorted on two axes                              slow motion
 ``BspTree``            cuts that follow the boxes                                      unlike sizes, heaps
+``KineticSweep``       bounds of what boxes cover in steps to come                     even motion
 =====================  ==============================================================  ==================
 
 ``MatrixPairs`` and ``HashedPairs`` keep pairs from step to step and tell which began and which ended.
@@ -18,6 +19,7 @@ from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.bsp.tree import BspTree
 from game.physics.broadphase.covering_grid import CoveringGrid
 from game.physics.broadphase.hierarchical_grid import HierarchicalGrid
+from game.physics.broadphase.kinetic.kinetic_sweep import KineticSweep
 from game.physics.broadphase.naive import NaiveBroadPhase
 from game.physics.broadphase.pairs import HashedPairs, MatrixPairs, PairEvents, PairManager
 from game.physics.broadphase.sweep_and_prune import SweepAndPrune
@@ -29,6 +31,7 @@ __all__ = [
     "CoveringGrid",
     "HashedPairs",
     "HierarchicalGrid",
+    "KineticSweep",
     "MatrixPairs",
     "NaiveBroadPhase",
     "PairEvents",

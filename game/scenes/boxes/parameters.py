@@ -12,7 +12,7 @@ RATIO, SHARE = 20.0, 0.01  # of large boxes, in scenes without parameters for th
 MAKING = ("workload", "fill", "ratio", "share")  # parameters by which random boxes are made
 COUNT_HELP = "boxes are added or removed while the others go on; their density stays"
 FILL_HELP = "area of equal boxes over that of the world; a box overlaps four times as many"
-CONTESTANTS = ("naive", "uniform", "covering", "hierarchical", "sweep", "bsp")  # of the race
+CONTESTANTS = ("naive", "uniform", "covering", "hierarchical", "sweep", "bsp", "kinetic")  # of the race
 
 
 def _ratio() -> Param:
@@ -143,7 +143,16 @@ class RaceParameters(BoxesParameters):
     hierarchical = Toggle(True, group="Contestants", label="Hierarchical grids")
     sweep = Toggle(True, group="Contestants", label="Sweep and prune")
     bsp = Toggle(True, group="Contestants", label="BSP tree")
+    kinetic = Toggle(True, group="Contestants", label="Kinetic sweep")
+    slabs = Choice(
+        "8", ("4", "8", "16"), group="Contestants", label="Sides of a bound",
+        help="of the kinetic sweep: a slab lies across the motion, in the nearest of half as many directions",
+    )  # fmt: skip
     cuts = Toggle(False, group="Shown", label="Cuts of the BSP tree")
+    bounds = Toggle(
+        False, group="Shown", label="Bounds of the kinetic sweep",
+        help="what boxes are to cover until they are looked at again; below, in how many steps that is",
+    )  # fmt: skip
 
     def chosen(self) -> tuple[str, ...]:
         """The contestants that are switched on."""

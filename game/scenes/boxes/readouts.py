@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from game.scenes.boxes.model.base import BoxesModel
 from game.scenes.boxes.model.hierarchical_grids import HierarchicalGridModel
 from game.scenes.boxes.model.race import RaceModel
@@ -78,6 +80,8 @@ def race_readouts(model: RaceModel) -> list[Readout]:
         Readout("swaps", model.swaps),
         Readout("put anew", model.tree_work.repairs),
         Readout("cut anew", model.tree_work.moved / max(len(model.boxes), 1)),
+        Readout("events", model.kinetic.events if model.kinetic else math.nan),
+        Readout("false pairs", model.kinetic.false_pairs if model.kinetic else math.nan),
         Readout("answers differ", float(sum(not same for same in model.agree.values()))),
         *_expected_alone(model),
     ]

@@ -9,6 +9,7 @@ from game.physics.broadphase import (
     BspTree,
     CoveringGrid,
     HierarchicalGrid,
+    KineticSweep,
     MatrixPairs,
     NaiveBroadPhase,
     SweepAndPrune,
@@ -23,6 +24,8 @@ PHASES = {
     "hierarchical": HierarchicalGrid,
     "hierarchical-8": lambda: HierarchicalGrid(8),
     "bsp": BspTree,
+    "kinetic": KineticSweep,
+    "kinetic-16": lambda: KineticSweep(16, 2.0, 0.01),
     "sweep": SweepAndPrune,
     "sweep-matrix": lambda: SweepAndPrune(MatrixPairs(400), resort=False),
 }

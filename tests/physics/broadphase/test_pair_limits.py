@@ -9,6 +9,7 @@ from game.physics.broadphase import (
     CoveringGrid,
     HashedPairs,
     HierarchicalGrid,
+    KineticSweep,
     MatrixPairs,
     SweepAndPrune,
     UniformGrid,
@@ -21,6 +22,7 @@ MAKERS = {
     "uniform grid": lambda: UniformGrid((0.0, 0.0), (8.0, 8.0), 1.0),
     "covering grid": lambda: CoveringGrid((0.0, 0.0), (8.0, 8.0), 8.0),
     "hierarchical grid": HierarchicalGrid,
+    "kinetic sweep": KineticSweep,
     "sweep and prune": SweepAndPrune,
 }
 

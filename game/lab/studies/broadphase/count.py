@@ -10,12 +10,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from game.lab.studies.broadphase.slabs import slabs_study
 from game.lab.studies.broadphase.steps import EXTENT, PER_STEP, SEED, Steps, boxes_of, tests_per_box
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
 from game.physics.broadphase import (
     BroadPhase,
     BspTree,
     HierarchicalGrid,
+    KineticSweep,
     NaiveBroadPhase,
     SweepAndPrune,
     UniformGrid,
@@ -26,7 +28,7 @@ MOST_NAIVE = 10_000
 COUNT_PARAMETERS = {"workload": "equal", "fill": 0.375}
 METHOD_COLORS = {  # of the theme: in studies, tables, bars, strips and curves alike
     "naive": "vermilion", "uniform": "chalk", "covering": "violet", "hierarchical": "green", "sweep": "pink",
-    "bsp": "yellow",
+    "bsp": "yellow", "kinetic": "amber",
 }  # fmt: skip
 COUNT_METHODS: dict[str, Callable[[float], BroadPhase]] = {
     "naive": lambda size: NaiveBroadPhase(),
@@ -34,6 +36,7 @@ COUNT_METHODS: dict[str, Callable[[float], BroadPhase]] = {
     "hierarchical": lambda size: HierarchicalGrid(),
     "sweep": lambda size: SweepAndPrune(),
     "bsp": lambda size: BspTree(),
+    "kinetic": lambda size: KineticSweep(),
 }
 
 
@@ -69,6 +72,7 @@ work_study = Study(
         Method("hierarchical", "hierarchical grids", 1.0, color=METHOD_COLORS["hierarchical"]),
         Method("sweep", "sweep and prune", 1.5, color=METHOD_COLORS["sweep"]),
         Method("bsp", "BSP tree", 1.0, color=METHOD_COLORS["bsp"]),
+        Method("kinetic", "kinetic sweep", 1.0, color=METHOD_COLORS["kinetic"]),
     ),
     settings=_count_settings,
     trial=_count_trial,
@@ -94,12 +98,12 @@ count_study = replace(
             "between 1 and 1.5: sorting and listing are in proportion",
             color=METHOD_COLORS["sweep"],
         ),
-        work_study.methods[4],
+        *work_study.methods[4:],
     ),
     axes=Axes("knob", "cpu"),
     short="Number",
     expectation="Time grows with the square of the number for testing all pairs, in proportion to it for "
     "grids. Sweep and prune lies between: its swaps grow with the power 1.5, the rest of its work in "
     "proportion.",
-    related=(work_study,),
+    related=(work_study, slabs_study),
 )

@@ -70,8 +70,10 @@ class Steps:
         self.swaps = 0
 
     def reset(self) -> None:
-        self.phase.update_boxes(self.ids, self.boxes.lowers, self.boxes.uppers)
-        self.phase.pairs()
+        for step in (-2, -1, 0):  # boxes are in motion when they are timed
+            shift = step * self.dt * self.boxes.velocities
+            self.phase.update_boxes(self.ids, self.boxes.lowers + shift, self.boxes.uppers + shift)
+            self.phase.pairs()
         self.swaps = self.phase.swaps if isinstance(self.phase, SweepAndPrune) else 0
 
     def run(self) -> None:

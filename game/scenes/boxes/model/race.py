@@ -12,6 +12,7 @@ from game.physics.broadphase import (
     CoveringGrid,
     HashedPairs,
     HierarchicalGrid,
+    KineticSweep,
     MatrixPairs,
     NaiveBroadPhase,
     PairEvents,
@@ -41,7 +42,7 @@ class RaceModel(BoxesModel):
     """
 
     parameters: RaceParameters
-    shaping = ("cell", *CONTESTANTS)
+    shaping = ("cell", "slabs", *CONTESTANTS)
 
     def __init__(self, parameters: RaceParameters, active: EffectSet, seed: int):
         super().__init__(parameters, active, seed)
@@ -49,10 +50,11 @@ class RaceModel(BoxesModel):
 
     def make_structures(self) -> None:
         cell = max(self.parameters.cell * self.size, math.sqrt(WIDTH * HEIGHT / MOST_CELLS))
+        slabs = int(self.parameters.slabs)
         many = len(self.boxes) > MOST_NAIVE
         chosen = [name for name in self.parameters.chosen() if name != "naive" or not many]
         chosen = chosen or ["hierarchical"]  # one must stay, to know the pairs
-        self.phases = {name: _phase(name, min(cell, WIDTH)) for name in chosen}
+        self.phases = {name: _phase(name, min(cell, WIDTH), slabs) for name in chosen}
         for name in CONTESTANTS:
             if name not in self.phases:
                 self.watch.forget(name)
@@ -64,6 +66,12 @@ class RaceModel(BoxesModel):
         self.answers: list[PairEvents] = []  # of the managers, in the last step
         self.swaps = 0
         self.tree_work = NO_WORK
+
+    @property
+    def kinetic(self) -> KineticSweep | None:
+        """The kinetic sweep, if it takes part."""
+        phase = self.phases.get("kinetic")
+        return phase if isinstance(phase, KineticSweep) else None
 
     def structures(self) -> tuple[BroadPhase, ...]:
         return tuple(self.phases.values())
@@ -134,7 +142,7 @@ class RaceModel(BoxesModel):
             )  # fmt: skip
             cell = min(chosen.cell * typical_size(boxes), WIDTH)
             for name in CONTESTANTS:
-                seconds = cost_of_a_step(_phase(name, cell), boxes, dt)
+                seconds = cost_of_a_step(_phase(name, cell, int(chosen.slabs)), boxes, dt)
                 self.curves.note_swept(name, count, seconds)
 
     def parameter_changed(self, name: str) -> None:
@@ -145,14 +153,16 @@ class RaceModel(BoxesModel):
             self.messages.say("All are left out. Hierarchical grids stay: one must know the pairs.")
 
 
-def _phase(name: str, cell: float) -> BroadPhase:
-    """A contestant, empty; ``cell``: m, of uniform grids."""
+def _phase(name: str, cell: float, slabs: int) -> BroadPhase:
+    """A contestant, empty; ``cell``: m, of uniform grids; ``slabs``: sides of the kinetic sweep's bounds."""
     if name == "naive":
         return NaiveBroadPhase()
     if name == "sweep":
         return SweepAndPrune()
     if name == "bsp":
         return BspTree()
+    if name == "kinetic":
+        return KineticSweep(slabs)
     if name == "hierarchical":
         return HierarchicalGrid()
     return (UniformGrid if name == "uniform" else CoveringGrid)((0.0, 0.0), (WIDTH, HEIGHT), cell)

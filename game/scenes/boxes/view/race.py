@@ -7,11 +7,12 @@ import math
 import numpy as np
 
 from game.lab.studies.broadphase.count import METHOD_COLORS
-from game.physics.broadphase import BspTree, SweepAndPrune
+from game.physics.broadphase import BspTree, KineticSweep, SweepAndPrune
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.arrays import BoxesState
 from game.scenes.boxes.model.race import RaceModel
 from game.scenes.boxes.numbers import bytes_text, grouped, short
+from game.scenes.boxes.view.bounds_look import draw_bounds
 from game.scenes.boxes.view.race_plot import area_below, crossover_words, draw_plot
 from game.scenes.boxes.view.race_table import TABLE_RIGHT, Contestant, RaceTable
 from game.scenes.boxes.view.world import BoxesView, draw_ground
@@ -25,6 +26,7 @@ PHASES = (
     Contestant("hierarchical", "Hierarchical grids", METHOD_COLORS["hierarchical"], "tests"),
     Contestant("sweep", "Sweep and prune", METHOD_COLORS["sweep"], "swaps"),
     Contestant("bsp", "BSP tree", METHOD_COLORS["bsp"], "tests"),
+    Contestant("kinetic", "Kinetic sweep", METHOD_COLORS["kinetic"], "tests"),
 )
 MANAGERS = (
     Contestant("matrix", "Full matrix", "chalk", "begun"),
@@ -44,6 +46,8 @@ class RaceView(BoxesView):
         draw_ground(canvas)
         if self.model.parameters.cuts:
             self._draw_cuts(canvas)
+        if self.model.parameters.bounds and self.model.kinetic is not None:
+            draw_bounds(canvas, self.model.kinetic)
         self.draw_boxes(canvas, before, alpha)
         table = RaceTable(canvas)
         self._write_phases(table)
@@ -79,6 +83,8 @@ class RaceView(BoxesView):
             words = f"{short(work)} {contestant.work}"
             if isinstance(phase, BspTree):
                 words += f", {short(model.tree_work.repairs)} anew"
+            if isinstance(phase, KineticSweep):
+                words += f", {short(phase.events)} events, {short(phase.false_pairs)} false"
             table.row(
                 contestant, seconds, words, bytes_text(phase.memory()),
                 model.agree[contestant.name] if len(model.phases) > 1 else None, fastest,

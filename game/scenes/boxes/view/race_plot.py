@@ -18,6 +18,7 @@ FEWEST, MOST = 5.0, 1e5  # boxes
 LEAST_S, MOST_S = 1e-6, 1.0
 SHORT = {
     "uniform": "grid", "covering": "covered", "hierarchical": "hierarchy", "sweep": "sweep", "bsp": "tree",
+    "kinetic": "kinetic",
 }  # fmt: skip
 
 

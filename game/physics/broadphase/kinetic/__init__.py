@@ -1,0 +1,1 @@
+"""A kinetic sweep over velocity-aligned discrete oriented polytopes."""
