@@ -19,9 +19,10 @@ from game.billiards.map.tolerance import Tolerance, tip_map, tolerance_of
 from game.billiards.players.carom import CAROM_GRADES, position_of
 from game.billiards.search.strokes import Noise
 from game.billiards.table.carom import BALL_RADIUS
-from game.scenes.carom.course import AIMING, Course
+from game.scenes.carom.course import Course
 from game.scenes.carom.layout import ROWS
 from game.scenes.carom.parameters import OWN
+from game.scenes.shared.tables.course import AIMING
 from game.stage import Decision
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor
-from game.scenes.carom.course import AIMING, Course
+from game.scenes.carom.course import Course
 from game.scenes.carom.parameters import LARGEST_TIP, LEAST_POWER
+from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.cue import AIMING as CUE_AIMING
 from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
 from game.stage import Part, Pointer

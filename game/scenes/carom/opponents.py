@@ -5,7 +5,8 @@ from __future__ import annotations
 from game.billiards.map.carom import GLANCE, whole_map
 from game.billiards.players.carom import CAROM_GRADES, decide_carom, hand_of, position_of
 from game.billiards.search.strokes import Noise
-from game.scenes.carom.course import AIMING, Course
+from game.scenes.carom.course import Course
+from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.stage import Decision
 

@@ -6,7 +6,8 @@ import numpy as np
 
 from game.billiards.laws.state import BALL_CUSHION
 from game.billiards.table.carom import BALL_MASS
-from game.scenes.carom.course import ROLLING, Course
+from game.scenes.carom.course import Course
+from game.scenes.shared.tables.course import ROLLING
 from game.stage import Readout
 
 

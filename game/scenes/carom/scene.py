@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -29,16 +27,14 @@ from game.scenes.carom.parameters import CaromParameters
 from game.scenes.carom.readouts import readouts
 from game.scenes.carom.sounds import CaromSounds
 from game.scenes.carom.view.picture import CaromView
+from game.scenes.shared.tables.cue_game import CueGameScene
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.stage import (
     Action,
     Decision,
     Equation,
     Frame,
-    Hearing,
-    Pointer,
     Readout,
-    Scene,
     Stamped,
     Strip,
     WarmUp,
@@ -47,22 +43,7 @@ from game.stage import (
 Array = NDArray[np.float64]
 
 
-class CaromState(NamedTuple):
-    """What is on the table at this moment.
-
-    clock (1,) s of the phase. places (3, 2) m of white, yellow, red; turns, turns_before (3, 3, 3): how they
-    are turned, and were before the last stroke. cue (7,). word: of the frame.
-    """
-
-    clock: Array
-    places: Array
-    turns: Array
-    turns_before: Array
-    cue: Array
-    word: str
-
-
-class CaromScene(Scene):
+class CaromScene(CueGameScene):
     """A carom table. A point is made when the cue ball touches both other balls; at three-cushion it must
     touch three cushions before the second of them.
 
@@ -119,23 +100,9 @@ class CaromScene(Scene):
         self.sounds = CaromSounds(self.course)
         self.view = CaromView(self.course, self.advisor)
 
-    def state(self) -> CaromState:
-        model, course = self.model, self.course
-        return CaromState(
-            course.clock, model.places, model.turns, model.turns_before, course.cue.data,
-            f"{course.phase} {model.word}",
-        )  # fmt: skip
-
-    def restore(self, state: CaromState) -> None:
-        for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
-            mine[...] = then  # the frame comes back with the plain attributes
-
     def parameter_changed(self, name: str) -> None:
         if name in ("cloth", "target", "innings"):
             self.model.configure(self.active)
-
-    def effects_changed(self) -> None:
-        self.model.configure(self.active)
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
@@ -145,24 +112,10 @@ class CaromScene(Scene):
             *table_warm_ups(),
         ]  # fmt: skip
 
-    # -- stepping, and what comes in ----------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.course.advance(dt)
-        self.opponents.play_on()
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
-
-    def action(self, name: str) -> None:
-        self.hand.act(name)
+    # -- what others decide ----------------------------------------------------------------
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
         return [*self.advisor.decisions(at_once), *self.opponents.decisions(at_once)]
-
-    @property
-    def plays_alone(self) -> bool:
-        return self.course.plays_alone
 
     def decide(self, event: Decision) -> None:
         values = event.values
@@ -183,17 +136,8 @@ class CaromScene(Scene):
     def frame(self) -> Frame:
         return layout.FRAME
 
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
-
-    def hearing(self) -> Hearing | None:
-        return self.sounds.hearing()
-
     def readouts(self) -> tuple[Readout, ...]:
         return readouts(self.course)
-
-    def messages(self) -> tuple[str, ...]:
-        return self.course.messages.take()
 
     def worth_keeping(self) -> object:
         return saving.worth_keeping(self.model, self.course.plays_itself)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from game.billiards.game.carom_frame import CaromStruck
 from game.billiards.table.carom import BALL_NAMES
-from game.scenes.carom.course import ROLLING, Course
+from game.scenes.carom.course import Course
+from game.scenes.shared.tables.course import ROLLING
 from game.scenes.shared.tables.sounds import sounds_of
 from game.stage import Hearing, Sound
 

@@ -7,58 +7,39 @@ import math
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.shot.cue import speed_ratio
 from game.billiards.table.aim import first_contact
 from game.billiards.table.snooker import BALL_MASS, BALL_RADIUS, COLOURS, name_of
-from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
+from game.scenes.shared.tables.course import AIMING, CueCourse
+from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.unsteady import shaken
 from game.scenes.snooker.model import SnookerModel
-from game.scenes.snooker.parameters import FIRST, GUIDES, PERSON, WHOLE, SnookerParameters
-from game.stage import Part
-from game.stage.messages import Messages
+from game.scenes.snooker.parameters import FIRST, GUIDES, WHOLE, SnookerParameters
 
-AIMING, STRIKING, ROLLING, REPLAY = "aiming", "striking", "rolling", "replay"
+REPLAY = "replay"
 BALL_PER_CUE = speed_ratio(BALL_MASS)
-AFTER_S = 0.25  # s that a shot is shown beyond its end
 
 
-class Course(Part):
-    """In which phase the game is, and since when.
+class Course(CueCourse):
+    """As of every cue table, and what is nominated.
 
-    clock (1,) s: time of the phase; it belongs to the state, as the cue's data do. pending: the stroke for
-    which the cue swings; called: what was nominated for it. chosen: the ball nominated by hand, None: the one
-    that is aimed at. locked: the cue does not follow the pointer. grip: what the pointer holds. rest_s: how
-    long nobody has done anything, s. by_hand: strokes that a hand has played. asked: the frame for which a
-    concession was asked once.
+    called: what was nominated for the stroke that is pending. chosen: the ball nominated by hand, None: the
+    one that is aimed at. locked: the cue does not follow the pointer. asked: the frame for which a concession
+    was asked once.
     """
 
+    model: SnookerModel
+    parameters: SnookerParameters
+    chosen: int | None
+
     def __init__(self, parameters: SnookerParameters, model: SnookerModel, seed: int) -> None:
-        self.parameters = parameters
-        self.model = model
-        self.cue = CueControl(0.5 * math.pi)
-        self.phase = AIMING
-        self.clock = np.zeros(1)
-        self.pending: Stroke | None = None
+        super().__init__(parameters, model, seed, BALL_MASS)
         self.called = Call()
-        self.chosen: int | None = None
         self.locked = False
-        self.grip = ""
-        self.rest_s = 0.0
-        self.plays_itself = False
-        self.by_hand = 0
         self.asked = ""
-        self._seed = seed
-        self.messages = Messages()
 
-    # -- who plays ----------------------------------------------------------------------------------
-
-    def grade_of(self, player: int) -> str:
-        """ "person", or the grade of a computer player; whoever practises is a person."""
-        if len(self.model.game.players) == 1:
-            return PERSON
-        return str(self.parameters.first_player if player == 0 else self.parameters.second_player)
+    # -- who plays, and what is seen ---------------------------------------------------------------
 
     def set_grade(self, player: int, grade: str) -> None:
         """Let a person, or a computer player of a grade, play."""
@@ -66,21 +47,6 @@ class Course(Part):
             self.parameters.first_player = grade
         else:
             self.parameters.second_player = grade
-
-    @property
-    def person_plays(self) -> bool:
-        """True if the player at turn is a person."""
-        return not self.plays_itself and self.grade_of(self.model.game.turn) == PERSON
-
-    @property
-    def plays_alone(self) -> bool:
-        """True if no player is a person."""
-        return all(self.grade_of(player) != PERSON for player in range(len(self.model.game.players)))
-
-    @property
-    def may_aim(self) -> bool:
-        """True if a person may aim and strike now."""
-        return self.phase == AIMING and self.person_plays and self.model.frame.playable
 
     @property
     def guide(self) -> str:
@@ -95,15 +61,6 @@ class Course(Part):
         self.parameters.guide = GUIDES[(GUIDES.index(self.guide) + 1) % len(GUIDES)]
 
     # -- the stroke that is set, and what is nominated ----------------------------------------------
-
-    @property
-    def stroke(self) -> Stroke:
-        """The stroke that is set."""
-        chosen = self.parameters
-        return Stroke(
-            chosen.power / BALL_PER_CUE, self.cue.aim, math.radians(chosen.elevation), chosen.tip_left,
-            chosen.tip_up,
-        )  # fmt: skip
 
     @property
     def aimed_at(self) -> int | None:
@@ -139,34 +96,19 @@ class Course(Part):
         """Set the power, m/s, as near as can be."""
         self.parameters.power = min(max(round(power, 3), 0.1), MAX_SPEED)
 
-    # -- phases -------------------------------------------------------------------------------------
-
-    def start_phase(self, phase: str) -> None:
-        """Go over to a phase, its clock at 0."""
-        self.phase = phase
-        self.clock[0] = 0.0
-        self.rest_s = 0.0
-
-    def advance(self, dt: float) -> None:
-        """One step of what goes on by itself."""
-        self.clock[0] += dt
-        if self.phase == AIMING:
-            self.rest_s += dt
-        elif self.phase == STRIKING:
-            if self.cue.advance(dt):
-                self._hit()
-        elif self.phase == ROLLING:
-            self._roll()
-        elif float(self.clock[0]) >= self.shown_s:
-            self.start_phase(AIMING)
+    # -- strokes ------------------------------------------------------------------------------------
 
     def begin_stroke(self, stroke: Stroke, call: Call) -> None:
         """The cue starts to swing. ValueError if no stroke may be played now."""
-        if self.phase != AIMING or not self.model.frame.playable:
-            raise ValueError("stroke: none may be played now")
-        self.pending, self.called, self.grip = stroke, call, ""
-        self.cue.strike(stroke.azimuth, min(stroke.cue_speed * BALL_PER_CUE, MAX_SPEED))
-        self.start_phase(STRIKING)
+        self.swing(stroke)
+        self.called = call
+
+    def strike_now(self, stroke: Stroke) -> None:
+        self.model.strike(stroke, self.called)
+
+    def forget_choice(self) -> None:
+        super().forget_choice()
+        self.locked = False
 
     def strike_by_hand(self) -> None:
         """The stroke that is set, as the hand of a person does it; a colour must have been nominated."""
@@ -182,41 +124,10 @@ class Course(Part):
         self.begin_stroke(made, call)
         self.by_hand += 1
 
-    def _hit(self) -> None:
-        """The tip has met the ball."""
-        stroke, self.pending = self.pending, None
-        self.cue.let_go()
-        if stroke is None:
-            self.start_phase(AIMING)
-            return
-        try:
-            self.model.strike(stroke, self.called)
-        except ValueError as error:
-            self.messages.say(f"The stroke cannot be played. {error}")
-            self.start_phase(AIMING)
-            return
-        self.chosen, self.locked = None, False
-        self.start_phase(ROLLING)
-
-    @property
-    def shown_s(self) -> float:
-        """How long the last stroke is shown, s."""
-        played = self.model.played
-        return AFTER_S + (played.trajectory.end_time if played is not None else 0.0)
-
-    def _roll(self) -> None:
-        time = float(self.clock[0])
-        self.model.roll(time)
-        if time >= self.shown_s:
-            self.model.settle()
-            self.start_phase(AIMING)
-
     def skip(self) -> None:
         """On to the end of the shot, or of its replay."""
-        if self.phase == ROLLING:
-            self.clock[0] = self.shown_s
-            self._roll()
-        elif self.phase == REPLAY:
+        super().skip()
+        if self.phase == REPLAY:
             self.start_phase(AIMING)
 
     def replay(self) -> None:
@@ -230,34 +141,13 @@ class Course(Part):
 
     # -- back, on, and what no stroke brings about --------------------------------------------------
 
-    def undo(self) -> None:
-        """Before the last stroke of a person."""
-        if self.phase == STRIKING:
-            self.pending = None
-            self.cue.data[1:3] = 0.0
-            self.start_phase(AIMING)
-            return
-        taken: Frame = self.model.frame
-        if taken.earlier is None:
-            self.messages.say("Nothing to undo. No stroke has been played.")
-            return
-        while taken.earlier is not None:
-            taken = taken.earlier
-            if self.grade_of(taken.game.turn) == PERSON or self.plays_itself:
-                break
-        self.model.go_back_to(taken)
-        self.chosen, self.grip = None, ""
-        self.start_phase(AIMING)
-
     def next_frame(self) -> None:
         """The next frame if this one is over; else this level from its beginning."""
         again = bool(self.model.game.drill)
         self.model.next_frame()
-        self.pending, self.chosen, self.grip = None, None, ""
-        self.cue.data[1:3] = 0.0
+        self.begin_again()
         if not again:
             self.cue.point_to(0.5 * math.pi)
-        self.start_phase(AIMING)
 
     def take_option(self, row: int) -> None:
         """The player at turn chooses one of the options, counted from 0; nothing if there is no such."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+from game.scenes.shared.tables.course import AIMING, ROLLING
 from game.scenes.shared.tables.cue import AIMING as CUE_AIMING
 from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
 from game.scenes.snooker import layout
-from game.scenes.snooker.course import AIMING, REPLAY, ROLLING, Course
+from game.scenes.snooker.course import REPLAY, Course
 from game.scenes.snooker.parameters import GRADES, LARGEST_TIP, LEAST_POWER, PERSON
 from game.stage import Part, Pointer
 

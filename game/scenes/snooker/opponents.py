@@ -12,9 +12,10 @@ from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.shot.cue import strike as struck_ball
 from game.billiards.table.snooker import COLOURS
+from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.demo_shots import choose_stroke
 from game.scenes.shared.thinker import Question, Thinker, Thought
-from game.scenes.snooker.course import AIMING, BALL_PER_CUE, Course
+from game.scenes.snooker.course import BALL_PER_CUE, Course
 from game.scenes.snooker.parameters import GRADES
 from game.stage import Decision
 

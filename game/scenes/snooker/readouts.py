@@ -8,7 +8,8 @@ import numpy as np
 
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.snooker import BALL_MASS
-from game.scenes.snooker.course import REPLAY, ROLLING, Course
+from game.scenes.shared.tables.course import ROLLING
+from game.scenes.snooker.course import REPLAY, Course
 from game.stage import Readout
 
 

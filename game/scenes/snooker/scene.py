@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +10,7 @@ from game.billiards.game.rules import Call
 from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab.studies.billiards.long_pot import long_pot_study
 from game.levels import Level
+from game.scenes.shared.tables.cue_game import CueGameScene
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.scenes.snooker import SNOOKER, layout, saving
@@ -31,10 +30,7 @@ from game.stage import (
     Decision,
     Equation,
     Frame,
-    Hearing,
-    Pointer,
     Readout,
-    Scene,
     Stamped,
     Strip,
     WarmUp,
@@ -43,22 +39,7 @@ from game.stage import (
 Array = NDArray[np.float64]
 
 
-class SnookerState(NamedTuple):
-    """What is on the table at this moment.
-
-    clock (1,) s of the phase. places (22, 2) m by number; turns, turns_before (22, 3, 3): how the balls are
-    turned, and were before the last stroke. cue (7,). word: of the frame.
-    """
-
-    clock: Array
-    places: Array
-    turns: Array
-    turns_before: Array
-    cue: Array
-    word: str
-
-
-class SnookerScene(Scene):
+class SnookerScene(CueGameScene):
     """A twelve-foot table. Red and colour in turn, a red for 1 point, the colours for 2 to 7; when the reds
     are gone, the colours in order. Who misses, sits down.
 
@@ -114,23 +95,9 @@ class SnookerScene(Scene):
         title = level.title if level is not None else ""
         self.view = SnookerView(self.course, self.hand, self.opponents, title)
 
-    def state(self) -> SnookerState:
-        model, course = self.model, self.course
-        return SnookerState(
-            course.clock, model.places, model.turns, model.turns_before, course.cue.data,
-            f"{course.phase} {model.word}",
-        )  # fmt: skip
-
-    def restore(self, state: SnookerState) -> None:
-        for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
-            mine[...] = then  # the frame comes back with the plain attributes
-
     def parameter_changed(self, name: str) -> None:
         if name in ("best_of", "miss", "sliding", "rolling", "ball_restitution", "cushion_restitution"):
             self.model.configure(self.active)
-
-    def effects_changed(self) -> None:
-        self.model.configure(self.active)
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
@@ -139,24 +106,7 @@ class SnookerScene(Scene):
             *table_warm_ups(),
         ]  # fmt: skip
 
-    # -- stepping, and what comes in ----------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.course.advance(dt)
-        self.opponents.play_on()
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
-
-    def action(self, name: str) -> None:
-        self.hand.act(name)
-
-    def decisions(self, at_once: bool = False) -> list[Decision]:
-        return self.opponents.decisions(at_once)
-
-    @property
-    def plays_alone(self) -> bool:
-        return self.course.plays_alone
+    # -- what others decide ----------------------------------------------------------------
 
     def decide(self, event: Decision) -> None:
         self.opponents.decide(event)
@@ -166,17 +116,8 @@ class SnookerScene(Scene):
     def frame(self) -> Frame:
         return layout.FRAME
 
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
-
-    def hearing(self) -> Hearing | None:
-        return self.sounds.hearing()
-
     def readouts(self) -> tuple[Readout, ...]:
         return readouts(self.course)
-
-    def messages(self) -> tuple[str, ...]:
-        return self.course.messages.take()
 
     def worth_keeping(self) -> object:
         return saving.worth_keeping(self.model, self.course.plays_itself)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from game.billiards.game.frame import Struck
+from game.scenes.shared.tables.course import ROLLING
 from game.scenes.shared.tables.sounds import sounds_of
-from game.scenes.snooker.course import REPLAY, ROLLING, Course
+from game.scenes.snooker.course import REPLAY, Course
 from game.stage import Hearing, Sound
 
 

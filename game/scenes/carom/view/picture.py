@@ -12,11 +12,12 @@ from game.billiards.table.carom import BALL_RADIUS, SPOTS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor, Drawn
-from game.scenes.carom.course import AIMING, ROLLING, STRIKING, Course
+from game.scenes.carom.course import Course
 from game.scenes.carom.view.map_list import draw_list, draw_tip
 from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_sight
 from game.scenes.carom.view.score_board import draw_board, draw_foot
 from game.scenes.shared.tables.boxes import look_of
+from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM

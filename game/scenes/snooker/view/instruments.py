@@ -8,10 +8,11 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.table.snooker import name_of
 from game.scenes.shared.tables.boxes import rect_of
 from game.scenes.shared.tables.buttons import draw_button
+from game.scenes.shared.tables.course import STRIKING
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import HAND, OFFSETS, Odds
 from game.scenes.snooker import layout
-from game.scenes.snooker.course import BALL_PER_CUE, STRIKING, Course
+from game.scenes.snooker.course import BALL_PER_CUE, Course
 from game.scenes.snooker.hand import SnookerHand
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look

@@ -9,7 +9,8 @@ import numpy as np
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE
 from game.billiards.table.table import SNOOKER_WIDTH
-from game.scenes.snooker.course import AIMING, Course
+from game.scenes.shared.tables.course import AIMING
+from game.scenes.snooker.course import Course
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_COOL, FELT_LINE, FELT_WARM
 

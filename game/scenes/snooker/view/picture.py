@@ -9,6 +9,7 @@ from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.snooker import BALL_RADIUS, SPOTS
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
 from game.scenes.shared.tables.boxes import look_of
+from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
 from game.scenes.shared.tables.odds import Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.rolling import balls_at
@@ -16,7 +17,7 @@ from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_labe
 from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.scenes.snooker import layout
-from game.scenes.snooker.course import AIMING, REPLAY, ROLLING, STRIKING, Course
+from game.scenes.snooker.course import REPLAY, Course
 from game.scenes.snooker.hand import SnookerHand
 from game.scenes.snooker.opponents import SnookerOpponents
 from game.scenes.snooker.parameters import FIRST, NONE

@@ -7,8 +7,9 @@ from typing import NamedTuple
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.game.snooker.stroke import on_words
 from game.billiards.table.snooker import name_of
+from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
 from game.scenes.shared.thinker import Thinker
-from game.scenes.snooker.course import AIMING, REPLAY, ROLLING, STRIKING, Course
+from game.scenes.snooker.course import REPLAY, Course
 from game.scenes.snooker.parameters import GRADE_LABELS, GRADES, PERSON
 
 

@@ -1,0 +1,180 @@
+"""The course of a game at a cue table: aiming, the cue's swing, balls rolling; back, and on."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.shot.cue import speed_ratio
+from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
+from game.stage import Part
+from game.stage.messages import Messages
+
+AIMING, STRIKING, ROLLING = "aiming", "striking", "rolling"
+PERSON = "person"
+AFTER_S = 0.25  # s that a shot is shown beyond its end
+
+
+class CueCourse(Part):
+    """In which phase the game is, and since when. Subclasses say how a stroke is made and what they choose.
+
+    model: with frame, played, strike, roll, settle and go_back_to. clock (1,) s: time of the phase; it
+    belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what
+    a subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long
+    nobody has done anything, s. by_hand: strokes that a hand has played.
+    """
+
+    model: Any
+    parameters: Any
+
+    def __init__(self, parameters: Any, model: Any, seed: int, ball_mass: float) -> None:
+        self.parameters = parameters
+        self.model = model
+        self.ball_per_cue = speed_ratio(ball_mass)  # speed of the ball to that of the cue
+        self.cue = CueControl(0.5 * math.pi)
+        self.phase = AIMING
+        self.clock = np.zeros(1)
+        self.pending: Stroke | None = None
+        self.chosen: Any = None
+        self.grip = ""
+        self.rest_s = 0.0
+        self.plays_itself = False
+        self.by_hand = 0
+        self._seed = seed
+        self.messages = Messages()
+
+    # -- for subclasses -----------------------------------------------------------------------------
+
+    def strike_now(self, stroke: Stroke) -> None:
+        """The tip meets the ball: let the model play the stroke. ValueError if it cannot be played."""
+        raise NotImplementedError
+
+    def forget_choice(self) -> None:
+        """What had been chosen for a stroke that has been played is chosen no more."""
+        self.chosen = None
+
+    # -- who plays ----------------------------------------------------------------------------------
+
+    def grade_of(self, player: int) -> str:
+        """ "person", or the grade of a computer player; whoever practises is a person."""
+        if len(self.model.frame.game.players) == 1:
+            return PERSON
+        return str(self.parameters.first_player if player == 0 else self.parameters.second_player)
+
+    @property
+    def person_plays(self) -> bool:
+        """True if the player at turn is a person."""
+        return not self.plays_itself and self.grade_of(self.model.frame.game.turn) == PERSON
+
+    @property
+    def plays_alone(self) -> bool:
+        """True if no player is a person."""
+        return all(self.grade_of(player) != PERSON for player in range(len(self.model.frame.game.players)))
+
+    @property
+    def may_aim(self) -> bool:
+        """True if a person may aim and strike now."""
+        return bool(self.phase == AIMING and self.person_plays and self.model.frame.playable)
+
+    @property
+    def stroke(self) -> Stroke:
+        """The stroke that is set."""
+        chosen = self.parameters
+        return Stroke(
+            chosen.power / self.ball_per_cue, self.cue.aim, math.radians(chosen.elevation), chosen.tip_left,
+            chosen.tip_up,
+        )  # fmt: skip
+
+    # -- phases -------------------------------------------------------------------------------------
+
+    def start_phase(self, phase: str) -> None:
+        """Go over to a phase, its clock at 0."""
+        self.phase = phase
+        self.clock[0] = 0.0
+        self.rest_s = 0.0
+
+    def advance(self, dt: float) -> None:
+        """One step of what goes on by itself."""
+        self.clock[0] += dt
+        if self.phase == AIMING:
+            self.rest_s += dt
+        elif self.phase == STRIKING:
+            if self.cue.advance(dt):
+                self._hit()
+        elif self.phase == ROLLING:
+            self._roll()
+        elif float(self.clock[0]) >= self.shown_s:
+            self.start_phase(AIMING)
+
+    def swing(self, stroke: Stroke) -> None:
+        """The cue starts to swing for a stroke. ValueError if no stroke may be played now."""
+        if self.phase != AIMING or not self.model.frame.playable:
+            raise ValueError("stroke: none may be played now")
+        self.pending, self.grip = stroke, ""
+        self.cue.strike(stroke.azimuth, min(stroke.cue_speed * self.ball_per_cue, MAX_SPEED))
+        self.start_phase(STRIKING)
+
+    def _hit(self) -> None:
+        """The tip has met the ball."""
+        stroke, self.pending = self.pending, None
+        self.cue.let_go()
+        if stroke is None:
+            self.start_phase(AIMING)
+            return
+        try:
+            self.strike_now(stroke)
+        except ValueError as error:
+            self.messages.say(f"The stroke cannot be played. {error}")
+            self.start_phase(AIMING)
+            return
+        self.forget_choice()
+        self.start_phase(ROLLING)
+
+    @property
+    def shown_s(self) -> float:
+        """How long the last stroke is shown, s."""
+        played = self.model.played
+        return AFTER_S + (float(played.trajectory.end_time) if played is not None else 0.0)
+
+    def _roll(self) -> None:
+        time = float(self.clock[0])
+        self.model.roll(time)
+        if time >= self.shown_s:
+            self.model.settle()
+            self.start_phase(AIMING)
+
+    def skip(self) -> None:
+        """On to the end of the shot."""
+        if self.phase == ROLLING:
+            self.clock[0] = self.shown_s
+            self._roll()
+
+    # -- back, and on -------------------------------------------------------------------------------
+
+    def undo(self) -> None:
+        """Before the last stroke of a person, or before balls were moved."""
+        if self.phase == STRIKING:
+            self.pending = None
+            self.cue.data[1:3] = 0.0
+            self.start_phase(AIMING)
+            return
+        taken = self.model.frame
+        if taken.earlier is None:
+            self.messages.say("Nothing to undo. No stroke has been played.")
+            return
+        while taken.earlier is not None:
+            taken = taken.earlier
+            if self.grade_of(taken.game.turn) == PERSON or self.plays_itself:
+                break
+        self.model.go_back_to(taken)
+        self.chosen, self.grip = None, ""
+        self.start_phase(AIMING)
+
+    def begin_again(self) -> None:
+        """Nothing is pending, chosen or held; the cue is at rest."""
+        self.pending, self.chosen, self.grip = None, None, ""
+        self.cue.data[1:3] = 0.0
+        self.start_phase(AIMING)

@@ -1,0 +1,81 @@
+"""What scenes of a game at a cue table have in common: their parts, and what each is asked."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.stage import Decision, Hearing, Pointer, Scene
+
+Array = NDArray[np.float64]
+
+
+class CueGameState(NamedTuple):
+    """What is on the table at this moment.
+
+    clock (1,) s of the phase. places (n, 2) m of the balls; turns, turns_before (n, 3, 3): how they are
+    turned, and were before the last stroke. cue (7,). word: of the frame.
+    """
+
+    clock: Array
+    places: Array
+    turns: Array
+    turns_before: Array
+    cue: Array
+    word: str
+
+
+class CueGameScene(Scene):
+    """A game of parts that ``build`` makes: model, course, hand, opponents, sounds and view."""
+
+    model: Any
+    course: Any
+    hand: Any
+    opponents: Any
+    sounds: Any
+    view: Any
+
+    def state(self) -> CueGameState:
+        model, course = self.model, self.course
+        return CueGameState(
+            course.clock, model.places, model.turns, model.turns_before, course.cue.data,
+            f"{course.phase} {model.word}",
+        )  # fmt: skip
+
+    def restore(self, state: CueGameState) -> None:
+        for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
+            mine[...] = then  # the frame comes back with the plain attributes
+
+    def effects_changed(self) -> None:
+        self.model.configure(self.active)
+
+    def advance(self, dt: float) -> None:
+        self.course.advance(dt)
+        self.opponents.play_on()
+
+    def pointer(self, event: Pointer) -> None:
+        self.hand.take(event)
+
+    def action(self, name: str) -> None:
+        self.hand.act(name)
+
+    def decisions(self, at_once: bool = False) -> list[Decision]:
+        found: list[Decision] = self.opponents.decisions(at_once)
+        return found
+
+    @property
+    def plays_alone(self) -> bool:
+        return bool(self.course.plays_alone)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
+
+    def hearing(self) -> Hearing | None:
+        heard: Hearing | None = self.sounds.hearing()
+        return heard
+
+    def messages(self) -> tuple[str, ...]:
+        said: tuple[str, ...] = self.course.messages.take()
+        return said
