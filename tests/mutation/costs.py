@@ -62,8 +62,8 @@ class Costs:
     def select(self, function: str, files: Iterable[str]) -> list[str]:
         """Tests of some files that may notice a change of a function, file by file, the quickest first.
 
-        Tests that are known not to call it come last, those that fail or take long without the compiler are
-        left out.
+        Left out are tests that fail or take long without the compiler, and those known not to call the
+        function, unless there is no other: what a fixture calls is noted with one test only.
         """
         calling, others = [], []
         number = self._functions.get(function)
@@ -73,7 +73,7 @@ class Costs:
             for test in tests:
                 known = test in self._tests and number not in self._tests[test][2]
                 (others if known else calling).append(test)
-        return calling + others
+        return calling or others
 
     def calling(self, function: str) -> list[str]:
         """All tests that are known to call a function, the quickest first."""

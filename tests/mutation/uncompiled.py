@@ -28,18 +28,15 @@ from tests.mutation.swapping import Change, compare, functions_of, swap
 from tests.mutation.watchers import SLOW, Watchers
 from tests.paths import ROOT
 
-NEAR_S, WIDE_S = (
-    30.0,
-    20.0,
-)  # of processor time for the tests nearby, and for all others that call the function
-TEST_S = 5.0  # a test that takes longer is left to the second round
-WAIT_S = 40  # of a clock on the wall for a test, which may wait for something
-WALL_S = 400.0  # for a fork, on a busy machine
-SLACK, LEAST_S = (
-    5.0,
-    2.0,
-)  # a test that takes so many times as long as it should, and so much more, has failed
-MORE_FILES = 3  # of the mirrored folder and of what stands on the module
+# Seconds of processor time, but for those of a clock on the wall
+NEAR_S = 15.0  # for the tests nearby
+WIDE_S = 8.0  # for all others that call the function
+MORE_FILES = 2  # of the mirrored folder and of what stands on the module
+TEST_S = 3.0  # a test that takes longer is left to the second round
+SLACK = 5.0  # a test that takes so many times as long as it should
+LEAST_S = 2.0  # and so much more has failed
+WAIT_S = 25  # on the wall for a test, which may wait for something
+WALL_S = 200.0  # on the wall for a fork, on a busy machine
 
 
 class Sowing(NamedTuple):
