@@ -153,9 +153,7 @@ def main() -> None:
     scratch = ROOT.parent / "temporary"
     quiet = ["-n", "0", "-s", "-p", "no:cacheprovider", f"--basetemp={scratch}"]
     slow = [f"--ignore={folder}" for folder in SLOW]
-    sys.exit(
-        pytest.main([*quiet, *slow, f"--timeout={WAIT_S}", "tests"], [Judge(options)])
-    )
+    sys.exit(pytest.main([*quiet, *slow, f"--timeout={WAIT_S}", "tests"], [Judge(options)]))
 
 
 if __name__ == "__main__":
