@@ -22,7 +22,7 @@ import time
 from pathlib import Path
 
 from tests.mutation.compiled import judge
-from tests.mutation.drawing import choose
+from tests.mutation.drawing import find
 from tests.mutation.log import Log
 from tests.mutation.watchers import Watchers
 from tests.paths import ROOT
@@ -45,9 +45,9 @@ def sow_all(options: argparse.Namespace) -> None:
             return
         log = Log(path)
         watchers = Watchers(copy)
-        for sown in choose(options.seed, options.count, copy):
-            row = log.rows.get(sown.key)
-            if row and row["round"] == "uncompiled" and log.is_open(sown.key, again=True):
+        for key, row in list(log.rows.items()):
+            sown = find(key, copy)
+            if sown and row["round"] == "uncompiled" and log.is_open(key, again=True):
                 started = time.perf_counter()
                 noticed, by = judge(sown, copy, watchers)
                 log.add(sown, noticed, by, "compiled", time.perf_counter() - started)
@@ -68,7 +68,7 @@ def main() -> None:
     parser.add_argument("--report", action="store_true", help="print what the log says")
     options = parser.parse_args()
     if options.report:
-        print(Log(Path(options.log)).report())
+        print(Log(Path(options.log)).report(ROOT))
     else:
         sow_all(options)
 

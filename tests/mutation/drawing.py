@@ -48,6 +48,23 @@ class Sown(NamedTuple):
         return ".".join(Path(self.path).with_suffix("").parts).removesuffix(".__init__")
 
 
+def faults_of(path: str, root: Path) -> list[Sown]:
+    """All faults that can be sown into a file, in the order of its text."""
+    source = (root / path).read_text()
+    lines = source.splitlines()
+    return [Sown(path, fault, lines[fault.line - 1].strip()) for fault in find_faults(source)]
+
+
+def find(key: str, root: Path) -> Sown | None:
+    """The fault that a log names so; None if its line is gone."""
+    path = key.split(": ")[0]
+    return (
+        next((sown for sown in faults_of(path, root) if sown.key == key), None)
+        if (root / path).exists()
+        else None
+    )
+
+
 def choose(seed: int, count: int, root: Path) -> list[Sown]:
     """Faults drawn at random over all floors by their shares, each kind as often as another."""
     generator = random.Random(seed)
@@ -57,12 +74,8 @@ def choose(seed: int, count: int, root: Path) -> list[Sown]:
         for path in sorted((root / "game").rglob("*.py")):
             name = path.relative_to(root / "game").as_posix()
             if name.split("/")[0].removesuffix(".py") == floor and not any(part in name for part in PICTURES):
-                source = path.read_text()
-                lines = source.splitlines()
-                for fault in find_faults(source):
-                    kinds.setdefault(fault.kind, []).append(
-                        Sown(f"game/{name}", fault, lines[fault.line - 1].strip())
-                    )
+                for sown in faults_of(f"game/{name}", root):
+                    kinds.setdefault(sown.fault.kind, []).append(sown)
         wanted = len(chosen) + round(count * share / sum(SHARES.values()))
         while len(chosen) < wanted and any(kinds.values()):
             several = generator.choice([each for each in kinds.values() if each])

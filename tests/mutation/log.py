@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from tests.mutation.drawing import Sown
+from tests.mutation.drawing import Sown, find
 
 EQUIVALENT = Path(__file__).with_name("equivalent.toml")
 
@@ -48,14 +48,15 @@ class Log:
             flush=True,
         )
 
-    def report(self) -> str:
-        """How many faults were noticed, and each that was not."""
-        missed = [row for row in self.rows.values() if not row["noticed"]]
+    def report(self, root: Path) -> str:
+        """How many faults were noticed, and each that was not and can still be sown below `root`."""
+        rows = [row for row in self.rows.values() if row["noticed"] or find(row["key"], root)]
+        missed = [row for row in rows if not row["noticed"]]
         left = [row for row in missed if row["key"] not in self.equivalent]
-        counted = len(self.rows) - (len(missed) - len(left))
+        counted = len(rows) - (len(missed) - len(left))
         share = 100.0 * (counted - len(left)) / max(counted, 1)
         head = (
-            f"{len(self.rows)} judged, {len(missed) - len(left)} equivalent, "
+            f"{len(rows)} judged, {len(missed) - len(left)} equivalent, "
             f"{counted - len(left)} of {counted} noticed ({share:.1f} %)"
         )
         return "\n".join([head, *(f"MISSED line {row['line']} {row['key']}" for row in left)])

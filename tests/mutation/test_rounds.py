@@ -6,7 +6,7 @@ import time
 import pytest
 
 from tests.mutation.costs import Costs, Ran
-from tests.mutation.drawing import choose
+from tests.mutation.drawing import choose, find
 from tests.mutation.forks import OutOfTime, at_most, in_fork
 from tests.mutation.log import Log
 from tests.paths import ROOT
@@ -76,14 +76,27 @@ def test_the_last_line_of_a_fault_counts(tmp_path, capsys):
     log = Log(tmp_path / "log.jsonl")
     log.add(first, False, "2 tests", "uncompiled", 1.0)
     log.add(second, True, "a test", "uncompiled", 1.0)
-    assert log.report().splitlines()[0] == "2 judged, 0 equivalent, 1 of 2 noticed (50.0 %)"
-    assert first.key in log.report()
+    assert log.report(ROOT).splitlines()[0] == "2 judged, 0 equivalent, 1 of 2 noticed (50.0 %)"
+    assert first.key in log.report(ROOT)
     assert not log.is_open(first.key, again=False) and log.is_open(first.key, again=True)
     log.add(first, True, "another test", "compiled", 1.0)
     again = Log(tmp_path / "log.jsonl")
-    assert again.report() == "2 judged, 0 equivalent, 2 of 2 noticed (100.0 %)"
+    assert again.report(ROOT) == "2 judged, 0 equivalent, 2 of 2 noticed (100.0 %)"
     assert not again.is_open(first.key, again=True)
     assert again.is_open("another", again=False)
+
+
+def test_a_fault_is_found_by_its_name_as_long_as_its_line_stands(tmp_path):
+    first = choose(1, 40, ROOT)[0]
+    copied = tmp_path / first.path
+    copied.parent.mkdir(parents=True)
+    source = (ROOT / first.path).read_text()
+    copied.write_text('"""More."""\n' + source)
+    assert find(first.key, tmp_path).fault.line == first.fault.line + 1
+    copied.write_text(source.replace(first.text, "pass"))
+    assert find(first.key, tmp_path) is None
+    copied.unlink()
+    assert find(first.key, tmp_path) is None
 
 
 def test_draws_repeat_and_reach_every_floor():

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import pytest
 
 from tests.mutation.costs import Costs, Ran
-from tests.mutation.drawing import Sown, choose
+from tests.mutation.drawing import Sown, choose, find
 from tests.mutation.forks import in_fork
 from tests.mutation.log import Log
 from tests.mutation.operators import sow
@@ -65,8 +65,9 @@ class Judge:
         for item in session.items:  # of what takes minutes without the compiler, some tests are quick
             if item.get_closest_marker("compiled"):
                 item.own_markers = [mark for mark in item.own_markers if mark.name != "skip"]
-        for sown in choose(self.options.seed, self.options.count, ROOT):
-            if self.log.is_open(sown.key, self.options.again):
+        missed = [find(key, ROOT) for key in self.log.rows] if self.options.again else []
+        for sown in dict.fromkeys([*missed, *choose(self.options.seed, self.options.count, ROOT)]):
+            if sown and self.log.is_open(sown.key, self.options.again):
                 started = time.perf_counter()
                 noticed, by = self.judge(sown)
                 self.log.add(sown, noticed, by, "uncompiled", time.perf_counter() - started)
