@@ -46,7 +46,7 @@ def sow_all(options: argparse.Namespace) -> None:
         log = Log(path)
         watchers = Watchers(copy)
         for key, row in list(log.rows.items()):
-            sown = find(key, copy)
+            sown = find(key, row["line"], copy)
             if sown and row["round"] == "uncompiled" and log.is_open(key, again=True):
                 started = time.perf_counter()
                 noticed, by = judge(sown, copy, watchers)

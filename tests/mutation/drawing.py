@@ -55,14 +55,11 @@ def faults_of(path: str, root: Path) -> list[Sown]:
     return [Sown(path, fault, lines[fault.line - 1].strip()) for fault in find_faults(source)]
 
 
-def find(key: str, root: Path) -> Sown | None:
-    """The fault that a log names so; None if its line is gone."""
+def find(key: str, line: int, root: Path) -> Sown | None:
+    """The fault that a log names so, nearest to a line where there are several; None if it is gone."""
     path = key.split(": ")[0]
-    return (
-        next((sown for sown in faults_of(path, root) if sown.key == key), None)
-        if (root / path).exists()
-        else None
-    )
+    alike = [sown for sown in faults_of(path, root) if sown.key == key] if (root / path).exists() else []
+    return min(alike, key=lambda sown: abs(sown.fault.line - line), default=None)
 
 
 def choose(seed: int, count: int, root: Path) -> list[Sown]:

@@ -50,7 +50,7 @@ class Log:
 
     def report(self, root: Path) -> str:
         """How many faults were noticed, and each that was not and can still be sown below `root`."""
-        rows = [row for row in self.rows.values() if row["noticed"] or find(row["key"], root)]
+        rows = [row for row in self.rows.values() if row["noticed"] or find(row["key"], row["line"], root)]
         missed = [row for row in rows if not row["noticed"]]
         left = [row for row in missed if row["key"] not in self.equivalent]
         counted = len(rows) - (len(missed) - len(left))

@@ -92,11 +92,11 @@ def test_a_fault_is_found_by_its_name_as_long_as_its_line_stands(tmp_path):
     copied.parent.mkdir(parents=True)
     source = (ROOT / first.path).read_text()
     copied.write_text('"""More."""\n' + source)
-    assert find(first.key, tmp_path).fault.line == first.fault.line + 1
+    assert find(first.key, first.fault.line, tmp_path).fault.line == first.fault.line + 1
     copied.write_text(source.replace(first.text, "pass"))
-    assert find(first.key, tmp_path) is None
+    assert find(first.key, first.fault.line, tmp_path) is None
     copied.unlink()
-    assert find(first.key, tmp_path) is None
+    assert find(first.key, first.fault.line, tmp_path) is None
 
 
 def test_draws_repeat_and_reach_every_floor():

@@ -65,7 +65,9 @@ class Judge:
         for item in session.items:  # of what takes minutes without the compiler, some tests are quick
             if item.get_closest_marker("compiled"):
                 item.own_markers = [mark for mark in item.own_markers if mark.name != "skip"]
-        missed = [find(key, ROOT) for key in self.log.rows] if self.options.again else []
+        missed = (
+            [find(key, row["line"], ROOT) for key, row in self.log.rows.items()] if self.options.again else []
+        )
         for sown in dict.fromkeys([*missed, *choose(self.options.seed, self.options.count, ROOT)]):
             if sown and self.log.is_open(sown.key, self.options.again):
                 started = time.perf_counter()

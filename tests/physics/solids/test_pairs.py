@@ -1,4 +1,4 @@
-"""Broad phase: whatever overlaps is found, of all sizes and wherever it lies, and nothing that is excluded."""
+"""Broad phase: whatever overlaps is found, of all sizes and wherever it lies; what is excluded is not."""
 
 from __future__ import annotations
 
