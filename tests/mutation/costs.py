@@ -35,6 +35,7 @@ class Costs:
             file: hashlib.sha256((root / file).read_bytes()).hexdigest()[:16] for file in self.files
         }
         self._functions: dict[str, int] = {}
+        self._names: list[str] = []  # of functions, by their numbers
         self._tests: dict[str, tuple[bool, float, frozenset[int]]] = {}
         if kept.exists():
             self._read(json.loads(kept.read_text()))
@@ -42,7 +43,11 @@ class Costs:
     def learn(self, ran: Iterable[Ran]) -> None:
         """Keep what runs told."""
         for test, passed, seconds, calls in ran:
-            numbers = frozenset(self._functions.setdefault(call, len(self._functions)) for call in calls)
+            for call in calls:
+                if call not in self._functions:
+                    self._functions[call] = len(self._names)
+                    self._names.append(call)
+            numbers = frozenset(self._functions[call] for call in calls)
             self._tests[test] = bool(passed), seconds, numbers
 
     def save(self) -> None:
@@ -52,12 +57,12 @@ class Costs:
             file = test.split("::")[0]
             row = rows.setdefault(file, {"text": self._texts[file], "tests": {}})
             row["tests"][test] = passed, seconds, sorted(calls)
-        self.kept.write_text(json.dumps({"functions": list(self._functions), "files": rows}))
+        self.kept.write_text(json.dumps({"functions": self._names, "files": rows}))
 
-    def seconds(self, test: str) -> float | None:
-        """Processor time of a test that passes without the compiler; None: it is not known to."""
-        passed, seconds, _ = self._tests.get(test, (False, 0.0, frozenset()))
-        return seconds if passed else None
+    def known(self, test: str) -> Ran | None:
+        """What is known of a test that passes without the compiler; None: it is not known to."""
+        passed, seconds, calls = self._tests.get(test, (False, 0.0, frozenset()))
+        return Ran(test, True, seconds, [self._names[call] for call in sorted(calls)]) if passed else None
 
     def select(self, function: str, files: Iterable[str]) -> list[str]:
         """Tests of some files that may notice a change of a function, file by file, the quickest first.
@@ -82,7 +87,8 @@ class Costs:
         return sorted(found, key=lambda test: self._tests[test][1])
 
     def _read(self, rows: dict[str, Any]) -> None:
-        self._functions = {name: number for number, name in enumerate(rows["functions"])}
+        self._names = rows["functions"]
+        self._functions = {name: number for number, name in enumerate(self._names)}
         for file, row in rows["files"].items():
             if self._texts.get(file) == row["text"]:
                 for test, (passed, seconds, calls) in row["tests"].items():

@@ -17,6 +17,12 @@ from tests.mutation.forks import at_most
 from tests.mutation.swapping import outermost
 
 
+# Seconds of processor time
+TEST_S = 2.0  # a test that takes longer is left to the second round
+SLACK = 5.0  # a test that takes so many times as long as it should
+LEAST_S = 2.0  # and so much more has failed
+
+
 class Failures:
     """A pytest plugin that keeps which tests failed, in order."""
 
@@ -31,20 +37,25 @@ class Failures:
 
 
 def run_until_failure(
-    items: list[pytest.Item], limit: Callable[[str], float], limit_s: float, root: Path
+    items: list[pytest.Item], known: Callable[[str], Ran | None], limit_s: float, root: Path
 ) -> list[Ran]:
     """Run tests until one fails or this process has used up its time.
 
-    `limit` says how much processor time a test may take; calls are noted of what lies below `root`/game.
+    `known` says what is known of a test that passes: it may take somewhat longer, and what it calls is not
+    noted again, of what lies below `root`/game.
     """
     ran = []
     for number, item in enumerate(items):
         started = _used_s()
         if started > limit_s:
             break
-        with _calls_noted() as codes:
-            passed = run(item, items[number + 1] if number + 1 < len(items) else None, limit(item.nodeid))
-        calls = _named(codes, root)
+        before, following = known(item.nodeid), items[number + 1] if number + 1 < len(items) else None
+        if before is not None:
+            passed, calls = run(item, following, LEAST_S + SLACK * before.seconds), before.calls
+        else:
+            with _calls_noted() as codes:
+                passed = run(item, following, TEST_S)
+            calls = _named(codes, root)
         ran.append(Ran(item.nodeid, passed, round(_used_s() - started, 4), calls))
         if not passed:
             break

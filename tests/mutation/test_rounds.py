@@ -58,8 +58,8 @@ def test_what_calls_the_function_comes_first_and_what_fails_anyway_is_left_out(c
     assert costs.select("game/a.py:f", ["tests/a.py", "tests/b.py"]) == [TESTS[2], TESTS[0]]
     assert costs.select("game/a.py:h", ["tests/a.py"]) == [TESTS[2]]
     assert costs.calling("game/a.py:f") == [TESTS[0]]
-    assert costs.seconds(TESTS[0]) == 2.0
-    assert costs.seconds(TESTS[2]) is None and costs.seconds(TESTS[3]) is None
+    assert costs.known(TESTS[0]) == Ran(TESTS[0], True, 2.0, ["game/a.py:f"])
+    assert costs.known(TESTS[2]) is None and costs.known(TESTS[3]) is None
 
 
 def test_costs_are_kept_as_long_as_the_file_of_tests_is_the_same(costs, tmp_path):

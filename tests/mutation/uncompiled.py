@@ -23,7 +23,7 @@ from tests.mutation.drawing import Sown, choose, find
 from tests.mutation.forks import in_fork
 from tests.mutation.log import Log
 from tests.mutation.operators import sow
-from tests.mutation.runs import run_until_failure
+from tests.mutation.runs import TEST_S, run_until_failure
 from tests.mutation.swapping import Change, compare, functions_of, swap
 from tests.mutation.watchers import SLOW, Watchers
 from tests.paths import ROOT
@@ -32,9 +32,6 @@ from tests.paths import ROOT
 NEAR_S = 15.0  # for the tests nearby
 WIDE_S = 8.0  # for all others that call the function
 MORE_FILES = 2  # of the mirrored folder and of what stands on the module
-TEST_S = 3.0  # a test that takes longer is left to the second round
-SLACK = 5.0  # a test that takes so many times as long as it should
-LEAST_S = 2.0  # and so much more has failed
 WAIT_S = 25  # on the wall for a test, which may wait for something
 WALL_S = 200.0  # on the wall for a fork, on a busy machine
 
@@ -117,12 +114,13 @@ class Judge:
                 return None
             if self._passes_without(told[-1]):
                 return told[-1].test
+            limit_s -= told[-1].seconds
             left = left[len(told) :]
         return None
 
     def _passes_without(self, failed: Ran) -> bool:
         """Whether a test that failed passes without the fault, well within its time."""
-        known = self.costs.seconds(failed.test) is not None
+        known = self.costs.known(failed.test) is not None
         told = self._run([failed.test], TEST_S, None) or [failed._replace(passed=False)]
         self.costs.learn(told)
         return told[0].passed and (known or failed.seconds < TEST_S or told[0].seconds < TEST_S / 2)
@@ -133,14 +131,10 @@ class Judge:
         def work() -> list[Ran]:
             if sowing and not swap(self.functions.get(str(sowing.path), []), sowing.change):
                 return []
-            return run_until_failure([self.items[test] for test in tests], self._limit, limit_s, ROOT)
+            return run_until_failure([self.items[test] for test in tests], self.costs.known, limit_s, ROOT)
 
         told = in_fork(work, WALL_S)
         return None if told is None else [Ran(*row) for row in told]
-
-    def _limit(self, test: str) -> float:
-        known = self.costs.seconds(test)
-        return TEST_S if known is None else LEAST_S + SLACK * known
 
 
 def main() -> None:
