@@ -16,7 +16,6 @@ from tests.mutation.costs import Ran
 from tests.mutation.forks import at_most
 from tests.mutation.swapping import outermost
 
-
 # Seconds of processor time
 TEST_S = 2.0  # a test that takes longer is left to the second round
 SLACK = 5.0  # a test that takes so many times as long as it should
