@@ -216,6 +216,14 @@ def test_keys_turn_the_cue_as_long_as_one_may_aim():
     assert cue.aim == pytest.approx(start)
 
 
+@pytest.mark.parametrize(
+    "decision", [Decision("show", (1.0,)), Decision("option", (0.0, 1.0)), Decision("other", (1.0,))]
+)
+def test_decisions_that_are_none_are_refused(decision):
+    with pytest.raises(ValueError, match=f"{decision.name}: expected show, play or option"):
+        open_level("practice").scene.decide(decision)
+
+
 def test_the_stroke_is_the_exact_tables():
     stage = open_level("practice", power=3.0, tip_left=0.2)
     stroke = stage.scene.course.stroke
