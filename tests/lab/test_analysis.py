@@ -38,7 +38,7 @@ def test_order_of_a_power_law(order):
 
 
 def test_pairs_out_of_order_are_found_in_whatever_order_rows_come():
-    rows = [row(0.5, 0.2, 2.0), row(1.0, 0.1, 1.0), row(0.25, 0.01, 4.0)]
+    rows = [row(2.0, 0.2, 2.0), row(1.0, 0.1, 1.0), row(4.0, 0.01, 4.0)]  # the knob counts what is done
     for shuffled in (rows, rows[::-1], [rows[2], rows[0], rows[1]]):
         assert out_of_order(shuffled) == [(rows[1], rows[0])]
 
