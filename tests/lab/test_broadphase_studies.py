@@ -63,6 +63,17 @@ def test_a_step_misses_pairs_in_proportion_and_swept_boxes_name_too_many_in_prop
     assert outcome(study, "end", 0.25).failure and not outcome(study, "end", 1.0 / 240).failure
 
 
+@pytest.mark.parametrize("study", [swaps_study, sweep_study], ids=lambda study: study.name)
+def test_a_trial_that_is_reset_finds_the_same_again(study):
+    trial = study.trial(next(iter(study.settings())))
+    found = []
+    for _ in range(3):
+        trial.reset()
+        trial.run()
+        found.append(trial.outcome())
+    assert found[0] == found[1] == found[2]
+
+
 def test_a_scenes_setting_has_its_place():
     setting = cell_size_study.present({"step_length": 1.0 / 60.0, "swept": True})
     assert setting.method == "swept" and setting.knob == pytest.approx(1.0 / 60.0)
