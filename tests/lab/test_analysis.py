@@ -37,6 +37,12 @@ def test_order_of_a_power_law(order):
     assert fit_order(power_law(order), over="counter") == pytest.approx(order, abs=0.01)
 
 
+def test_pairs_out_of_order_are_found_in_whatever_order_rows_come():
+    rows = [row(2.0, 0.2, 2.0), row(1.0, 0.1, 1.0), row(4.0, 0.01, 4.0)]  # the knob counts what is done
+    for shuffled in (rows, rows[::-1], [rows[2], rows[0], rows[1]]):
+        assert out_of_order(shuffled) == [(rows[1], rows[0])]
+
+
 def test_order_of_the_upper_envelope_is_not_misled_by_lucky_points():
     rows = power_law(1.0, saw=0.999)
     assert fit_order(rows, envelope=True) == pytest.approx(1.0, abs=0.15)

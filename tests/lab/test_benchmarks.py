@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from game.lab.benchmarks import Measured, Peer, Scenario, all_scenarios, measure_scenario
+from game.lab.benchmarks.broadphase import Workload, kd_tree, pymunk_step, str_tree
 
 
 def test_names_differ_and_words_are_there():
@@ -32,6 +34,25 @@ def test_a_scenario_of_each_room_runs(name):
     scenario = next(scenario for scenario in all_scenarios() if scenario.name == name)
     measured = measure_scenario(replace(scenario, peers=()), turns=1)
     assert 0.0 < measured.least_s <= measured.median_s
+
+
+@pytest.mark.parametrize("kind", ["equal", "power-law"])
+def test_other_trees_of_boxes_find_the_pairs_there_are(kind):
+    """What is timed side by side must be the same work."""
+    workload = Workload(kind, 300)
+    lowers, uppers = workload.frame()
+    apart = (lowers[:, None] > uppers[None]) | (lowers[None] > uppers[:, None])
+    pairs = int(np.triu(~apart.any(axis=2), 1).sum())
+    assert pairs > 100
+    assert str_tree(kind, 300)() == pairs
+    assert kind != "equal" or kd_tree(kind, 300)() == pairs
+
+
+def test_an_engine_steps_the_same_boxes():
+    pytest.importorskip("pymunk")
+    step = pymunk_step("equal", 50)
+    step()
+    step()
 
 
 def test_peers_are_timed_in_turns_and_missing_ones_left_out():

@@ -62,7 +62,18 @@ def test_a_step_misses_pairs_in_proportion_and_swept_boxes_name_too_many_in_prop
     assert 0.85 <= slope(study, "end", steps) <= 1.25
     assert 0.85 <= slope(study, "swept", steps) <= 1.25
     assert outcome(study, "exact", 1.0 / 60).error == outcome(study, "exact", 0.25).error == 0.0
-    assert outcome(study, "end", 0.25).failure
+    assert outcome(study, "end", 0.25).failure and not outcome(study, "end", 1.0 / 240).failure
+
+
+@pytest.mark.parametrize("study", [swaps_study, sweep_study], ids=lambda study: study.name)
+def test_a_trial_that_is_reset_finds_the_same_again(study):
+    trial = study.trial(next(iter(study.settings())))
+    found = []
+    for _ in range(3):
+        trial.reset()
+        trial.run()
+        found.append(trial.outcome())
+    assert found[0] == found[1] == found[2]
 
 
 def test_a_scenes_setting_has_its_place():

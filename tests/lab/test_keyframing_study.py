@@ -10,6 +10,7 @@ from game.lab import run_study
 from game.lab.analysis import fit_order, out_of_order
 from game.lab.studies.animation.keyframing import (
     METHODS,
+    key_times,
     keyframing_study,
     uneven_study,
 )
@@ -31,6 +32,11 @@ def test_orders_of_all_methods(study, column):
         assert expected - 0.15 <= order <= expected + 0.25, method.name
         assert out_of_order(table.of(method.name)) == []
         assert method.order == expected
+
+
+def test_keys_are_even_or_one_to_three_apart():
+    assert key_times(4, False).tolist() == [0.0, 0.25, 0.5, 0.75, 1.0]
+    assert key_times(4, True).tolist() == [0.0, 0.125, 0.5, 0.625, 1.0]
 
 
 def test_lines_keep_their_tolerance_and_halving_needs_fewer():

@@ -70,6 +70,7 @@ def test_rounding_stands_at_the_foot_and_what_is_beyond_measure_at_the_top(axes)
     rows += [row("exact", 0.1, 1e-16), row("exact", 0.01, 0.0), row("first", 0.5, 1e30, "diverged")]
     made = axes(StudyTable(study(), rows))
     assert labels(made.yaxis)[0] == "rounding"
+    assert len(made.xaxis.get_minorticklocs()) == len(made.yaxis.get_minorticklocs()) == 0
     heights = [y for line in made.lines for y in line.get_ydata()]
     assert min(heights) == pytest.approx(1e-4 / 3.0) and max(heights) == pytest.approx(3.0)
 

@@ -7,8 +7,10 @@ from dataclasses import replace
 import pytest
 
 from game.lab import run_study
+from game.lab.studies.dominoes import LONGEST_S, STEP_S, DominoTrial
 from game.lab.studies.solids.laws import LAWS
 from game.lab.studies.solids.race import STUDIES, USES, law_study, present_solver, race_study
+from game.lab.study import Setting
 from game.physics.solids import SOLVERS
 
 
@@ -38,6 +40,15 @@ def test_two_rods_need_substeps_only():
     most = max(row.knob for row in table)
     errors = {row.method: row.error for row in table if row.knob == most}
     assert errors["soft-step"] < 0.2 * errors["impulses-sweeps"]
+
+
+def test_a_wave_of_dominoes_is_simulated_until_the_last_but_one_is_struck():
+    trial = DominoTrial(Setting("soft-step", STEP_S / 4, {}, {}))
+    trial.run()
+    found = trial.outcome()
+    assert found.error < 0.1
+    assert 1.0 < trial.simulated_s < 0.9 * LONGEST_S
+    assert found.counter == 4 * round(trial.simulated_s / STEP_S)
 
 
 def test_every_solver_takes_part_and_can_be_placed():

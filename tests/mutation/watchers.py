@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from functools import cache
+from itertools import takewhile
 from pathlib import Path
 
 SLOW = ("tests/benchmarks", "tests/mutation")
@@ -29,7 +30,7 @@ class Watchers:
         name = module.rsplit(".", 1)[-1]
         named = [path for path in self.tests if path.stem == f"test_{name}"]
         direct = [path for path, imports in self.tests.items() if module in imports]
-        return self._relative(dict.fromkeys([*named, *direct]))
+        return self._nearest_first(module, [*named, *direct])
 
     def folder(self, module: str) -> list[str]:
         """Test files of the mirrored folder, and those that import what imports the module."""
@@ -39,7 +40,7 @@ class Watchers:
         mirrored = sorted((self.root / "tests" / Path(*parts)).glob("test_*.py")) if parts else []
         users = {name for name, imports in self.imports.items() if module in imports}
         second = [path for path, imports in self.tests.items() if users & imports]
-        return self._relative(dict.fromkeys([*(path for path in mirrored if path in self.tests), *second]))
+        return self._nearest_first(module, [*(path for path in mirrored if path in self.tests), *second])
 
     def scenes(self, module: str) -> list[str]:
         """Names of scene folders that stand on the module, directly or not."""
@@ -96,8 +97,15 @@ class Watchers:
                     return self._home(node.module, name) if node.module != package else package
         return package
 
-    def _relative(self, paths: dict[Path, None]) -> list[str]:
-        return [path.relative_to(self.root).as_posix() for path in paths]
+    def _nearest_first(self, module: str, paths: list[Path]) -> list[str]:
+        """Paths of tests, those that share most folders with a module foremost."""
+        names = [path.relative_to(self.root).as_posix() for path in dict.fromkeys(paths)]
+
+        def shared(name: str) -> int:
+            pairs = zip(name.split("/")[1:], module.split(".")[1:], strict=False)
+            return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+
+        return sorted(names, key=shared, reverse=True)
 
 
 def _module_name(path: Path, root: Path) -> str:

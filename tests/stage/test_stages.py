@@ -162,6 +162,11 @@ class TestRunning:
         assert len(seen) == 100
         assert seen[-1] == (1000, 1000)
 
+    def test_the_last_portion_is_no_longer_than_what_is_left(self) -> None:
+        stage, seen = Stage(BouncingBall), []
+        assert stage.run(350, lambda done, total: seen.append(done)) == 350
+        assert seen[-1] == stage.step_number == 350
+
     def test_progress_may_stop_it(self) -> None:
         stage = Stage(BouncingBall)
         assert stage.run(1000, lambda done, total: done < 300) == 300

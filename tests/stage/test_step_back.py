@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import numpy as np
 import pytest
 
-from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+from game.stage import Action, Param, Pointer, Scene, SetEffect, SetParameter, Stage
 from tests.stage.example_scene import KICK, BouncingBall
 from tests.stage.odd_scenes import BURST, Cloud
 
@@ -32,6 +35,46 @@ BALL_EVENTS = [
     SetParameter("frozen", True),
     SetParameter("frozen", False),
 ]
+
+
+class Ticks(NamedTuple):
+    """ticks (1,)."""
+
+    ticks: np.ndarray
+
+
+class Shaded(Scene):
+    """Keeps something of its own that is made from a parameter, beside the state."""
+
+    name, title = "shaded", "Shaded"
+    shade = Param(0.25, 0.0, 1.0)
+
+    def build(self, level) -> None:
+        self.ticks, self.shades = np.zeros(1), np.zeros(2)
+        self.parameter_changed("shade")
+
+    def parameter_changed(self, name: str) -> None:
+        if name == "shade":
+            self.shades[:] = self.shade, 1.0 - self.shade
+
+    def advance(self, dt: float) -> None:
+        self.ticks += 1.0
+
+    def state(self) -> Ticks:
+        return Ticks(self.ticks)
+
+
+def test_what_is_made_from_a_parameter_goes_back_with_it():
+    stage = Stage(Shaded)
+    stage.run(5)
+    stage.post(SetParameter("shade", 0.75))
+    stage.run(5)
+    assert stage.scene.shades.tolist() == [0.75, 0.25]
+    scene = stage.scene
+    for _ in range(7):
+        assert stage.step_back()
+    assert stage.scene is scene  # no parameter has changed for which it is built again
+    assert stage.scene.shade == 0.25 and stage.scene.shades.tolist() == [0.25, 0.75]
 
 
 @pytest.mark.parametrize(("scene", "events"), [(BouncingBall, BALL_EVENTS), (Cloud, CLOUD_EVENTS)])

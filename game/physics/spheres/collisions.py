@@ -242,7 +242,7 @@ class CollidingSpheres:
         count = buffers.find(
             self._places, bodies.composition, self._candidates.pairs, self.surroundings, mask, 0.0
         )
-        return float(deepest_overlap(buffers.contacts, count)[0])
+        return float(deepest_overlap(buffers.contacts, count))
 
     @property
     def contacts(self) -> tuple[Floats, NDArray[np.int32], Floats]:

@@ -148,11 +148,9 @@ def sum_totals(state, composition, work, gravity):
 
 @lean_kernel
 def deepest_overlap(contacts, count):
-    """Deepest overlap (m) and the sum of all, of contacts that have just been found; 0 if there is none."""
-    deepest = total = 0.0
+    """Deepest overlap (m) of contacts that have just been found; 0 if there is none."""
+    deepest = 0.0
     for m in range(count):
         if contacts.spheres[m, SECOND] != -2:
-            overlap = max(-contacts.normals[m, GAP], 0.0)
-            deepest = max(deepest, overlap)
-            total += overlap
-    return deepest, total
+            deepest = max(deepest, -contacts.normals[m, GAP])
+    return deepest

@@ -12,7 +12,16 @@ import pytest
 
 from game.app.commands import run_command_line
 from game.app.film import video
-from game.app.film.match_acts import LEAST_S, TITLE_S, acts_of, potted_at
+from game.app.film.match_acts import (
+    CUE_SHOWN,
+    LEAST_S,
+    LOOK_AHEAD_S,
+    MARGIN,
+    TITLE_S,
+    acts_of,
+    potted_at,
+    what_matters,
+)
 from game.app.film.match_film import scene_of, story_of, write_match_film
 from game.app.film.soundtrack import Soundtrack
 from game.app.film.story_film import StoryFilm
@@ -54,6 +63,27 @@ def test_a_film_lasts_a_minute_and_its_rounds_follow_each_other():
         assert act.ends == following.begins
     for act in acts:
         assert act.begins < act.hits < act.hits + potted_at(act.round) < act.ends
+
+
+def test_what_matters_is_the_balls_of_the_chain_the_cue_before_the_hit_and_then_the_pocket():
+    for act in acts_of(small_match()):
+        shot, fallen = act.round.trajectory.shot, act.round.fallen
+        cue = shot.positions[shot.ids.index("0")]
+        pocket = shot.table.pockets[fallen.pocket, :2]
+        falls = act.hits + potted_at(act.round)
+        behind = cue - CUE_SHOWN * np.array((math.cos(-0.75 * math.pi), math.sin(-0.75 * math.pi)))
+
+        def holds(time, place, act=act) -> bool:
+            low, high = what_matters(act, time)
+            return bool((low <= place - MARGIN + 1e-9).all() and (place + MARGIN - 1e-9 <= high).all())
+
+        assert holds(act.hits - 0.1, behind) and not holds(act.hits + 0.3, behind)
+        assert holds(act.hits - 0.1, cue)
+        for early in (0.9 * LOOK_AHEAD_S, 0.1 * LOOK_AHEAD_S, -0.1):
+            assert holds(falls - early, pocket)
+        row = shot.ids.index(str(fallen.ball))
+        for time in np.arange(act.hits, falls, 0.1).tolist():
+            assert holds(time, act.round.trajectory.state_at(time - act.hits).positions[row])
 
 
 def test_the_story_of_a_match_says_what_fell_and_holds():

@@ -26,6 +26,18 @@ def test_cards_are_large_and_rows_full():
     assert heads == ["Billiards", "Animation", "Rigid", "Particles", "Collision"]
 
 
+def test_on_a_finer_screen_everything_is_as_much_larger():
+    plain = arrange_cards(EIGHTEEN, "billiards", 1280, 560, 1.0)
+    fine = arrange_cards(EIGHTEEN, "billiards", 2560, 1120, 2.0)
+    assert abs(fine.height - 2 * plain.height) <= 4
+    for small, large in zip(plain.cards, fine.cards, strict=True):
+        assert small.name == large.name
+        pairs = zip((*small.rect, *small.picture), (*large.rect, *large.picture), strict=True)
+        assert max(abs(b - 2 * a) for a, b in pairs) <= 4
+    for small, large in zip(plain.heads, fine.heads, strict=True):
+        assert max(abs(b - 2 * a) for a, b in zip(small[2], large[2], strict=True)) <= 4
+
+
 def test_categories_keep_their_order_and_begin_with_their_first_topic():
     groups = [
         Group("Play", ("billiards",), "Play"),

@@ -177,6 +177,14 @@ def test_slow_motion_is_the_speed_of_the_stage(told):
     assert told.stage.speed == 1.0
 
 
+def test_the_picture_ends_above_the_time_bar(told):
+    story = play_of(told)
+    stage = pygame.Rect(10, 20, 800, 500)
+    picture = story.picture_place(stage)
+    assert stage.contains(picture) and not picture.colliderect(story.bar.rect)
+    assert picture.bottom == story.bar.rect.top and picture.w == stage.w
+
+
 def test_marks_are_laid_over_by_a_key(told):
     view = told.top.play.view
     assert not view.teaching

@@ -329,6 +329,13 @@ def test_choices(name, game, stroke, expected):
     assert set(verdict.spot) <= set(verdict.game.on_table)
 
 
+def test_a_break_that_is_not_legal_is_called_so():
+    for cushioned, legal in ((FOUR, True), ((1, 2, 3), False), ((0, 1, 2, 3), False)):
+        words = " ".join(EightBall().judge(shot(1, cushioned=cushioned), Call()).words)
+        assert ("Not a legal break" in words) == (not legal)
+        assert legal or "3 of 4 balls" in words
+
+
 def test_what_may_not_be_chosen():
     with pytest.raises(ValueError, match="nothing to choose"):
         EightBall().choose("accept")

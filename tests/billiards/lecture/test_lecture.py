@@ -130,6 +130,23 @@ def test_ball_leaving_a_wall_is_not_turned_round_again():
     assert not balls.events
 
 
+@pytest.mark.parametrize(("axis", "sign"), [(0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0)])
+def test_a_ball_that_lies_at_a_wall_throws_another_back(axis, sign):
+    """All at once the wall bears the whole of it: the ball between stays, the other comes back as it went."""
+    at_wall, other = np.array([0.5, 1.0]), np.array([0.5, 1.0])
+    at_wall[axis] = R if sign < 0.0 else (1.0, 2.0)[axis] - R
+    other[axis] = at_wall[axis] - sign * 2.001 * R
+    velocity = np.zeros(2)
+    velocity[axis] = 3.0 * sign
+    settings = lecture_settings(LOSSLESS, bounce=0.5, order="joint", propagation="at-once")
+    balls = LectureTable(
+        Table.bare(1.0, 2.0), [at_wall, other], velocities=[[0.0, 0.0], velocity],
+        effects=WALLS | BALL_COLLISIONS, settings=settings,
+    )  # fmt: skip
+    balls.step(FRAME)
+    assert balls.velocities == pytest.approx(np.array([[0.0, 0.0], -velocity]), abs=1e-9)
+
+
 def test_cushion_event_tells_row_speed_impulse_and_place():
     balls = LectureTable(
         Table.bare(1.0, 2.0), [[0.95, 1.0]], velocities=[[3.0, 0.0]], effects=WALLS, masses=2.0

@@ -157,6 +157,17 @@ def test_deeper_knows_what_one_ball_before_the_last_is_worth():
     assert worth_after(view, aims, stuck, QUICK, draws, 0.25) == 0.25
 
 
+def test_the_few_that_are_looked_at_closely_are_the_best_of_the_first_idea():
+    layout = scattered(3, 10)
+    game = EightBall(opening=False, in_hand="", on_table=layout.numbers[1:], calling="all")
+    aims = aims_of(game, layout.numbers, solo=True)[0]
+    view, draws = View(Board(layout, POOL), Noise()), draw_noise(1, 32)
+    many = look(view, aims, QUICK._replace(finalists=200), draws)
+    few = look(view, aims, QUICK._replace(finalists=4), draws)
+    assert len(many.worth) > 12 and len(few.worth) == 4
+    assert many.worth.min() < many.worth.mean() < few.worth.mean()
+
+
 @pytest.mark.parametrize("hand", ["anywhere", "behind the line"])
 def test_the_cue_ball_is_put_where_a_ball_can_be_potted(hand):
     layout = scattered(7, 9).without(0)

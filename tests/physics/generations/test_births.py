@@ -198,6 +198,35 @@ def test_what_makes_no_sense_is_refused_by_name(kind, said):
         StarSystem([kind])
 
 
+@pytest.mark.parametrize(
+    ("name", "least", "most"),
+    [
+        ("life_s", 1e-6, 1e6), ("life_spread", 0.0, 0.99), ("weight", -100.0, 100.0),
+        ("linear_drag_per_s", 0.0, 1e9), ("drag_per_m", 0.0, 1e9), ("burns", 0.0, 1.0),
+        ("exhaust_m_s", 0.0, 1e5), ("capacity", 1, 2**21),
+    ],
+)  # fmt: skip
+def test_numbers_of_a_kind_have_bounds(name, least, most):
+    for number in (least - abs(most), 1.001 * most, math.nan):
+        with pytest.raises(ValueError, match=name):
+            StarSystem([Kind("a", **{name: number})])
+
+
+@pytest.mark.parametrize(
+    ("name", "least", "most"),
+    [
+        ("count", 1, 4096), ("rate_per_s", 0.0, 1e6), ("speed_m_s", 0.0, 1e5), ("speed_spread", 0.0, 1.0),
+        ("inherited", -1.0, 1.0), ("angle_deg", -360.0, 360.0), ("spread_deg", 0.0, 180.0),
+        ("scatter_m_s", 0.0, 1e5),
+    ],
+)  # fmt: skip
+def test_numbers_of_a_birth_have_bounds(name, least, most):
+    StarSystem([Kind("a", births=(Birth("death", "a", **{name: least}),))])
+    for number in (least - abs(most), 1.001 * most, math.nan):
+        with pytest.raises(ValueError, match=name):
+            StarSystem([Kind("a", births=(Birth("death", "a", **{name: number}),))])
+
+
 def test_launches_and_steps_that_make_no_sense_are_refused():
     system = StarSystem([Kind("a")])
     for place in ((math.nan, 0.0), (1e300, 0.0)):

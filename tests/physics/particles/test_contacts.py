@@ -127,6 +127,22 @@ def test_newtons_law_at_a_moving_stone(angle, aim, speed, e, ux, uy, contact):
     assert math.dist((x, y), centre) >= 0.4 - 1e-12
 
 
+@pytest.mark.parametrize("contact", ["chord", "root"])
+@pytest.mark.parametrize(("start", "aim"), [(-0.7, 0.0), (-2.0, 0.4), (-3.3, -0.8)])
+def test_a_stone_that_a_step_leaps_over_is_met(contact, start, aim):
+    """Both ends of the step lie outside: only the nearest place of the path tells."""
+    state = (start, 0.3 * aim, 40.0, 0.0)
+    x, y, vx, vy = shoot(
+        "rk4", contact, 1, 0.1, Discs([(0, 0)], [0.3], 1.0), PARTICLES.mask(OBSTACLES), state
+    )
+    normal = np.array([-math.sqrt(1.0 - aim * aim), aim])
+    place = 0.3 * normal
+    turned = np.array([40.0, 0.0]) - 80.0 * normal[0] * normal
+    assert (vx, vy) == pytest.approx(tuple(turned), abs=1e-6)
+    left = 0.1 - (place[0] - start) / 40.0
+    assert (x, y) == pytest.approx(tuple(place + left * turned), abs=1e-6)
+
+
 def test_the_first_of_two_stones_is_met():
     row = Discs([(3, 0), (1, 0)], [0.5, 0.5], 1.0)
     x, y, vx, vy = shoot("verlet", "chord", 1, 1.0, row, PARTICLES.mask(OBSTACLES), (0, 0, 4, 0))

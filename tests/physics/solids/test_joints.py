@@ -349,6 +349,22 @@ def test_a_mouse_pulls_by_no_more_than_its_force():
     assert world.bodies.positions[body] == pytest.approx(goal, abs=1e-5)
 
 
+def test_a_mouse_brings_the_point_it_holds_to_its_target():
+    world, base = empty(gravity=(0.0, 0.0))
+    body = world.add_body(box(1.0, 1.0), (1.0, 2.0))
+    joint = world.add_joint("mouse", base, body, (1.4, 2.3), hertz=5.0)
+    goal = np.array((1.6, 2.0))
+    world.drag_to(joint, goal)
+    run(world, 1.0)
+    angle = world.bodies.angles[body]
+    lever = (
+        0.4 * math.cos(angle) - 0.3 * math.sin(angle),
+        0.4 * math.sin(angle) + 0.3 * math.cos(angle),
+    )
+    assert abs(angle) > 0.1
+    assert world.bodies.positions[body] + lever == pytest.approx(goal, abs=0.01)
+
+
 def test_a_weld_with_a_compliance_bends():
     world, base = empty()
     body = rod(world, 1.0, 1.0, (0.5, 0.0))

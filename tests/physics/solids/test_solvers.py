@@ -91,6 +91,15 @@ def test_a_column_of_ten_stands(name, request):
     assert np.abs(world.bodies.velocities[ids]).max() < 0.05
 
 
+def test_what_falls_comes_to_rest_on_the_floor(name):
+    """Neither above it, where it is first noted as near, nor in it."""
+    world, _ = world_of(name)
+    body = world.add_body(box(0.4, 0.4), (3.0, 0.2713))
+    run(world, 1.0)
+    assert world.bodies.positions[body] == pytest.approx((3.0, 0.2), abs=0.006)
+    assert world.bodies.angles[body] == pytest.approx(0.0, abs=1e-3)
+
+
 def test_two_boxes_that_meet_keep_their_momentum(name):
     world, _ = world_of(name, gravity=(0.0, 0.0))
     a = world.add_body(box(1.0, 1.0), (0.0, 3.0), velocity=(2.0, 0.0))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from game.physics.broadphase import HierarchicalGrid, SweepAndPrune, UniformGrid
 from game.physics.spheres.composition import Composition
@@ -68,6 +69,17 @@ def test_bodies_of_parts_are_what_they_were():
     again = SphereBodies.of_parts(joined.composition, joined.state)
     assert (again.count, again.single, again.alike) == (1, False, False)
     assert again.places() == pytest.approx(np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]))
+
+
+def test_spheres_turn_with_their_body():
+    places = np.array([(0.0, 0.0, 0.0), (1.0, 0.2, -0.3), (0.1, 0.9, 0.4), (-0.2, 0.1, 1.1)])
+    bodies = SphereBodies(places, [0.3] * 4, owners=[0] * 4, inertias="solid")
+    assert bodies.places() == pytest.approx(places)
+    turn = Rotation.from_euler("xyz", (0.7, -0.4, 1.1))
+    centre = bodies.state.positions[0].copy()
+    bodies.state.orientations[0] = turn.as_quat()[[3, 0, 1, 2]]  # scalar first
+    bodies.state.positions[0] = (3.0, 2.0, 1.0)
+    assert bodies.places() - bodies.state.positions[0] == pytest.approx(turn.apply(places - centre))
 
 
 @pytest.mark.parametrize(

@@ -400,6 +400,25 @@ def test_steps_after_a_restored_state_are_the_same():
     assert after[0] == after[1]
 
 
+def test_what_composed_bodies_exchange_is_in_the_ledger():
+    """Two bodies of three spheres each, tilted in space: no principal axis is an axis of the world."""
+    part = np.array([(0.0, 0.0, 0.0), (1.1, 0.3, -0.2), (0.2, 0.9, 0.6)])
+    places = np.concatenate([part, part[:, [1, 2, 0]] + (2.4, 0.2, 0.1)])
+    bodies = SphereBodies(
+        places, [0.5] * 6, [(1.0, 0.1, 0.2), (-2.0, 0.0, 0.3)], [(0.3, -1.0, 0.5), (0.2, 0.7, -0.4)],
+        owners=[0, 0, 0, 1, 1, 1], inertias="solid",
+    )  # fmt: skip
+    world = world_of(bodies, restitution=0.6)
+    before = world.totals()
+    while not world.collisions:
+        world.step(1e-3)
+    (entry,) = world.ledger()[:1]
+    assert entry[ledger.LOST_MOMENTUM] < 1e-12 and entry[ledger.LOST_SPIN] < 1e-12
+    assert np.abs(entry[ledger.JX : ledger.JZ + 1]).max() > 0.1
+    assert world.totals().momentum == pytest.approx(before.momentum, abs=1e-12)
+    assert world.totals().spin == pytest.approx(before.spin, abs=1e-2)  # a step turns what tumbles
+
+
 def test_the_ledger_keeps_the_last_collisions():
     bodies = SphereBodies([(0, 0), (1.2, 0)], [0.5] * 2, [(9, 0), (-9, 0)])
     world = world_of(bodies, window=(-0.6, -2, 1.9, 2), effects=BARE | WINDOW)

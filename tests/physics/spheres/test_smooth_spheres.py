@@ -55,6 +55,17 @@ def test_energy_momentum_and_reversal():
     assert run.energy() == pytest.approx(energy, rel=1e-13)
 
 
+def test_an_oblique_impact_in_space():
+    """Along the line of centres the velocities of equal spheres are exchanged, across it nothing changes."""
+    line = np.array([2.0, -1.0, 2.0]) / 3.0
+    velocities = np.array([[3.0, 1.0, 2.0], [-1.0, 0.5, -2.0]])
+    places = np.array([-0.6 * line, 0.6 * line]) - 0.1 * velocities
+    run = SmoothSpheres(places, velocities, [0.6, 0.6])
+    assert run.fly(0.2) == 1
+    along = (velocities[1] - velocities[0]) @ line * line
+    assert run.velocities == pytest.approx(velocities + np.array([along, -along]))
+
+
 def test_nobody_overlaps_or_leaves():
     run = crowd(5, gravity=G, restitution=0.9, wall_restitution=0.95)
     for _ in range(40):

@@ -132,6 +132,34 @@ def test_replay_runs_at_any_speed_stands_and_is_scrubbed():
     assert scene.play.phase == "aiming" and scene.model.frame is kept
 
 
+def test_a_shot_is_heard_while_it_rolls_and_in_its_replay_unless_that_is_slow():
+    stage = straight_pot()
+    scene = stage.scene
+    assert scene.hearing() is None
+    aim(stage, AT_THE_CORNER)
+    stage.post(Action("strike"))
+    while scene.play.phase != "rolling":
+        seconds(stage, 0.05)
+    first = scene.hearing()
+    seconds(stage, 0.2)
+    later = scene.hearing()
+    assert later.key == first.key and later.time - first.time == pytest.approx(0.2)
+    assert len(later.sounds) >= 3  # tip, ball, pocket
+    until_aiming(stage)
+    assert scene.hearing() is None
+    stage.post(Action("replay"))
+    seconds(stage, 0.3)
+    again = scene.hearing()
+    assert again.sounds == first.sounds and again.key != first.key
+    assert again.time == pytest.approx(float(scene.play.clock[REPLAY_S]))
+    press(stage, layout.PLAY)
+    assert scene.hearing() is None
+    press(stage, layout.PLAY)
+    for _ in range(2):
+        press(stage, layout.SPEED)
+    assert scene.replay.speed < 0.5 and scene.hearing() is None
+
+
 def test_set_up_places_balls_and_what_is_saved_opens_again():
     stage = straight_pot()
     scene = stage.scene

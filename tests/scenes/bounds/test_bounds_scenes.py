@@ -155,6 +155,12 @@ def test_a_walk_stands_at_its_start_and_goes_on_and_back_by_hand(scene_type, nam
         assert scene.walk.cursor == i
         captions.append(caption(scene.walk))
     assert len(set(captions)) == 11
+    said = {"fit": ("so far",), "build": ("a leaf", "halved: "), "query": ("this branch ends", "overlap")}[
+        name
+    ]
+    assert all(any(words in text for words in said) for text in captions)
+    if name == "query":
+        assert any("apart by " in text for text in captions)
     for i in range(10, 5, -1):
         stage.post(Action("walk-back"))
         assert scene.walk.cursor == i and caption(scene.walk) == captions[i - 1]

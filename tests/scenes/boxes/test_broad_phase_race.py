@@ -50,6 +50,15 @@ def test_contestants_are_switched_off_and_one_always_stays():
     assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
 
 
+@pytest.mark.parametrize(
+    ("uniform", "covering"), [(True, True), (True, False), (False, True), (False, False)]
+)
+def test_the_size_of_cells_is_idle_without_a_grid_that_has_it(uniform, covering):
+    scene = Stage(BroadPhaseRace, parameters={"count": 50, "uniform": uniform, "covering": covering}).scene
+    assert bool(scene.why_idle("cell")) == (not uniform and not covering)
+    assert not scene.why_idle("workload")
+
+
 def test_all_leaping_is_sorted_anew_in_every_step_and_so_is_a_line_that_trembles():
     def sorted_anew(workload: str) -> list[int]:
         stage = Stage(BroadPhaseRace, parameters={"count": 400, "workload": workload, "naive": False})

@@ -198,6 +198,32 @@ def test_the_cue_is_aimed_pulled_and_let_go():
     assert last.stroke.cue_speed > 0.5
 
 
+def test_keys_turn_the_cue_as_long_as_one_may_aim():
+    stage = open_level("practice")
+    cue = stage.scene.course.cue
+    start = cue.aim
+    stage.post(Action("left"))
+    turned = cue.aim
+    assert math.remainder(turned - start, math.tau) > 0.0
+    stage.post(Action("right"))
+    assert cue.aim == pytest.approx(start)
+    for other in ("first", "second"):  # of options that nobody has now
+        stage.post(Action(other))
+    assert cue.aim == pytest.approx(start)
+    stage.post(Action("demo"))
+    assert not stage.scene.course.may_aim
+    stage.post(Action("left"))
+    assert cue.aim == pytest.approx(start)
+
+
+@pytest.mark.parametrize(
+    "decision", [Decision("show", (1.0,)), Decision("option", (0.0, 1.0)), Decision("other", (1.0,))]
+)
+def test_decisions_that_are_none_are_refused(decision):
+    with pytest.raises(ValueError, match=f"{decision.name}: expected show, play or option"):
+        open_level("practice").scene.decide(decision)
+
+
 def test_the_stroke_is_the_exact_tables():
     stage = open_level("practice", power=3.0, tip_left=0.2)
     stroke = stage.scene.course.stroke

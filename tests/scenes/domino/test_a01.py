@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 
 from game.levels import format_level, level_files, load_level, parse_level
+from game.scenes.domino.course import Standing
 from game.scenes.domino.level import DominoContent
 from game.scenes.domino.scene import Domino
+from game.scenes.domino.tables import TALL
 from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, Stage
 from tests.scenes.listening import heard_in
 
@@ -260,3 +262,11 @@ def test_a_level_that_cannot_be_is_refused() -> None:
         Stage(Domino, level=parse_level(text, "a01", DominoContent))
     with pytest.raises(ParameterError):
         row_of(3, spacing=2.0)
+
+
+def test_a_domino_that_is_added_is_like_its_nearest_neighbour():
+    more = ROW.format(count=3, more="") + "[[content.rows]]\nx = 20.0\ncount = 2\nsize = [0.3, 2.0]\n"
+    stage = Stage(Domino, level=parse_level(more, "a01", DominoContent))
+    for x, tall in ((22.0, 2.0), (1.5, 1.0)):
+        assert stage.scene.model.add(Standing(x, 0.0, 0.0, 1.0))
+        assert stage.scene.model.dominoes[-1, TALL] == tall

@@ -20,6 +20,15 @@ LEVELS = level_files("c01")
 FREE = (-2.0, 2.6)  # nothing is there in any level used here
 
 
+def test_the_stage_plays_and_pauses_the_motion():
+    stage = open_level(KeyFraming, "nearest-and-linear", playing=False)
+    assert stage.scene.resting and stage.still
+    stage.play_or_pause()
+    assert stage.scene.parameters.playing and not stage.still
+    stage.play_or_pause()
+    assert not stage.scene.parameters.playing and stage.still
+
+
 def box_at(stage, time):
     stage.post(SetParameter("time", time))
     return stage.scene.model.pose.copy()

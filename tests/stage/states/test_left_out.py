@@ -84,8 +84,31 @@ class Driven(Whole):
         super().advance(dt)
 
 
+class Geared(Whole):
+    """Steps depend on a number that lies four objects deep."""
+
+    def build(self, level) -> None:
+        super().build(level)
+        self.first = Engine()
+        self.first.second = Engine()
+        self.first.second.third = Engine()
+        self.first.second.third.fourth = Engine()
+
+    def advance(self, dt: float) -> None:
+        last = self.first.second.third.fourth
+        last.turns += 1
+        self.model.rates[1] += last.turns
+        super().advance(dt)
+
+
 @pytest.mark.parametrize(
-    ("scene_type", "names"), [(Beads, ["model.rates"]), (Whole, []), (Driven, ["engine.turns"])]
+    ("scene_type", "names"),
+    [
+        (Beads, ["model.rates"]),
+        (Whole, []),
+        (Driven, ["engine.turns"]),
+        (Geared, ["first.second.third.fourth.turns"]),
+    ],
 )
 def test_the_field_is_named(scene_type: type[Scene], names: list[str]) -> None:
     assert fields_left_out(scene_type(), DT) == names

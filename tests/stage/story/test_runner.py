@@ -91,6 +91,13 @@ def test_captions_that_come_at_once_follow_one_another():
     assert all(a.ends <= b.begins + 1e-9 for a, b in itertools.pairwise(captions))
 
 
+def test_a_run_that_is_stopped_tells_what_it_has_not_measured():
+    found = rehearse(story(), StoryBall, progress=lambda film_s: film_s < 0.5)
+    assert not found.ended and found.film_s < 4.0
+    assert [(one.value, one.time_s, one.holds) for one in found.expectations] == [(None, None, False)] * 3
+    assert sum("is not measured" in line for line in found.failures) == 3
+
+
 def test_expectations_are_measured_when_their_time_comes():
     found = rehearse(story(), StoryBall)
     assert found.failures == [] and found.ended

@@ -49,7 +49,7 @@ def facing(hull, nx, ny):
 
 @inner_kernel
 def nearest_on_segments(p1, q1, p2, q2):
-    """Nearest points of two segments: (fraction of the first, of the second, squared distance)."""
+    """Nearest points of two segments: (fraction of the first, of the second)."""
     d1x, d1y, d2x, d2y = q1[0] - p1[0], q1[1] - p1[1], q2[0] - p2[0], q2[1] - p2[1]
     rx, ry = p1[0] - p2[0], p1[1] - p2[1]
     d11, d22, d12 = d1x * d1x + d1y * d1y, d2x * d2x + d2y * d2y, d1x * d2x + d1y * d2y
@@ -63,8 +63,7 @@ def nearest_on_segments(p1, q1, p2, q2):
         f2, f1 = 0.0, min(1.0, max(0.0, -r1 / d11))
     elif f2 > 1.0:
         f2, f1 = 1.0, min(1.0, max(0.0, (d12 - r1) / d11))
-    x, y = rx + f1 * d1x - f2 * d2x, ry + f1 * d1y - f2 * d2y
-    return f1, f2, x * x + y * y
+    return f1, f2
 
 
 @inner_kernel
@@ -176,7 +175,7 @@ def meets_at_corners(first, second, faces, reach, manifold, features):
     i_next, j_next = next_corner(first, i), next_corner(second, j)
     p1, q1 = ends_of(first, i)
     p2, q2 = ends_of(second, j)
-    f1, f2, _ = nearest_on_segments(p1, q1, p2, q2)
+    f1, f2 = nearest_on_segments(p1, q1, p2, q2)
     if not ((f1 == 0.0 or f1 == 1.0) and (f2 == 0.0 or f2 == 1.0)):
         return -1
     a, b = (p1 if f1 == 0.0 else q1), (p2 if f2 == 0.0 else q2)

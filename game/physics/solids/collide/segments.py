@@ -135,7 +135,7 @@ def collide_segment_polygon(corners, start, hull, reach, manifold, features):
     if max(low, best) > 0.02 * reach:
         j = face if by_face else facing(hull, nx, ny)
         k = j + 1 if j + 1 < count2 else 0
-        f1, f2, _ = nearest_on_segments(p, q, (c2[j, 0], c2[j, 1]), (c2[k, 0], c2[k, 1]))
+        f1, f2 = nearest_on_segments(p, q, (c2[j, 0], c2[j, 1]), (c2[k, 0], c2[k, 1]))
         if f1 == 0.0 or f1 == 1.0:
             x, y = c2[j, 0] + f2 * (c2[k, 0] - c2[j, 0]), c2[j, 1] + f2 * (c2[k, 1] - c2[j, 1])
             cx, cy = (px, py) if f1 == 0.0 else (qx, qy)
