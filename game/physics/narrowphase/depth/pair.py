@@ -34,7 +34,7 @@ class Escape(NamedTuple):
 
 
 class ShapePair:
-    """Two shapes, each with the place of its centroid and an angle. ValueError for places that are not finite."""
+    """Two shapes, each with the place of its centroid and an angle. ValueError unless these are finite."""
 
     def __init__(
         self, a: Shape, b: Shape, place_a: Place = (0.0, 0.0, 0.0), place_b: Place = (0.0, 0.0, 0.0)
@@ -108,7 +108,7 @@ class ShapePair:
 
     @property
     def intervals(self) -> Floats:
-        """(n, 5) those of the last search: middle, half the width (rad), sigma, bound (m), what became of it."""
+        """(n, 5) those of the last search: middle, half the width (rad), sigma, bound (m), state."""
         return self._rows[: self._count]
 
     def by_grid(self, side: int = 41, turns: int = 41) -> Escape:

@@ -20,8 +20,8 @@ SAME = 1e-9  # of the extent: parts that overlap by less merely touch, corners n
 class Shape:
     """A body of convex parts that do not overlap, about its centroid.
 
-    parts: sequences of (n, 2) m, counterclockwise, convex, 3 to 64 corners each, at most 24 of them. ValueError
-    naming part and reason otherwise.
+    parts: sequences of (n, 2) m, counterclockwise, convex, 3 to 64 corners each, at most 24 of them.
+    ValueError naming part and reason otherwise.
 
     corners: (n, 2) m about the centroid; starts: (parts + 1,); reaches: (parts,) m, farthest corner from the
     centroid; area m²; gyration: m, root of the polar second moment of area over the area.

@@ -37,7 +37,7 @@ def test_what_is_no_shape_is_refused_by_part_and_reason(parts, words):
 
 
 def test_area_centroid_and_gyration_of_a_square_cut_in_two():
-    whole = Shape([np.array(SQUARE) + (5.0, -3.0)])
+    whole = Shape([np.array(SQUARE) + np.array((5.0, -3.0))])
     halves = Shape([[(5, -3), (5.5, -3), (5.5, -2), (5, -2)], [(5.5, -3), (6, -3), (6, -2), (5.5, -2)]])
     for shape in (whole, halves):
         assert shape.area == pytest.approx(1.0)
