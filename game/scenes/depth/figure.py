@@ -12,7 +12,7 @@ from game.scenes.depth.borders import border_of
 from game.scenes.shared.marks import dot, turn
 from game.ui.canvas.pen import Pen
 
-SCALE, X0, Y0 = 74.0, 140.0, 116.0
+SCALE, X0, Y0 = 62.0, 126.0, 138.0
 
 
 def slotted() -> ShapePair:

@@ -48,7 +48,7 @@ class DepthView:
             for other in bodies[1]:
                 region = common(one, other)
                 if len(region) > 2:
-                    canvas.polygon(region, "vermilion", 0.35)
+                    canvas.polygon(region, "vermilion", 0.4, "vermilion", 1.4)
         if model.parameters.ghosts and model.slide.sigma > OUT:
             self._draw_ways(canvas)
         for k, (x, y, _) in enumerate(places):

@@ -45,8 +45,8 @@ def _gear(teeth: int) -> list[Part]:
 
 
 def _comb(teeth: int) -> list[Part]:
-    """A back below, and teeth upwards with gaps a little wider than they are."""
-    pitch = 2.0 / (teeth - 0.5)
+    """A back below, and teeth upwards 46 % of their pitch wide."""
+    pitch = 2.0 / (teeth - 0.54)
     return [
         _box(-1.0, -0.6, 1.0, -0.3),
         *(_box(-1.0 + pitch * k, -0.3, -1.0 + pitch * (k + 0.46), 0.6) for k in range(teeth)),
