@@ -52,7 +52,8 @@ def _try_angle(pair, angle, most, answer):
 
 @inner_kernel
 def _parallel_angle(a, b, middle, half):
-    """An angle within the interval at which an edge of A lies along one of B; the middle if there is none."""
+    """An angle within the interval at which an edge of A runs against one of B, as where they touch; the
+    middle if there is none."""
     best, least = middle, half
     for i in range(a.starts.shape[0] - 1):
         for p in range(a.starts[i], a.starts[i + 1]):
@@ -62,11 +63,10 @@ def _parallel_angle(a, b, middle, half):
                 for q in range(b.starts[j], b.starts[j + 1]):
                     q2 = q + 1 if q + 1 < b.starts[j + 1] else b.starts[j]
                     other = math.atan2(b.corners[q2, 1] - b.corners[q, 1], b.corners[q2, 0] - b.corners[q, 0])
-                    for flip in range(2):
-                        away = other - heading - middle + math.pi * flip
-                        away -= 2.0 * math.pi * math.floor(away / (2.0 * math.pi) + 0.5)
-                        if abs(away) <= least:
-                            best, least = middle + away, abs(away)
+                    away = other - heading - middle
+                    away -= 2.0 * math.pi * math.floor(away / (2.0 * math.pi) + 0.5)
+                    if abs(away) <= least:
+                        best, least = middle + away, abs(away)
     return best
 
 

@@ -172,6 +172,20 @@ def test_a_gap_that_fits_at_one_angle_only_is_found(turn):
     assert pair.overlap(found.x, found.y, found.angle) < 1e-9
 
 
+def test_a_triangle_in_its_own_hole_is_found_at_the_one_angle():
+    """No two of its edges are parallel, so that only edges that run against each other tell the angle."""
+    inner = np.array([(-0.6, -0.4), (0.8, -0.4), (-0.1, 0.7)])
+    inner -= inner.mean(axis=0)
+    outer = 3.0 * inner @ np.array(((math.cos(0.3), math.sin(0.3)), (-math.sin(0.3), math.cos(0.3))))
+    frame = Shape([
+        [outer[k], outer[(k + 1) % 3], inner[(k + 1) % 3], inner[k]] for k in range(3)
+    ])  # fmt: skip
+    pair = ShapePair(Shape([inner]), frame, (0.0, 0.0, 0.2), (*frame.centroid.tolist(), 0.0))
+    found = pair.generalised(1e-4)
+    assert found.angle == pytest.approx(-0.2, abs=1e-9)
+    assert found.sigma == pytest.approx(2.0 * pair.a.gyration * math.sin(0.1), abs=1e-9)
+
+
 def test_exact_contact_and_distance_need_no_motion():
     square = Shape([box(1.0, 1.0)])
     for x in (1.0, 1.0 + 1e-13, 3.0):
@@ -231,9 +245,18 @@ def test_a_finer_tolerance_tells_more_and_costs_more():
     assert [one.sigma for one in found] == sorted((one.sigma for one in found), reverse=True)
     assert [one.evaluations for one in found] == sorted(one.evaluations for one in found)
     assert found[0].evaluations < found[2].evaluations
-    for middle, half, _, bound, _ in pair.intervals.tolist():  # no angle lies below its interval's bound
-        angles = middle + half * np.linspace(-1.0, 1.0, 3)
-        assert float(np.min(pair.sigmas(angles))) >= min(bound, found[2].sigma) - 1e-9
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "x", "y"), [("L", "comb", 0.2, 0.1), ("star", "bar", 0.5, 0.7), ("gear", "L", 0.9, 0.6)]
+)
+def test_no_angle_of_an_interval_lies_below_its_bound(a, b, x, y):
+    pair = ShapePair(preset(a), preset(b), (x, y, 0.4))
+    found = pair.generalised(1e-2)
+    assert found.sigma > 0.0 and len(pair.intervals) > 20
+    for middle, half, _, bound, _ in pair.intervals.tolist():
+        angles = middle + half * np.linspace(-1.0, 1.0, 5)
+        assert float(np.min(pair.sigmas(angles))) >= bound - 1e-9
 
 
 def test_what_makes_no_sense_is_refused():
