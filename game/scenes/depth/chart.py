@@ -82,8 +82,10 @@ class DepthChart:
         shown = np.flatnonzero((low < far) & (high > -far) & (rows[:, 3] <= top))[-MOST_BARS:]
         if not len(shown):
             return
-        ends = [_placed(np.clip(side[shown], -far, far), rows[shown, 3], far, top) for side in (low, high)]
-        canvas.segments(*ends, "pink", 1.6, 0.75)
+        first, last = (
+            _placed(np.clip(side[shown], -far, far), rows[shown, 3], far, top) for side in (low, high)
+        )
+        canvas.segments(first, last, "pink", 1.6, 0.75)
 
     def _draw_words(self, canvas: Canvas, far: float, top: float) -> None:
         degrees = math.degrees(far)

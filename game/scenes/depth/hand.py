@@ -8,7 +8,7 @@ from game.scenes.depth.model import DepthModel
 from game.stage import Part, Pointer
 
 NOBODY = -1
-NOTCH = math.radians(5.0)  # turn of one notch of the wheel
+NOTCH = math.radians(5.0)  # turn by a key
 FARTHEST = 3.0  # m from the origin
 
 
@@ -29,9 +29,6 @@ class DepthHand(Part):
             self.chosen = self.held if self.held != NOBODY else self.chosen
         elif event.kind == "move" and self.held != NOBODY:
             self._lead(point)
-        elif event.kind == "wheel":
-            under = self.at(point)
-            self.turn(NOTCH * event.wheel, self.chosen if under == NOBODY else under)
         elif event.kind in ("up", "cancel"):
             self.held = NOBODY
         self.before = point

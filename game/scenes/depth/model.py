@@ -148,5 +148,5 @@ def _place(entry: PlacedShape) -> tuple[float, float, float]:
 
 
 def _escape(row: Floats) -> Escape:
-    *lengths, evaluations = row.tolist()
-    return Escape(*lengths, int(evaluations))
+    sigma, x, y, angle, certain, evaluations = row.tolist()
+    return Escape(sigma, x, y, angle, certain, int(evaluations))

@@ -36,11 +36,12 @@ class Depth(Scene):
     parameters_type = DepthParameters
     parameters: DepthParameters
     content_type = DepthContent
+    takes = frozenset({"right"})
     study = depth_study
     figure = staticmethod(draw_two_ways)
     hints = (
         Hint(("Drag",), "move a shape"),
-        Hint(("Shift", "Drag"), "turn it"),
+        Hint(("Shift", "Drag"), "turn it, as the right button does"),
         Hint(("M",), "A moves out"),
         Hint(("B",), "brute force"),
     )
@@ -62,11 +63,11 @@ class Depth(Scene):
             "Kazerounian and Rastegar 1992",
         ),
         Equation("With rotation", r"\sigma_g^2 = \min (d(\theta)^2 + 4 k^2 \sin^2 (\theta / 2))", "over θ"),
-        Equation("What is left of B_j - A_i", r"\rho = 2 R_i \sin (w / 2)", "eroded by it for the bound"),
+        Equation("Bound over an interval", r"\rho = 2 R_i \sin (w / 2)", "differences eroded by ρ"),
     )
     try_this = (
         "Turn the bar in its slot: straight it fits, so a small turn saves a long way.",
-        "Choose a disc for A: turning it never helps.",
+        "Choose a disc for A: turning it gains next to nothing.",
         "Make the tolerance coarser and finer, and watch the intervals beside the curve.",
         "Press B: brute force tests thousands of motions, and finds none shorter.",
     )

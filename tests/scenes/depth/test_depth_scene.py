@@ -85,10 +85,12 @@ def test_the_hand_drags_and_turns_what_is_under_it():
     stage.post(Pointer("move", 0.0, 0.5, button=1))
     assert scene.model.places[1].tolist() == pytest.approx([0.0, 0.0, 0.5 * math.pi])
     stage.post(Pointer("cancel", 0.0, 0.5))
-    stage.post(Pointer("wheel", 0.5, 0.0, wheel=2))
-    assert scene.model.places[1, 2] == pytest.approx(0.5 * math.pi + math.radians(10.0))
-    stage.post(Action("turn-right"))
-    assert scene.model.places[1, 2] == pytest.approx(0.5 * math.pi + math.radians(5.0))
+    stage.post(Action("turn-right"))  # B, which was held last
+    assert scene.model.places[1, 2] == pytest.approx(0.5 * math.pi - math.radians(5.0))
+    stage.post(Pointer("down", 0.0, 0.5, button=3))
+    stage.post(Pointer("move", -0.5, 0.0, button=3))
+    assert scene.model.places[1, 2] == pytest.approx(math.pi - math.radians(5.0))
+    stage.post(Pointer("up", -0.5, 0.0, button=3))
     stage.post(Action("again"))
     assert scene.model.places[0].tolist() == pytest.approx([x, y, turn])
 
