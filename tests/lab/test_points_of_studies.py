@@ -25,6 +25,7 @@ ELSEWHERE = {
     "three-tables-lossless": {"exact"},
     "c08": {"principal"},
     "p22": {"random"},
+    "depth-with-rotation": {"translation"},
     "carom-chances": {"stepped", "lecture"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points

@@ -44,8 +44,11 @@ class DepthModel(Part):
     def _made(self) -> ShapePair:
         chosen, content = self.parameters, self.content
         self._names = (str(chosen.shape_a), str(chosen.shape_b))
-        entries = zip(self._names, (content.a, content.b), strict=True)
-        return ShapePair(*(preset(name, entry.size, entry.flat) for name, entry in entries))
+        a, b = (
+            preset(name, entry.size, entry.flat)
+            for name, entry in zip(self._names, (content.a, content.b), strict=True)
+        )
+        return ShapePair(a, b)
 
     # -- changes --------------------------------------------------------------------------------------
 
