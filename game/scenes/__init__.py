@@ -11,6 +11,7 @@ from game.scenes import (
     boxes,
     carom,
     convex,
+    depth,
     domino,
     examples,
     fireworks,
@@ -56,6 +57,7 @@ CATALOGUE = Catalogue(
         *tracks.ENTRIES,
         *beat.ENTRIES,
         *levitation.ENTRIES,
+        *depth.ENTRIES,
         *domino.ENTRIES,
         *metal.ENTRIES,
     )

@@ -54,8 +54,8 @@ PAPERS = (
     PaperRow("P30", "Interactive Manipulation of Large-Scale Crowd Animation",
              "Kim, Seol, Kwon, Lee", 2014),
     PaperRow("P31", "Robust and Accurate Skeletal Rigging from Mesh Sequences", "Le, Deng", 2014),
-    PaperRow("P32", "Interactive Generalized Penetration Depth Computation Using Object Norm",
-             "Tian, Zhang, Wang, Manocha", 2014),
+    PaperRow("P32", "Interactive Generalized Penetration Depth Computation for Rigid and Articulated Models "
+             "Using Object Norm", "Tang, Kim", 2014, "p32", "slot", "game.scenes.depth.paper:OBJECT_NORM"),
     PaperRow("P33", "Animation of Deformable Bodies with Quadratic Bézier Finite Elements",
              "Bargteil, Cohen", 2014),
     PaperRow("P34", "Adaptive Tearing and Cracking of Thin Sheets",

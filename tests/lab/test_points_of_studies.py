@@ -25,6 +25,7 @@ ELSEWHERE = {
     "three-tables-lossless": {"exact"},
     "c08": {"principal"},
     "p22": {"random"},
+    "depth-with-rotation": {"translation"},
     "carom-chances": {"stepped", "lecture"},
     "snooker-long-pot": {"geometry"},
 }

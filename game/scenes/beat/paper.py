@@ -14,7 +14,7 @@ from game.ui.canvas.pen import Pen
 from game.ui.widgets.paper import Comparison, Paper, Step
 
 CLAVE = (0.0, 0.45, 0.9, 1.5, 1.8)  # s
-ROUNDS = 12
+ROUNDS = 8
 
 
 def _draw_events(pen: Pen) -> None:

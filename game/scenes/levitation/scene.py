@@ -39,6 +39,7 @@ class Levitation(Scene):
     effects = GRAINS.known
     content_type = LevitationContent
     study = trap_study
+    takes = frozenset(("right",))
     figure = staticmethod(draw_standing_wave)
     hints = (Hint(("Drag",), "lead the focus"), Hint(("Right click",), "a grain more"))
     actions = (SceneAction("clear", "No grains", "n"), SceneAction("refill", "Grains as they were", "g"))
