@@ -202,7 +202,7 @@ class TimedWorld:
         x, y, c, s = self.poses[i].tolist()
         return np.asarray(self.outlines[first : first + count] @ np.array(((c, s), (-s, c))) + (x, y))
 
-    def upper_pairs(self) -> list[tuple[float, int, int]]:
+    def queue(self) -> list[tuple[float, int, int]]:
         """The queue: (s from now, i, j), soonest first."""
         n = self.count
         queue = [(float(self.times[i, j]) - self.now, i, j) for i in range(n) for j in range(i + 1, n)]
@@ -211,7 +211,7 @@ class TimedWorld:
     def missed(self) -> int:
         """Pairs whose outlines meet although their next possible time of contact is still to come."""
         found = 0
-        for ahead, i, j in self.upper_pairs():
+        for ahead, i, j in self.queue():
             far = math.dist(self.fields[X : Y + 1, i], self.fields[X : Y + 1, j])
             if ahead > 0.0 and far < self.makes[i, SIZE] + self.makes[j, SIZE]:
                 found += self.exact(i, j) == 0.0
