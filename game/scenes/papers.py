@@ -7,7 +7,8 @@ from game.ui.widgets.paper import PaperRow
 PAPERS = (
     PaperRow("P01", "Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees",
              "Luque, Comba, Freitas", 2005),
-    PaperRow("P02", "Interactive Collision Detection", "Hubbard", 1993),
+    PaperRow("P02", "Interactive Collision Detection", "Hubbard", 1993,
+             "p02", "tree", "game.scenes.spacetime.paper:INTERACTIVE"),
     PaperRow("P03", "Velocity-Aligned Discrete Oriented Polytopes", "Coming, Staadt", 2004),
     PaperRow("P04", "Optimized Spatial Hashing for Collision Detection of Deformable Objects",
              "Teschner, Heidelberger, Müller, Pomeranets, Gross", 2003),

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.spacetime.exact import exact_distance
 from game.physics.spacetime.motion import Laws
-from game.physics.spacetime.refine import NO_BOUND, refine_many
+from game.physics.spacetime.refine import refine_many
 from game.physics.spacetime.shapes import KINDS
 from game.physics.spacetime.world import TimedBody, TimedWorld
 
@@ -56,18 +56,16 @@ def all_pairs() -> tuple[PosePairs, ...]:
 
 
 def answers(pairs: PosePairs, budget: int) -> Floats:
-    """(q, 3): lower and upper bound (m), and tests of each query."""
-    out = np.zeros((len(pairs.poses), 3))
+    """(q, 4): lower and upper bound, estimate (m), and tests of each query."""
+    out = np.zeros((len(pairs.poses), 4))
     world = pairs.world
     refine_many(world.forest, pairs.poses, budget, world.left, world.gaps, out)
     return out
 
 
 def relative_errors(pairs: PosePairs, found: Floats) -> Floats:
-    """(q,): of the estimate, 0 where they may meet and else the middle of the bounds, against the distance."""
-    lower, upper = found[:, 0], np.where(found[:, 1] < NO_BOUND, found[:, 1], 0.0)
-    estimate = np.where(lower > 0.0, 0.5 * (lower + upper), 0.0)
-    return np.asarray(np.abs(estimate - pairs.exact) / pairs.exact)
+    """(q,): of the estimates, in shares of the exact distance."""
+    return np.asarray(np.abs(found[:, 2] - pairs.exact) / pairs.exact)
 
 
 class BudgetTrial:
@@ -88,7 +86,7 @@ class BudgetTrial:
     def outcome(self) -> Outcome:
         """The mean error in shares of the distance, and the tests."""
         errors = [relative_errors(pairs, found) for pairs, found in zip(self.pairs, self.found, strict=True)]
-        tests = int(sum(float(np.sum(found[:, 2])) for found in self.found))
+        tests = int(sum(float(np.sum(found[:, 3])) for found in self.found))
         return Outcome(float(np.mean(np.concatenate(errors))), tests)
 
 

@@ -78,6 +78,4 @@ def polygon_distance(corners, first_a, count_a, pose_a, first_b, count_b, pose_b
 @kernel
 def exact_distance(corners, spans, a, b, poses):
     """Distance of bodies a and b; spans: (bodies, 2) first corner and how many; poses: (bodies, 4)."""
-    return polygon_distance(
-        corners, spans[a, 0], spans[a, 1], poses[a], spans[b, 0], spans[b, 1], poses[b]
-    )
+    return polygon_distance(corners, spans[a, 0], spans[a, 1], poses[a], spans[b, 0], spans[b, 1], poses[b])

@@ -15,10 +15,10 @@ import numpy as np
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spacetime.exact import polygon_distance
-from game.physics.spacetime.tree import CHILD, CHILDREN, CORNERS, CX, CY, FIRST, INNER, RADIUS, WX, WY
+from game.physics.spacetime.tree import CHILD, CHILDREN, CORNERS, CX, FIRST, INNER, RADIUS, WX
 
-LOWER, UPPER, NORMAL_X, NORMAL_Y, PLACE_X, PLACE_Y, LEVEL = range(7)  # of an answer
-ANSWERS = 7
+LOWER, UPPER, NORMAL_X, NORMAL_Y, PLACE_X, PLACE_Y, LEVEL, WEIGHT, ESTIMATE = range(9)  # of an answer
+ANSWERS = 9
 UNTESTED = -1.0  # level of a pair whose roots were not compared
 PAIR, A, B, DONE = range(4)  # of a pair of nodes that is left; done: compared exactly, and they meet
 CAPACITY = 4096  # pairs of nodes left at a time
@@ -80,11 +80,15 @@ def _settle(forest, poses, pairs, left, gaps, count, answers):
             out[NORMAL_Y] += weight * dy / far
             out[PLACE_X] += weight * (ax + share * dx)
             out[PLACE_Y] += weight * (ay + share * dy)
-            out[LEVEL + 1] += weight
+            out[WEIGHT] += weight
     for p in range(pairs.shape[0]):
         out = answers[p]
         out[LOWER] = min(out[LOWER], out[UPPER])
-        long, weight = math.sqrt(out[NORMAL_X] ** 2 + out[NORMAL_Y] ** 2), out[LEVEL + 1]
+        if out[ESTIMATE] > 0.0:  # leaves were compared: the upper bound is hardly ever beaten from then on
+            out[ESTIMATE] = out[UPPER]
+        elif out[LOWER] > 0.0:
+            out[ESTIMATE] = 0.5 * (out[LOWER] + out[UPPER])
+        long, weight = math.sqrt(out[NORMAL_X] ** 2 + out[NORMAL_Y] ** 2), out[WEIGHT]
         if weight > 0.0:
             out[PLACE_X] /= weight
             out[PLACE_Y] /= weight
@@ -102,12 +106,13 @@ def refine(forest, poses, pairs, reach, budget, left, gaps, answers):
 
     poses: (bodies, 4) x, y, cosine, sine; pairs: (k, 2) bodies; reach: (k,) m, beyond which no more need be
     known; left: (2, CAPACITY, 4) and gaps: (2, CAPACITY), work, of which the first holds what is left in the
-    end; answers: (k, ANSWERS + 1). A pair whose roots were not compared has level UNTESTED and no bounds.
+    end; answers: (k, ANSWERS). A pair whose roots were not compared has level UNTESTED and no bounds. The
+    estimate is the middle of the bounds, or 0 where circles overlap; once leaves were compared, the upper one.
     """
     links, nodes = forest.links, forest.nodes
     tests, count, now = 0, 0, 0
     for p in range(pairs.shape[0]):
-        for k in range(ANSWERS + 1):
+        for k in range(ANSWERS):
             answers[p, k] = 0.0
         answers[p, LOWER], answers[p, UPPER], answers[p, LEVEL] = NO_BOUND, NO_BOUND, UNTESTED
         if tests >= budget or count >= CAPACITY:
@@ -151,6 +156,7 @@ def refine(forest, poses, pairs, reach, budget, left, gaps, answers):
                     links[b, CORNERS], pose_b,
                 )  # fmt: skip
                 out[UPPER], out[LOWER] = min(out[UPPER], found), min(out[LOWER], found)
+                out[ESTIMATE] = 1.0
                 if found == 0.0:
                     after = _keep(left[1 - now], gaps[1 - now], after, p, a, b, min(gap, 0.0))
                     left[1 - now, after - 1, DONE] = 1
@@ -176,11 +182,12 @@ def refine(forest, poses, pairs, reach, budget, left, gaps, answers):
 def refine_many(forest, poses, budget, left, gaps, out):
     """Bounds of the distance of the first two bodies at many poses (q, 2, 4), each by its own budget.
 
-    out: (q, 3): lower, upper, tests.
+    out: (q, 4): lower, upper, estimate, tests.
     """
     pairs = np.array([[0, 1]])
     reach = np.full(1, NO_BOUND)
-    answers = np.zeros((1, ANSWERS + 1))
+    answers = np.zeros((1, ANSWERS))
     for q in range(poses.shape[0]):
         tests, _ = refine(forest, poses[q], pairs, reach, budget, left, gaps, answers)
-        out[q, 0], out[q, 1], out[q, 2] = answers[0, LOWER], answers[0, UPPER], tests
+        out[q, 0], out[q, 1], out[q, 2] = answers[0, LOWER], answers[0, UPPER], answers[0, ESTIMATE]
+        out[q, 3] = tests

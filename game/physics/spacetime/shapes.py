@@ -17,23 +17,25 @@ _C = ((0, 0), (4, 0), (4, 2), (2.9, 2), (2.9, 1), (1.1, 1), (1.1, 5), (2.9, 5), 
       (0, 6))  # fmt: skip
 LETTERS = (_E, _H, _C)
 COAST_CORNERS = 64
+TOOTH = 0.8  # of a comb, against 2 from tooth to tooth
 
 
 def _star(variant: int) -> Floats:
     tips = 5 + variant % 5
     turns = np.arange(2 * tips) * math.pi / tips
-    return np.stack([np.cos(turns), np.sin(turns)], axis=1) * np.where(np.arange(2 * tips) % 2, 0.4, 1.0)[:, None]
+    return (
+        np.stack([np.cos(turns), np.sin(turns)], axis=1)
+        * np.where(np.arange(2 * tips) % 2, 0.4, 1.0)[:, None]
+    )
 
 
 def _comb(variant: int) -> Floats:
-    """Teeth as wide as the gaps between them, so that two of them go into each other."""
+    """Teeth narrower than the gaps between them, so that two of them go into each other."""
     teeth = 4 + variant % 4
-    corners = [(0.0, 0.0), (2.0 * teeth - 1.0, 0.0)]
+    corners = [(0.0, 0.0), (2.0 * teeth - 2.0 + TOOTH, 0.0)]
     for k in range(teeth - 1, -1, -1):
-        corners += [(2.0 * k + 1.0, 4.0), (2.0 * k, 4.0)] if k == teeth - 1 else [
-            (2.0 * k + 1.0, 1.0), (2.0 * k + 1.0, 4.0), (2.0 * k, 4.0)]  # fmt: skip
-        if k:
-            corners.append((2.0 * k, 1.0))
+        right, left = 2.0 * k + TOOTH, 2.0 * k
+        corners += [(right, 1.0)] * (k < teeth - 1) + [(right, 4.0), (left, 4.0)] + [(left, 1.0)] * (k > 0)
     return np.array(corners)
 
 

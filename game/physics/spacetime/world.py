@@ -16,10 +16,10 @@ from game.physics.spacetime.exact import exact_distance
 from game.physics.spacetime.motion import (
     FIELDS,
     SIZE,
-    X,
-    Y,
     Grip,
     Laws,
+    X,
+    Y,
     bounce_walls,
     due_pairs,
     move,
@@ -27,7 +27,7 @@ from game.physics.spacetime.motion import (
     renew_times,
     respond,
 )
-from game.physics.spacetime.refine import ANSWERS, CAPACITY, LEVEL, LOWER, UNTESTED, UPPER, refine
+from game.physics.spacetime.refine import ANSWERS, CAPACITY, ESTIMATE, LEVEL, LOWER, UNTESTED, UPPER, refine
 from game.physics.spacetime.shapes import area_and_centre, second_moment
 from game.physics.spacetime.tree import plant, tree_of
 
@@ -67,11 +67,7 @@ class Answer(NamedTuple):
     upper: float
     level: int
     tests: int
-
-    @property
-    def estimate(self) -> float:
-        """Between the bounds; 0 where they may meet: in contact, at the resolution reached."""
-        return 0.5 * (self.lower + self.upper) if self.lower > 0.0 else 0.0
+    estimate: float
 
 
 class TimedWorld:
@@ -104,7 +100,7 @@ class TimedWorld:
         self.times: Floats = np.zeros((n, n))
         self.kicked = np.zeros(n, dtype=np.bool_)
         self.pairs: Longs = np.zeros((max(n * (n - 1) // 2, 1), 2), dtype=np.int64)
-        self.answers: Floats = np.zeros((len(self.pairs), ANSWERS + 1))
+        self.answers: Floats = np.zeros((len(self.pairs), ANSWERS))
         self.left: Longs = np.zeros((2, CAPACITY, 4), dtype=np.int64)
         self.gaps: Floats = np.zeros((2, CAPACITY))
         self.tests = self.due = self.untested = self.bounces = 0
@@ -139,7 +135,9 @@ class TimedWorld:
     def step(self, dt: float, budget: int, grip: Grip, effects: EffectSet) -> None:
         """Go on by dt (s) with at most ``budget`` tests. ValueError for nonsense."""
         if not 0.0 < dt < math.inf or budget < 0:
-            raise ValueError(f"dt, budget = {dt!r}, {budget!r}: expected dt above 0 s, and a budget from 0 on")
+            raise ValueError(
+                f"dt, budget = {dt!r}, {budget!r}: expected dt above 0 s, and a budget from 0 on"
+            )
         bits = TIMED.mask(effects)
         laws = self.laws if bits & TIMED.bit(GRAVITY) else self.laws._replace(gravity=0.0)
         self.kicked[:] = False
@@ -173,11 +171,15 @@ class TimedWorld:
 
     def ask(self, i: int, j: int, budget: int) -> tuple[Answer, Longs]:
         """The distance of two bodies as far as a budget of tests goes, and the pairs of nodes that are left."""
-        answers, left, gaps = np.zeros((1, ANSWERS + 1)), np.zeros_like(self.left), np.zeros_like(self.gaps)
+        answers, left, gaps = np.zeros((1, ANSWERS)), np.zeros_like(self.left), np.zeros_like(self.gaps)
         pairs, reach = np.array([[i, j]]), np.full(1, 1e300)
         tests, count = refine(self.forest, self.poses, pairs, reach, budget, left, gaps, answers)
         found = Answer(
-            float(answers[0, LOWER]), float(answers[0, UPPER]), int(answers[0, LEVEL]), int(tests)
+            float(answers[0, LOWER]),
+            float(answers[0, UPPER]),
+            int(answers[0, LEVEL]),
+            int(tests),
+            float(answers[0, ESTIMATE]),
         )
         return found, left[0, :count]
 
@@ -186,7 +188,7 @@ class TimedWorld:
         pairs = np.zeros_like(self.pairs)
         count = due_pairs(self.times, self.now + dt, pairs)
         pairs = pairs[:count]
-        left, gaps, answers = np.zeros_like(self.left), np.zeros_like(self.gaps), np.zeros((count, ANSWERS + 1))
+        left, gaps, answers = np.zeros_like(self.left), np.zeros_like(self.gaps), np.zeros((count, ANSWERS))
         _, kept = refine(
             self.forest, self.poses, pairs, self.reach_of(pairs, dt), budget, left, gaps, answers
         )

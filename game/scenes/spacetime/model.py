@@ -111,7 +111,14 @@ class SpaceTimeModel(Part):
 
 def _body_of(entry: BodyEntry) -> TimedBody:
     return TimedBody(
-        entry.kind, entry.variant, entry.size, entry.place, entry.angle, entry.velocity, entry.spin, entry.push
+        entry.kind,
+        entry.variant,
+        entry.size,
+        entry.place,
+        entry.angle,
+        entry.velocity,
+        entry.spin,
+        entry.push,
     )
 
 

@@ -47,7 +47,9 @@ class SpaceTime(Scene):
     equations = (
         Equation("May touch from", r"\abs{\v{d} + \v{v} t} = R_1 + R_2 + A t^2", "Hubbard 1993"),
         Equation(
-            "Known to be apart", r"(\abs{\v{v}} + \omega_1 R_1 + \omega_2 R_2) t + A t^2 = L", "the later counts"
+            "Known to be apart",
+            r"(\abs{\v{v}} + \omega_1 R_1 + \omega_2 R_2) t + A t^2 = L",
+            "the later counts",
         ),
         Equation("At least", r"\abs{\v{c}_1 - \v{c}_2} - R_1 - R_2", "circles about the parts"),
         Equation("At most", r"\abs{\v{w}_1 - \v{w}_2} - s_1 - s_2", "discs within the bodies"),
@@ -102,7 +104,7 @@ class SpaceTime(Scene):
         )
 
     def frame(self) -> Frame:
-        return Frame(-HALF[0] - 0.2, -HALF[1] - 0.2, HALF[0] + 1.8, HALF[1] + 0.2)
+        return Frame(-HALF[0] - 1.95, -HALF[1] - 0.2, HALF[0] + 1.75, HALF[1] + 0.2)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         held = (self.hand.held, self.hand.x, self.hand.y)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.spacetime.motion import SIZE, VX, X, Y, pair_time
-from game.physics.spacetime.refine import A, B, PAIR
+from game.physics.spacetime.refine import PAIR, A, B
 from game.physics.spacetime.tree import RADIUS, tree_of
 from game.physics.spacetime.world import TimedState
 from game.scenes.spacetime.model import HALF, SpaceTimeModel
@@ -105,4 +105,6 @@ class SpaceTimeView:
             at = (AT[0], AT[1] - LINE * (line + 1))
             words = "now" if ahead <= 0.0 else f"{1e3 * ahead:.0f} ms"
             canvas.label(at, f"{i + 1} and {j + 1}", "text2", 12, anchor="left")
-            canvas.label((AT[0] + 1.35, at[1]), words, "amber" if ahead <= 0.0 else "text1", 12, anchor="right")
+            canvas.label(
+                (AT[0] + 1.35, at[1]), words, "amber" if ahead <= 0.0 else "text1", 12, anchor="right"
+            )
