@@ -1,8 +1,8 @@
 """Bodies that move within a bound of their acceleration, the time at which two may next touch, and bounces.
 
-From place x and velocity v, and whatever it is accelerated by up to A, a body of radius R lies at time t within
-the circle about x + v t of radius R + A t² / 2: in space and time a parabolic horn (Hubbard 1993). Two of them
-do not touch before
+From place x and velocity v, and whatever it is accelerated by up to A, a body of radius R lies at time t
+within the circle about x + v t of radius R + A t² / 2: in space and time a parabolic horn (Hubbard 1993). Two
+of them do not touch before
 
     |d + v t| = R_1 + R_2 + A t²,   d and v relative place and velocity.
 

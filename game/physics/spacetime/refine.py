@@ -2,8 +2,8 @@
 
 All pairs of bodies are refined breadth first together: first the roots of all of them, then the children of
 what is left, and so on, until nothing is left or the budget of tests is used up. At any moment each pair of
-bodies has a lower and an upper bound of its distance. Of two nodes the larger is replaced by its children; two
-leaves are compared exactly, edge by edge, each pair of edges counted as a test.
+bodies has a lower and an upper bound of its distance. Of two nodes the larger is replaced by its children;
+two leaves are compared exactly, edge by edge, each pair of edges counted as a test.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ def refine(forest, poses, pairs, reach, budget, left, gaps, answers):
     poses: (bodies, 4) x, y, cosine, sine; pairs: (k, 2) bodies; reach: (k,) m, beyond which no more need be
     known; left: (2, CAPACITY, 4) and gaps: (2, CAPACITY), work, of which the first holds what is left in the
     end; answers: (k, ANSWERS). A pair whose roots were not compared has level UNTESTED and no bounds. The
-    estimate is the middle of the bounds, or 0 where circles overlap; once leaves were compared, the upper one.
+    estimate is the middle of the bounds, or 0 where circles overlap; once leaves were compared, the upper.
     """
     links, nodes = forest.links, forest.nodes
     tests, count, now = 0, 0, 0

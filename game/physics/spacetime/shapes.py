@@ -51,7 +51,7 @@ def _coast(variant: int) -> Floats:
 
 
 def outline_of(kind: str, variant: int = 0) -> Floats:
-    """Corners (n, 2), counter-clockwise, about the centre of mass, the farthest at 1. ValueError if unknown."""
+    """Corners (n, 2), counter-clockwise, about the centre of mass, the farthest at 1. ValueError if none."""
     if kind not in KINDS:
         raise ValueError(f"kind = {kind!r}: expected one of {', '.join(KINDS)}")
     if kind == "letter":

@@ -39,8 +39,8 @@ NEAR_STEPS = 8.0  # a pair's distance is wanted as far as it closes in so many s
 
 
 class TimedBody(NamedTuple):
-    """A body: kind and variant of its outline, size (m to its farthest corner), place, angle, velocity, rate of
-    turning, and what it is accelerated by (m/s²)."""
+    """A body: kind and variant of its outline, size (m to its farthest corner), place, angle, velocity, rate
+    of turning, and what it is accelerated by (m/s²)."""
 
     kind: str
     variant: int
@@ -170,7 +170,7 @@ class TimedWorld:
     # -- what is there --------------------------------------------------------------------------------
 
     def ask(self, i: int, j: int, budget: int) -> tuple[Answer, Longs]:
-        """The distance of two bodies as far as a budget of tests goes, and the pairs of nodes that are left."""
+        """The distance of two bodies as far as a budget of tests goes, and the pairs of nodes left."""
         answers, left, gaps = np.zeros((1, ANSWERS)), np.zeros_like(self.left), np.zeros_like(self.gaps)
         pairs, reach = np.array([[i, j]]), np.full(1, 1e300)
         tests, count = refine(self.forest, self.poses, pairs, reach, budget, left, gaps, answers)

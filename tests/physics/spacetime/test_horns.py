@@ -23,7 +23,8 @@ def heap(seed: int, count: int = 8, laws: Laws = LAWS) -> TimedWorld:
     kinds = ("star", "comb", "letter", "coast")
     bodies = [
         TimedBody(
-            kinds[k % 4], k % 3, 0.45, (-2.0 + 1.3 * (k % 4), -0.8 + 1.6 * (k // 4)), float(chance.uniform(0, 6)),
+            kinds[k % 4], k % 3, 0.45, (-2.0 + 1.3 * (k % 4), -0.8 + 1.6 * (k // 4)),
+            float(chance.uniform(0, 6)),
             tuple(chance.uniform(-1.5, 1.5, 2).tolist()), float(chance.uniform(-3, 3)),
             tuple(chance.uniform(-12, 12, 2).tolist()),
         )
@@ -56,11 +57,11 @@ def test_no_motion_within_the_bound_meets_sooner():
     tight = 0
     for trial in range(150):
         a, b = (str(kind) for kind in chance.choice(["star", "comb", "letter", "coast"], 2))
-        toward = chance.uniform(0.0, 3.0)
+        toward, aside = float(chance.uniform(0.0, 3.0)), float(chance.uniform(-0.3, 0.3))
+        turned, spins = chance.uniform(0.0, 6.0, 2).tolist(), chance.uniform(-4.0, 4.0, 2).tolist()
         world = TimedWorld(
-            [TimedBody(a, 0, 0.5, (-1.0, 0.0), float(chance.uniform(0, 6)), (toward, 0.0), float(chance.uniform(-4, 4))),
-             TimedBody(b, 1, 0.5, (0.4, float(chance.uniform(-0.3, 0.3))), float(chance.uniform(0, 6)), (-toward, 0.0),
-                       float(chance.uniform(-4, 4)))],
+            [TimedBody(a, 0, 0.5, (-1.0, 0.0), turned[0], (toward, 0.0), spins[0]),
+             TimedBody(b, 1, 0.5, (0.4, aside), turned[1], (-toward, 0.0), spins[1])],
             (90.0, 90.0), LAWS,
         )  # fmt: skip
         apart = world.exact(0, 1)
@@ -103,7 +104,8 @@ def test_hand_and_gravity_together_stay_within_the_bound():
 
 def test_a_bounce_keeps_momentum_and_makes_no_energy():
     world = TimedWorld(
-        [TimedBody("coast", 0, 0.5, (-1.0, 0.1), 0.3, (2.0, 0.0)), TimedBody("star", 1, 0.4, (1.0, 0.0), 0.0, (-1.0, 0.0))],
+        [TimedBody("coast", 0, 0.5, (-1.0, 0.1), 0.3, (2.0, 0.0)),
+         TimedBody("star", 1, 0.4, (1.0, 0.0), 0.0, (-1.0, 0.0))],
         (90.0, 90.0), LAWS._replace(restitution=1.0),
     )  # fmt: skip
 

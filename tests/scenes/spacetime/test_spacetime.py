@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
+from game.lab.studies.spacetime import answers, pose_pairs, relative_errors
 from game.levels import level_files, load_level
 from game.scenes.shared.expectations import captions_of
 from game.scenes.spacetime.paper import BUDGETS_US, INTERACTIVE
@@ -123,10 +124,10 @@ def test_each_view_is_another_picture():
     assert len(seen) >= 4
 
 
-def test_at_fifty_microseconds_the_page_is_within_five_percent():
-    """A count of tests for the time, so that a slow machine does not fail: 512 tests take some 10 to 20 us."""
-    from game.lab.studies.spacetime import all_pairs, answers, relative_errors
-
-    errors = np.concatenate([relative_errors(pairs, answers(pairs, 1024)) for pairs in all_pairs()])
-    assert np.max(errors) < 0.05
+def test_within_a_thousand_tests_the_answer_is_within_five_percent():
+    """Some 20 to 25 µs where a test takes 20 ns; poses other than those of the page."""
+    for first, second in (("star", "comb"), ("comb", "comb"), ("letter", "coast"), ("coast", "coast")):
+        pairs = pose_pairs(first, second, seed=101)
+        assert np.max(relative_errors(pairs, answers(pairs, 1024))) < 0.05
+        assert np.max(relative_errors(pairs, answers(pairs, 16))) > 0.5
     assert 50 in BUDGETS_US and len(INTERACTIVE.steps) == 5
