@@ -7,7 +7,7 @@ from game.physics.effects import Room, declare_effect
 from game.physics.fields import GRAVITY
 
 SPACE_TIME = declare_effect(
-    "space-time-bounds", "Space-time bounds", "No pair is tested before the time at which it may touch."
+    "space-time-bounds", "Time bounds", "No pair is tested before the time at which it may touch."
 )
 
 TIMED = Room("bodies with circle trees", SPACE_TIME | CONTACTS | GRAVITY)

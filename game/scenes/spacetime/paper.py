@@ -20,6 +20,7 @@ from game.ui.widgets.paper import Comparison, Paper, Step
 
 BUDGETS_US = (1, 2, 5, 10, 20, 50, 100, 1000)
 TESTS = tuple(round(2.0 ** (0.5 * k)) for k in range(25))  # 1 to 4096
+SEED = 101  # not the study's poses, by which the estimate was chosen
 REPEATS, STEPS, DT = 3, 240, 1.0 / 240.0
 HANDLESS = Grip(-1, 0.0, 0.0, 1.0)
 
@@ -41,9 +42,20 @@ def _costs(pairs: PosePairs) -> list[tuple[int, float]]:
     return [(tests, tests * each) for tests in TESTS]
 
 
+def _percent(value: float) -> str:
+    """In words: what is rounding is 0."""
+    return (
+        "0 %"
+        if value < 1e-6
+        else "below 0.01 %"
+        if value < 0.01
+        else f"{value:.{2 if value < 10.0 else 0}f} %"
+    )
+
+
 def _errors(kinds: tuple[tuple[str, str], ...]) -> Iterator[Comparison]:
     """Error against the exact distance at budgets of time."""
-    all_pairs = [(pairs, _costs(pairs)) for pairs in (pose_pairs(*kind) for kind in kinds)]
+    all_pairs = [(pairs, _costs(pairs)) for pairs in (pose_pairs(*kind, seed=SEED) for kind in kinds)]
     for budget in BUDGETS_US:
         errors = []
         for pairs, costs in all_pairs:
@@ -51,8 +63,8 @@ def _errors(kinds: tuple[tuple[str, str], ...]) -> Iterator[Comparison]:
             errors.append(relative_errors(pairs, answers(pairs, tests)))
         found = 100.0 * np.concatenate(errors)
         yield Comparison(
-            f"error against the exact distance at {budget} µs a query: mean, nineteen in twenty, worst", "",
-            f"{np.mean(found):.2g} %, {np.percentile(found, 95):.2g} %, {np.max(found):.2g} %",
+            f"error of the distance at {budget} µs: mean, 19 in 20 within, worst", "",
+            ", ".join(_percent(one) for one in (np.mean(found), np.percentile(found, 95), np.max(found))),
         )  # fmt: skip
 
 
@@ -76,7 +88,7 @@ def _measure() -> Iterator[Comparison]:
                      f"{with_bounds[0]:.3g} and {without[0]:.3g}")  # fmt: skip
     yield Comparison("tests a step, with space-time bounds and without", "",
                      f"{with_bounds[1]:.3g} and {without[1]:.3g}")  # fmt: skip
-    pairs = pose_pairs("coast", "coast")
+    pairs = pose_pairs("coast", "coast", SEED)
     start = process_time()
     for _ in pairs.poses:
         pairs.world.exact(0, 1)

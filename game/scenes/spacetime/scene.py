@@ -57,7 +57,7 @@ class SpaceTime(Scene):
     try_this = (
         "Lower Tests per step to 60: bodies bounce off circles; at 0 they pass through each other.",
         "Raise the bound: horns widen sooner, and more pairs are due.",
-        "Switch Space-time bounds off and compare the tests per step.",
+        "Switch Time bounds off and compare the tests per step.",
         "Drag a body as fast as you can: it lags, since the hand obeys the bound as well.",
     )
 

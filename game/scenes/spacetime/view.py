@@ -94,7 +94,7 @@ class SpaceTimeView:
                 center = (float(x + vx * t), float(y + vy * t))
                 radius = float(world.makes[i, SIZE] + 0.5 * bound * t * t)
                 last = t == until
-                canvas.circle(center, radius, "yellow", 0.03, "yellow", 1.6 if last else 0.8,
+                canvas.circle(center, radius, None, 0.0, "yellow", 1.6 if last else 0.8,
                               alpha=0.9 if last else 0.35)  # fmt: skip
             canvas.line((float(x), float(y)), (float(x + vx * until), float(y + vy * until)), "yellow", 1.4)
 
