@@ -174,3 +174,18 @@ def test_nonsense_is_refused(field):
         TimedWorld([], (1.0, 1.0), LAWS)
     with pytest.raises(ValueError, match="size"):
         TimedWorld([TimedBody("star", 0, 0.0, (0.0, 0.0))], (1.0, 1.0), LAWS)
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0), (1, 0, 2)])
+def test_an_impact_renews_the_times_of_both(order):
+    """With no acceleration at all the two at rest would never meet, until one of them is hit."""
+    row = [
+        TimedBody("star", 0, 0.3, (-1.5, 0.0), 0.0, (2.0, 0.0)),
+        TimedBody("star", 0, 0.3, (-0.5, 0.0)),
+        TimedBody("star", 0, 0.3, (0.8, 0.0)),
+    ]
+    world = TimedWorld([row[k] for k in order], (90.0, 90.0), LAWS._replace(bound=0.0))
+    for _ in range(600):
+        world.step(DT, 100_000, FREE, TIMED.known)
+        assert world.missed() == 0
+    assert world.bounces >= 2
