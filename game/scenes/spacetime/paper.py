@@ -64,7 +64,7 @@ def _errors(kinds: tuple[tuple[str, str], ...]) -> Iterator[Comparison]:
         found = 100.0 * np.concatenate(errors)
         yield Comparison(
             f"error of the distance at {budget} µs: mean, 19 in 20 within, worst", "",
-            ", ".join(_percent(one) for one in (np.mean(found), np.percentile(found, 95), np.max(found))),
+            ", ".join(_percent(float(one)) for one in (np.mean(found), np.percentile(found, 95), np.max(found))),
         )  # fmt: skip
 
 
