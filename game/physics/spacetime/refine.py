@@ -1,0 +1,193 @@
+"""Trees of circles against each other, level by level, for as many tests as there are (Hubbard 1993).
+
+All pairs of bodies are refined breadth first together: first the roots of all of them, then the children of
+what is left, and so on, until nothing is left or the budget of tests is used up. At any moment each pair of
+bodies has a lower and an upper bound of its distance. Of two nodes the larger is replaced by its children;
+two leaves are compared exactly, edge by edge, each pair of edges counted as a test.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.spacetime.exact import polygon_distance
+from game.physics.spacetime.tree import CHILD, CHILDREN, CORNERS, CX, FIRST, INNER, RADIUS, WX
+
+LOWER, UPPER, NORMAL_X, NORMAL_Y, PLACE_X, PLACE_Y, LEVEL, WEIGHT, ESTIMATE = range(9)  # of an answer
+ANSWERS = 9
+UNTESTED = -1.0  # level of a pair whose roots were not compared
+PAIR, A, B, DONE = range(4)  # of a pair of nodes that is left; done: compared exactly, and they meet
+CAPACITY = 4096  # pairs of nodes left at a time
+NO_BOUND = 1e300
+
+
+@inner_kernel
+def _middle(nodes, n, pose, column):
+    """A node's circle (column CX) or inner disc (WX) in the world."""
+    x, y = nodes[n, column], nodes[n, column + 1]
+    return pose[0] + pose[2] * x - pose[3] * y, pose[1] + pose[3] * x + pose[2] * y
+
+
+@inner_kernel
+def _compare(forest, pose_a, pose_b, a, b):
+    """Signed gap of the circles of two nodes, and the distance of their discs within the bodies, m."""
+    ax, ay = _middle(forest.nodes, a, pose_a, CX)
+    bx, by = _middle(forest.nodes, b, pose_b, CX)
+    gap = math.sqrt((bx - ax) ** 2 + (by - ay) ** 2) - forest.nodes[a, RADIUS] - forest.nodes[b, RADIUS]
+    ax, ay = _middle(forest.nodes, a, pose_a, WX)
+    bx, by = _middle(forest.nodes, b, pose_b, WX)
+    discs = math.sqrt((bx - ax) ** 2 + (by - ay) ** 2) - forest.nodes[a, INNER] - forest.nodes[b, INNER]
+    return gap, max(discs, 0.0)
+
+
+@inner_kernel
+def _keep(left, gaps, count, p, a, b, gap):
+    left[count, PAIR], left[count, A], left[count, B], left[count, DONE] = p, a, b, 0
+    gaps[count] = gap
+    return count + 1
+
+
+@inner_kernel
+def _price(links, a, b):
+    """Tests that refining two nodes takes, and which is replaced: 0 the first, 1 the second, 2 neither."""
+    if links[a, CHILDREN] == 0 and links[b, CHILDREN] == 0:
+        return links[a, CORNERS] * links[b, CORNERS], 2
+    return 0, 0
+
+
+@inner_kernel
+def _settle(forest, poses, pairs, left, gaps, count, answers):
+    """Bounds, normals and places of contact from what is left."""
+    nodes = forest.nodes
+    for i in range(count):
+        p = left[i, PAIR]
+        out, a, b = answers[p], left[i, A], left[i, B]
+        out[LOWER] = min(out[LOWER], max(gaps[i], 0.0))
+        if gaps[i] > 0.0:
+            continue
+        ax, ay = _middle(nodes, a, poses[pairs[p, 0]], CX)
+        bx, by = _middle(nodes, b, poses[pairs[p, 1]], CX)
+        dx, dy = bx - ax, by - ay
+        far = math.sqrt(dx * dx + dy * dy)
+        weight = max(nodes[a, RADIUS] + nodes[b, RADIUS] - far, 0.0)
+        if far > 0.0:
+            share = (nodes[a, RADIUS] - 0.5 * weight) / far
+            out[NORMAL_X] += weight * dx / far
+            out[NORMAL_Y] += weight * dy / far
+            out[PLACE_X] += weight * (ax + share * dx)
+            out[PLACE_Y] += weight * (ay + share * dy)
+            out[WEIGHT] += weight
+    for p in range(pairs.shape[0]):
+        out = answers[p]
+        out[LOWER] = min(out[LOWER], out[UPPER])
+        if out[ESTIMATE] > 0.0:  # leaves were compared: the upper bound is hardly ever beaten from then on
+            out[ESTIMATE] = out[UPPER]
+        elif out[LOWER] > 0.0:
+            out[ESTIMATE] = 0.5 * (out[LOWER] + out[UPPER])
+        long, weight = math.sqrt(out[NORMAL_X] ** 2 + out[NORMAL_Y] ** 2), out[WEIGHT]
+        if weight > 0.0:
+            out[PLACE_X] /= weight
+            out[PLACE_Y] /= weight
+        pose_a, pose_b = poses[pairs[p, 0]], poses[pairs[p, 1]]
+        dx, dy = pose_b[0] - pose_a[0], pose_b[1] - pose_a[1]
+        if long > 0.05 * weight:  # else circles on all sides: along the centres
+            dx, dy = out[NORMAL_X], out[NORMAL_Y]
+        long = max(math.sqrt(dx * dx + dy * dy), 1e-300)
+        out[NORMAL_X], out[NORMAL_Y] = dx / long, dy / long
+
+
+@lean_kernel
+def refine(forest, poses, pairs, reach, budget, left, gaps, answers):
+    """Answer how far pairs of bodies are apart, by at most ``budget`` tests; (tests, nodes left).
+
+    poses: (bodies, 4) x, y, cosine, sine; pairs: (k, 2) bodies; reach: (k,) m, beyond which no more need be
+    known; left: (2, CAPACITY, 4) and gaps: (2, CAPACITY), work, of which the first holds what is left in the
+    end; answers: (k, ANSWERS). A pair whose roots were not compared has level UNTESTED and no bounds. The
+    estimate is the middle of the bounds, or 0 where circles overlap; once leaves were compared, the upper.
+    """
+    links, nodes = forest.links, forest.nodes
+    tests, count, now = 0, 0, 0
+    for p in range(pairs.shape[0]):
+        for k in range(ANSWERS):
+            answers[p, k] = 0.0
+        answers[p, LOWER], answers[p, UPPER], answers[p, LEVEL] = NO_BOUND, NO_BOUND, UNTESTED
+        if tests >= budget or count >= CAPACITY:
+            answers[p, LOWER] = 0.0
+            continue
+        tests += 1
+        a, b = forest.roots[pairs[p, 0]], forest.roots[pairs[p, 1]]
+        gap, answers[p, UPPER] = _compare(forest, poses[pairs[p, 0]], poses[pairs[p, 1]], a, b)
+        answers[p, LEVEL] = 0.0
+        if gap > reach[p]:
+            answers[p, LOWER] = gap
+        else:
+            count = _keep(left[now], gaps[now], count, p, a, b, gap)
+    level, stopped, changed = 0, False, True
+    while changed and not stopped:
+        changed, level, after = False, level + 1, 0
+        for i in range(count):
+            p, a, b, gap = left[now, i, PAIR], left[now, i, A], left[now, i, B], gaps[now, i]
+            out = answers[p]
+            if gap >= out[UPPER] and out[UPPER] > 0.0:
+                continue
+            price, kind = _price(links, a, b)
+            if kind != 2:
+                larger_b = links[a, CHILDREN] == 0 or (
+                    links[b, CHILDREN] > 0 and nodes[b, RADIUS] > nodes[a, RADIUS]
+                )
+                kind = 1 if larger_b else 0
+                price = links[b, CHILDREN] if larger_b else links[a, CHILDREN]
+            full = after + price + count - i > CAPACITY and kind != 2
+            stopped = stopped or tests + price > budget or full
+            if stopped or left[now, i, DONE] == 1 or out[UPPER] == 0.0:
+                after = _keep(left[1 - now], gaps[1 - now], after, p, a, b, gap)
+                left[1 - now, after - 1, DONE] = left[now, i, DONE]
+                continue
+            changed, tests = True, tests + price
+            out[LEVEL] = level
+            pose_a, pose_b = poses[pairs[p, 0]], poses[pairs[p, 1]]
+            if kind == 2:
+                found = polygon_distance(
+                    forest.corners, links[a, FIRST], links[a, CORNERS], pose_a, links[b, FIRST],
+                    links[b, CORNERS], pose_b,
+                )  # fmt: skip
+                out[UPPER], out[LOWER] = min(out[UPPER], found), min(out[LOWER], found)
+                out[ESTIMATE] = 1.0
+                if found == 0.0:
+                    after = _keep(left[1 - now], gaps[1 - now], after, p, a, b, min(gap, 0.0))
+                    left[1 - now, after - 1, DONE] = 1
+                continue
+            for child in range(price):
+                a_now = links[a, CHILD] + child if kind == 0 else a
+                b_now = links[b, CHILD] + child if kind == 1 else b
+                gap, discs = _compare(forest, pose_a, pose_b, a_now, b_now)
+                out[UPPER] = min(out[UPPER], discs)
+                if gap > reach[p]:
+                    out[LOWER] = min(out[LOWER], gap)
+                elif gap < out[UPPER] or out[UPPER] == 0.0:
+                    after = _keep(left[1 - now], gaps[1 - now], after, p, a_now, b_now, gap)
+        now, count = 1 - now, after
+    if now == 1:
+        for i in range(count):
+            _keep(left[0], gaps[0], i, left[1, i, PAIR], left[1, i, A], left[1, i, B], gaps[1, i])
+    _settle(forest, poses, pairs, left[0], gaps[0], count, answers)
+    return tests, count
+
+
+@kernel
+def refine_many(forest, poses, budget, left, gaps, out):
+    """Bounds of the distance of the first two bodies at many poses (q, 2, 4), each by its own budget.
+
+    out: (q, 4): lower, upper, estimate, tests.
+    """
+    pairs = np.array([[0, 1]])
+    reach = np.full(1, NO_BOUND)
+    answers = np.zeros((1, ANSWERS))
+    for q in range(poses.shape[0]):
+        tests, _ = refine(forest, poses[q], pairs, reach, budget, left, gaps, answers)
+        out[q, 0], out[q, 1], out[q, 2] = answers[0, LOWER], answers[0, UPPER], answers[0, ESTIMATE]
+        out[q, 3] = tests
