@@ -34,7 +34,7 @@ FOLDERS = {
         "effects integrators",
         "fields proximity_effects dominoes",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
-        "spheres generations oscillators acoustics",
+        "spheres generations oscillators acoustics deformables",
         "surfaces",
     ),
     "billiards": (
