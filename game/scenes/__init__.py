@@ -11,6 +11,7 @@ from game.scenes import (
     boxes,
     carom,
     convex,
+    deformables,
     domino,
     examples,
     fireworks,
@@ -53,6 +54,7 @@ CATALOGUE = Catalogue(
         *tracks.ENTRIES,
         *beat.ENTRIES,
         *levitation.ENTRIES,
+        *deformables.ENTRIES,
         *domino.ENTRIES,
     )
 )

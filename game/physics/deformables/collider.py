@@ -55,6 +55,7 @@ class MeshCollider:
         self._crossings: Ints = np.zeros(edges + 64, dtype=np.int64)
         self._counters = np.zeros(COUNTERS, dtype=np.int64)
         self._found = self._crossed = 0
+        self._worked: tuple[Counts, Ints] | None = None  # counted when first asked for
         self._stamp = 0
         self.set_effects(effects)
         self.set_cells(cell_size, table_size)
@@ -70,6 +71,7 @@ class MeshCollider:
         self.cell_size = cell_size
         self.slots = np.zeros((table_size, SLOT_COLUMNS), dtype=np.int32)
         self._stamp = 0
+        self._worked = None
         n = self.store.count
         self._vertices = VertexTable(
             self.slots, np.zeros(n, dtype=np.int32), np.zeros((n, 2), dtype=np.int32), np.zeros((n, 2)),
@@ -92,6 +94,7 @@ class MeshCollider:
     def find(self, points: ArrayLike) -> None:
         """Detect for vertices at (n, 2) m. ValueError unless all are finite."""
         self.points[:] = points
+        self._worked = None
         if not finite_doubles(self.points.reshape(-1).view(np.uint64)):
             raise ValueError("points: expected finite numbers")
         self._find_contacts()
@@ -150,11 +153,14 @@ class MeshCollider:
 
     def _work(self) -> tuple[Counts, Ints]:
         """Counts of a pass over vertices at the places of now, and the loads of all slots, (slots,)."""
+        if self._worked is not None:
+            return self._worked
         scale, stamp = 1.0 / self.cell_size, self._next_stamp()
         place_vertices(self.points, self._vertices, scale, stamp)
         count_work(self.points, self.store.topology, self._vertices, scale, stamp, self._counters)
         loads = np.where(self.slots[:, STAMP] == stamp, self.slots[:, LOAD], 0).astype(np.int64)
-        return Counts(*self._counters.tolist()), loads
+        self._worked = Counts(*self._counters.tolist()), loads
+        return self._worked
 
     @property
     def counts(self) -> Counts:
