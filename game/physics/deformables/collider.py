@@ -82,7 +82,7 @@ class MeshCollider:
     def _set_rim_room(self, places: int) -> None:
         self._rim = RimTable(
             self.slots, np.zeros(places, dtype=np.int32), np.zeros((places, 2), dtype=np.int32),
-            np.zeros((places, 4)),
+            np.zeros((places, 4)), np.zeros(places + 1, dtype=np.int32),
         )  # fmt: skip
 
     def set_effects(self, effects: EffectSet) -> None:

@@ -36,6 +36,7 @@ class RimTable(NamedTuple):
     names: NDArray[np.int32]  # (k,)
     cells: NDArray[np.int32]  # (k, 2)
     boxes: NDArray[np.float64]  # (k, 4) m
+    near: NDArray[np.int32]  # (k + 1,), scratch
 
 
 @lean_kernel
@@ -53,7 +54,9 @@ def is_crossing(mask, points, store, e, f):
     b = store.edges[e, 1]
     c = store.edges[f, 0]
     d = store.edges[f, 1]
-    if a == c or a == d or b == c or b == d or not wanted(mask, store.mesh_of[a] == store.mesh_of[c]):
+    if (a == c) | (a == d) | (b == c) | (b == d):
+        return False
+    if not wanted(mask, store.mesh_of[a] == store.mesh_of[c]):
         return False
     return edges_cross(points[a], points[b], points[c], points[d])
 
@@ -116,37 +119,36 @@ def note(keys, hits, e, f):
 
 
 @lean_kernel
-def look_up(mask, points, store, e, table, found, scale):
-    """One edge's cells: writes keys, edge << 32 | rim edge; returns how many there are."""
-    keys, hits, stamp = found
-    slots, names, cells, boxes = table
+def look_up(box, cells, table, stamp, scale):
+    """The rim's edges whose boxes meet an edge's: writes table.near, returns their number.
+
+    box (m) and cells of the edge, each left, bottom, right, top. Listed without a branch to guess.
+    """
+    left, bottom, right, top = box
+    slots, _, homes, boxes, near = table
     size = np.uint32(slots.shape[0])
-    a = store.edges[e, 0]
-    b = store.edges[e, 1]
-    left = min(points[a, 0], points[b, 0])
-    bottom = min(points[a, 1], points[b, 1])
-    right = max(points[a, 0], points[b, 0])
-    top = max(points[a, 1], points[b, 1])
-    for j in range(cell_at(bottom, scale), cell_at(top, scale) + 1):
-        for i in range(cell_at(left, scale), cell_at(right, scale) + 1):
+    count = 0
+    for j in range(cells[1], cells[3] + 1):
+        for i in range(cells[0], cells[2] + 1):
             slot = slot_of(i, j, size)
             if slots[slot, STAMP] != stamp:
                 continue
-            first = slots[slot, FIRST]
-            for place in range(first, first + slots[slot, LOAD]):
-                near = (left <= boxes[place, 2]) & (boxes[place, 0] <= right)
-                if not near & (bottom <= boxes[place, 3]) & (boxes[place, 1] <= top):
-                    continue
-                if (
-                    cells[place, 0] == i
-                    and cells[place, 1] == j
-                    and cell_at(max(left, boxes[place, 0]), scale) == i
-                    and cell_at(max(bottom, boxes[place, 1]), scale) == j
-                ):
-                    f = np.int64(names[place])
-                    if is_crossing(mask, points, store, e, f):
-                        hits = note(keys, hits, e, f)
-    return hits
+            first = np.uint32(slots[slot, FIRST])
+            for place in range(first, first + np.uint32(slots[slot, LOAD])):
+                near[count] = place
+                count += (
+                    (left <= boxes[place, 2]) & (boxes[place, 0] <= right)
+                    & (bottom <= boxes[place, 3]) & (boxes[place, 1] <= top)
+                    & (homes[place, 0] == i) & (homes[place, 1] == j)
+                )  # fmt: skip
+    kept = 0
+    for k in range(count):
+        place = near[k]
+        near[kept] = place
+        kept += (cell_at(max(left, boxes[place, 0]), scale) == homes[place, 0]) & (
+            cell_at(max(bottom, boxes[place, 1]), scale) == homes[place, 1]
+        )
+    return kept
 
 
 @lean_kernel
@@ -162,8 +164,10 @@ def find_crossings(mask, points, inside, store, table, scale, stamp, keys):
     for e in range(store.edges.shape[0]):
         if not is_searched(store, inside, e):
             continue
-        box = cells_of(points[store.edges[e, 0]], points[store.edges[e, 1]], scale)
-        if (box[2] - box[0] + 1) * (box[3] - box[1] + 1) > store.rim.shape[0]:
+        a = store.edges[e, 0]
+        b = store.edges[e, 1]
+        cells = cells_of(points[a], points[b], scale)
+        if (cells[2] - cells[0] + 1) * (cells[3] - cells[1] + 1) > store.rim.shape[0]:
             for r in range(store.rim.shape[0]):
                 f = np.int64(store.rim[r])
                 if is_crossing(mask, points, store, e, f):
@@ -173,5 +177,12 @@ def find_crossings(mask, points, inside, store, table, scale, stamp, keys):
             f = np.int64(table.names[table.names.shape[0] - 1 - k])
             if is_crossing(mask, points, store, e, f):
                 hits = note(keys, hits, e, f)
-        hits = look_up(mask, points, store, e, table, (keys, hits, stamp), scale)
+        box = (
+            min(points[a, 0], points[b, 0]), min(points[a, 1], points[b, 1]),
+            max(points[a, 0], points[b, 0]), max(points[a, 1], points[b, 1]),
+        )  # fmt: skip
+        for k in range(look_up(box, cells, table, stamp, scale)):
+            f = np.int64(table.names[table.near[k]])
+            if is_crossing(mask, points, store, e, f):
+                hits = note(keys, hits, e, f)
     return hits
