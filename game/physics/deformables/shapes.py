@@ -70,8 +70,8 @@ def strip(width: float, height: float, columns: int, rows: int) -> Mesh:
 
 
 def comb(width: float, height: float, columns: int, rows: int) -> Mesh:
-    """A comb of columns x rows squares: its back is the lowest row, above each other column is a tooth."""
+    """A comb of columns x rows squares: its back is the lowest row, above each third column is a tooth."""
     cells = np.zeros((rows, columns), dtype=np.bool_)
     cells[0] = True
-    cells[:, ::2] = True
+    cells[:, ::3] = True
     return of_cells(cells, width, height)

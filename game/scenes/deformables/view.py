@@ -89,7 +89,8 @@ class DeformablesView:
             slots = (((i * FIRST_PRIME) ^ (j * SECOND_PRIME)) & WORD) % len(self.model.bodies.collider.slots)
             picture = np.where(picture > 0.0, 0.05 + 0.95 * slots / len(self.model.bodies.collider.slots), 0.0)
             stops = SLOTS
-        lines = np.repeat(np.repeat(picture, 4, axis=0), 4, axis=1)  # cells with edges, not a blur
+        sharp = 8 if columns * rows < 10_000 else 3
+        lines = np.repeat(np.repeat(picture, sharp, axis=0), sharp, axis=1)  # cells with edges, not a blur
         canvas.field(lines, low * size, (high + 1) * size, stops)
         if columns * rows <= 4_000:
             x, y = np.arange(low[0], high[0] + 2) * size, np.arange(low[1], high[1] + 2) * size
