@@ -1,7 +1,7 @@
 """Detection among 20,100 triangles with self-collision; run with ``--benchmark-enable``. Goal: below 5 ms.
 
-Beside it scipy's k-d tree (build, and for each triangle the vertices within its circle): the candidates alone,
-of which none is tested yet.
+Beside it scipy's k-d tree (build, and for each triangle the vertices within its circle): candidates alone, of
+which none is tested yet.
 """
 
 from __future__ import annotations

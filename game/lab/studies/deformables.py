@@ -73,7 +73,9 @@ class DetectionTrial:
         found = self.collider.contact_keys, self.collider.crossing_keys
         wrong = sum(len(np.setxor1d(a, b)) for a, b in zip(found, _all_pairs(), strict=True))
         counts = self.collider.counts
-        return Outcome(float(wrong), counts.tested + counts.strangers, f"{wrong} wrong pairs" if wrong else "")
+        return Outcome(
+            float(wrong), counts.tested + counts.strangers, f"{wrong} wrong pairs" if wrong else ""
+        )
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:
@@ -115,8 +117,8 @@ cell_study = replace(
         for cell in CELLS
     ],
     trial=lambda setting: DetectionTrial(setting.knob, USUAL_TABLE if setting.method == "usual" else 101),
-    expectation="Small cells are many to look at, large ones are full. Least time lies near the mean length of "
-    "an edge, as the authors found.",
+    expectation="Small cells are many to look at, large ones are full. Least time lies near the mean length"
+    " of an edge, as the authors found.",
     present=_present,
     workload=Workload("40 blobs, 3,840 triangles"),
     short="Cells",

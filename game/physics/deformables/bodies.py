@@ -30,10 +30,9 @@ class Pushing(NamedTuple):
 class SoftBodies:
     """Meshes whose edges keep their lengths and whose outlines keep their areas.
 
-    points: (n, 2) m, where they are; rest: (n, 2) m, where they are at rest, else the same. inverse_masses:
-    (n,) 1/kg, 0 is fixed. cell_size: m, or 0: the mean length of edges at rest. table_size: slots. effects: of
-    SOFT. substeps of a step: whole; settings: fields of `constraints.Settings` but for those two. ValueError,
-    naming the argument, for nonsense.
+    points: (n, 2) m, where they are; rest: (n, 2) m, where they are at rest, else the same.
+    inverse_masses: (n,) 1/kg, 0 is fixed. velocities: (n, 2) m/s. effects: of SOFT. settings: fields of
+    `constraints.Settings`. ValueError, naming the argument, for nonsense.
     """
 
     def __init__(
@@ -57,11 +56,12 @@ class SoftBodies:
         loops = [loop.tolist() for loop in store.loops]
         self.effects = SOFT.checked(effects)
         self.system = PositionBasedDynamics(
-            calm, inverse_masses, edges, areas=loops, velocities=velocities, effects=self._of_links(), **settings,
+            calm, inverse_masses, edges, areas=loops, velocities=velocities, effects=self._of_links(),
+            **settings,
         )  # fmt: skip
-        self.system.fields[:2, : store.count] = places.T
+        self.system.fields[:2, : store.vertices] = places.T
         self.collider = MeshCollider(store, self.mean_edge, 1009, BOTH & self.effects)
-        self._shares = np.zeros(store.count, dtype=np.int64)
+        self._shares = np.zeros(store.vertices, dtype=np.int64)
         self._stale = True
 
     def _of_links(self) -> EffectSet:
@@ -96,7 +96,7 @@ class SoftBodies:
     def detect(self) -> None:
         """Find contacts where the vertices are now, unless that was done."""
         if self._stale:
-            self.collider.find(self.system.fields[:2, : self.store.count].T)
+            self.collider.find(self.system.fields[:2, : self.store.vertices].T)
             self._stale = False
 
     def push(self) -> None:

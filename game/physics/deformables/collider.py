@@ -46,7 +46,7 @@ class MeshCollider:
         self, store: MeshStore, cell_size: float, table_size: int, effects: EffectSet = BOTH
     ) -> None:
         self.store = store
-        n, edges = store.count, len(store.topology.edges)
+        n, edges = store.vertices, len(store.topology.edges)
         self.points: Floats = np.zeros((n, 2))
         self.inside = np.zeros(n, dtype=np.uint8)
         self.depths: Floats = np.zeros((DEPTH_ROWS, n))
@@ -66,13 +66,17 @@ class MeshCollider:
         """Another grid and table from now on; what was found stays until the next `find`."""
         if not 0.0 < cell_size < math.inf or not 0.0 < 1.0 / cell_size < math.inf:
             raise ValueError(f"cell_size = {cell_size!r}: expected a finite number above 0 m")
-        if isinstance(table_size, bool) or not isinstance(table_size, int) or not 1 <= table_size <= MOST_SLOTS:
+        if (
+            isinstance(table_size, bool)
+            or not isinstance(table_size, int)
+            or not 1 <= table_size <= MOST_SLOTS
+        ):
             raise ValueError(f"table_size = {table_size!r}: expected a whole number, 1 to {MOST_SLOTS}")
         self.cell_size = cell_size
         self.slots = np.zeros((table_size, SLOT_COLUMNS), dtype=np.int32)
         self._stamp = 0
         self._worked = None
-        n = self.store.count
+        n = self.store.vertices
         self._vertices = VertexTable(
             self.slots, np.zeros(n, dtype=np.int32), np.zeros((n, 2), dtype=np.int32), np.zeros((n, 2)),
             np.zeros(n, dtype=np.int32),
@@ -116,9 +120,9 @@ class MeshCollider:
                 self.mask, self.points, self.store.topology, self._vertices, 1.0 / self.cell_size,
                 self._next_stamp(), self._contacts,
             )  # fmt: skip
-            if found <= len(self._contacts) - self.store.count - 1:
+            if found <= len(self._contacts) - self.store.vertices - 1:
                 break
-            self._contacts = np.zeros(2 * found + self.store.count + 1, dtype=np.int64)
+            self._contacts = np.zeros(2 * found + self.store.vertices + 1, dtype=np.int64)
         self._found = found
         self.contact_keys.sort()
         self.inside[:] = 0

@@ -1,4 +1,6 @@
-"""How deep vertices lie in meshes, and which way out: consistent penetration depth (Heidelberger and others 2004).
+"""How deep vertices lie in meshes, and which way is out: consistent penetration depth.
+
+Heidelberger and others 2004, in the plane.
 
 Where an edge leaves the mesh that its end p lies in, at x with the rim's normal n, the way out is (x - p)·n
 long along n; a border vertex takes the mean of its edges' by the weights 1/|x - p|². From there it spreads

@@ -30,7 +30,7 @@ LONG = 64  # cells; a rim edge of more is compared with every edge
 
 
 class RimTable(NamedTuple):
-    """slots: see `hashing`; the list: number, cell and box of each edge of the rim, as often as it has cells."""
+    """slots: see `hashing`; the list: number, cell and box of each rim edge, as often as it has cells."""
 
     slots: NDArray[np.int32]
     names: NDArray[np.int32]  # (k,)

@@ -12,7 +12,9 @@ MESH_CONTACTS = declare_effect(
 SELF_CONTACTS = declare_effect(
     "self-contacts", "Self-contacts", "Vertices of a mesh are looked for in its own triangles."
 )
-PUSHING = declare_effect("pushing", "Pushing out", "What is inside another triangle is pushed out of the mesh.")
+PUSHING = declare_effect(
+    "pushing", "Pushing out", "What is inside another triangle is pushed out of the mesh."
+)
 
 SOFT = Room(
     "soft bodies", GRAVITY | GROUND | LINKS | AREAS | DAMPING | MESH_CONTACTS | SELF_CONTACTS | PUSHING

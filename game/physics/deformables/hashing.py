@@ -6,6 +6,9 @@ with the large primes of the paper. The table is never cleared: a slot counts as
 of the present pass. A first look over all things counts how many each slot gets; a second one gives each slot
 a stretch of one list, in the order in which slots are met, so that what hangs in a slot lies side by side.
 
+About the origin the print has a weakness: -a xor -b is nearly always a xor b, so cells (i, j) and (-i, -j)
+share slots however long the table is. That costs tests, and no errors.
+
 slots (m, 4) int32: stamp, first place in the list, how many, how many so far.
 """
 
@@ -27,13 +30,13 @@ WORD = 0xFFFF_FFFF
 @lean_kernel
 def cell_at(x, scale):
     """The cell (whole number) of a coordinate (m); scale: cells in a metre. Never falls where x grows."""
-    return int(math.floor(min(max(x * scale, -FARTHEST_CELL), FARTHEST_CELL)))
+    return math.floor(min(max(x * scale, -FARTHEST_CELL), FARTHEST_CELL))
 
 
 @lean_kernel
 def slot_of(i, j, size):
     """The slot of a cell in a table of so many (uint32)."""
-    return int(np.uint32(((i * FIRST_PRIME) ^ (j * SECOND_PRIME)) & WORD) % size)
+    return np.int64(np.uint32(((i * FIRST_PRIME) ^ (j * SECOND_PRIME)) & WORD) % size)
 
 
 @lean_kernel

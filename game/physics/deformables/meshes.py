@@ -38,21 +38,21 @@ class Topology(NamedTuple):
 
 
 class MeshStore(NamedTuple):
-    """Meshes side by side. loops: the rim's closed outlines, counter-clockwise, holes clockwise; loop_mesh: of
-    each."""
+    """Meshes side by side. loops: the rim's closed outlines, counter-clockwise, holes clockwise; loop_mesh:
+    which mesh each is of."""
 
     topology: Topology
     loops: tuple[Ints, ...]
     loop_mesh: tuple[int, ...]
 
     @property
-    def count(self) -> int:
+    def vertices(self) -> int:
         """Vertices."""
         return len(self.topology.mesh_of)
 
 
 def store_of(meshes: Sequence[Mesh]) -> tuple[MeshStore, Floats]:
-    """Meshes as one store, and the places (n, 2) m of all vertices. ValueError, naming the mesh, for nonsense."""
+    """Meshes as one store, and the places (n, 2) m of all vertices. ValueError, naming what is wrong."""
     if not meshes:
         raise ValueError("meshes: expected one or more")
     points: list[Floats] = []
@@ -88,14 +88,18 @@ def _checked(number: int, points: ArrayLike, triangles: ArrayLike) -> tuple[Floa
 
 
 def _assemble(triangles: Ints, mesh_of: Ints) -> MeshStore:
-    """Edges, rim, neighbours and outlines. ValueError for an edge of three triangles, or a rim with a pinch."""
+    """Edges, rim, neighbours and outlines. ValueError for an edge of three triangles, a pinched rim."""
     n = len(mesh_of)
     sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     third = np.concatenate([triangles[:, 2], triangles[:, 0], triangles[:, 1]])
     ordered = np.sort(sides, axis=1)
-    keys, first_side, times = np.unique(ordered[:, 0] * n + ordered[:, 1], return_index=True, return_counts=True)
+    keys, first_side, times = np.unique(
+        ordered[:, 0] * n + ordered[:, 1], return_index=True, return_counts=True
+    )
     if times.max() > 2:
-        raise ValueError(f"meshes: edge {ordered[first_side[np.argmax(times)]].tolist()} is of three triangles")
+        raise ValueError(
+            f"meshes: edge {ordered[first_side[np.argmax(times)]].tolist()} is of three triangles"
+        )
     edges = np.stack([keys // n, keys % n], axis=1)
     rim = np.flatnonzero(times == 1)
     beyond = np.full(len(edges), -1)
@@ -105,8 +109,9 @@ def _assemble(triangles: Ints, mesh_of: Ints) -> MeshStore:
     first = np.zeros(n + 1, dtype=np.int64)
     np.cumsum(np.bincount(ends, minlength=n), out=first[1:])
     loops = _loops(sides[first_side[rim]])
-    as_places = [np.ascontiguousarray(array, dtype=np.int32) for array in (triangles, mesh_of, edges, rim, beyond)]
-    topology = Topology(*as_places, first, other_ends[order])
+    parts = triangles, mesh_of, edges, rim, beyond
+    a, b, c, d, e = (np.ascontiguousarray(part, dtype=np.int32) for part in parts)
+    topology = Topology(a, b, c, d, e, first, other_ends[order])
     return MeshStore(topology, loops, tuple(int(mesh_of[loop[0]]) for loop in loops))
 
 

@@ -32,7 +32,12 @@ def speed_along(fields, v, corners, beta, row):
     """How fast a vertex goes along a direction against the place of the triangle that it is at, m/s."""
     a, b, c = corners
     vx = fields[VX, v] - beta[0] * fields[VX, a] - beta[1] * fields[VX, b] - beta[2] * fields[VX, c]
-    vy = fields[VX + 1, v] - beta[0] * fields[VX + 1, a] - beta[1] * fields[VX + 1, b] - beta[2] * fields[VX + 1, c]
+    vy = (
+        fields[VX + 1, v]
+        - beta[0] * fields[VX + 1, a]
+        - beta[1] * fields[VX + 1, b]
+        - beta[2] * fields[VX + 1, c]
+    )
     return vx * row[0] + vy * row[1]
 
 

@@ -1,4 +1,4 @@
-"""The two passes for vertices in triangles: all vertices into cells, then each triangle looks through its own."""
+"""The two passes for vertices in triangles: all into cells, then each triangle looks through its own."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def is_contact(mask, points, store, triangle, vertex):
     a = store.triangles[triangle, 0]
     b = store.triangles[triangle, 1]
     c = store.triangles[triangle, 2]
-    if vertex == a or vertex == b or vertex == c:
+    if (vertex == a) | (vertex == b) | (vertex == c):
         return False
     if not wanted(mask, store.mesh_of[a] == store.mesh_of[vertex]):
         return False

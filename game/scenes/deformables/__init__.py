@@ -10,7 +10,7 @@ DEFORMABLES = Entry(
     category="Papers",
     module="game.scenes.deformables.scene",
     class_name="Deformables",
-    keywords="spatial hashing deformable soft body triangle mesh self collision penetration depth cell grid table",
+    keywords="spatial hashing deformable soft body triangle mesh self collision penetration depth grid table",
     card="draw_pile",
 )
 ENTRIES = (DEFORMABLES,)

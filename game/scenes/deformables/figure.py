@@ -35,10 +35,12 @@ def draw_slots(pen: Pen) -> None:
     for k, loads in ((1, ("chalk", "chalk")), (3, ("green", "violet", "green")), (6, ("chalk",))):
         for place, color in enumerate(loads):
             pen.line(
-                ((45.0 + 34.0 * k, 150.0 - 26.0 * place), (45.0 + 34.0 * k, 132.0 - 26.0 * place)), "text2", 1.2
+                ((45.0 + 34.0 * k, 150.0 - 26.0 * place), (45.0 + 34.0 * k, 132.0 - 26.0 * place)),
+                "text2",
+                1.2,
             )
             dot(pen, (45.0 + 34.0 * k, 128.0 - 26.0 * place), color, 5.5)
-    pen.words("cells (2, 5) and (9, 1)", 147.0, 44.0, "text2")
+    pen.words("cells (2, 1) and (4, 4)", 147.0, 44.0, "text2")
 
 
 def draw_depth(pen: Pen) -> None:

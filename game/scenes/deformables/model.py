@@ -38,8 +38,9 @@ class DeformablesModel(Part):
                 speeds.append(np.broadcast_to(body.velocity, mesh.points.shape))
         store, rest = store_of(meshes)
         self.bodies = SoftBodies(
-            store, np.concatenate(places), np.concatenate(masses), rest=rest, velocities=np.concatenate(speeds),
-            effects=active, floor=0.0, left=-0.5 * WIDTH, right=0.5 * WIDTH,
+            store, np.concatenate(places), np.concatenate(masses), rest=rest,
+            velocities=np.concatenate(speeds), effects=active, floor=0.0,
+            left=-0.5 * WIDTH, right=0.5 * WIDTH,
         )  # fmt: skip
         for name in ("cell", "substeps", "gravity"):
             self.change_parameter(name)

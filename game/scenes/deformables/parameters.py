@@ -21,10 +21,13 @@ class DeformablesParameters(Parameters):
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="Bodies", help="downwards")
     damping = Param(0.02, 0.0, 10.0, unit="N s/m", group="Bodies", help="against the motion of each vertex")
     substeps = Param(4, 1, 60, whole=True, group="Steps", help="parts of a step; contacts are found in each")
-    iterations = Param(6, 1, 60, whole=True, group="Steps", help="sweeps over edges and outlines in a substep")
+    iterations = Param(
+        6, 1, 60, whole=True, group="Steps", help="sweeps over edges and outlines in a substep"
+    )
     step_length = Param(1.0 / 60.0, 1.0 / 2000.0, 1.0 / 20.0, unit="s", log=True, group="Steps",
                         label="Time step")  # fmt: skip
-    view = Choice("meshes", GROUNDS, labels=("meshes", "cells", "cells by slot"), group="Shown", label="Ground",
+    view = Choice("meshes", GROUNDS, labels=("meshes", "cells", "cells by slot"), group="Shown",
+                  label="Ground",
                   help="cells by how many vertices they have; or coloured by their slot")  # fmt: skip
     contacts = Toggle(True, group="Shown", help="vertices in triangles, edges that cross the rim, ways out")
     strip = Toggle(True, group="Shown", label="Hash table",

@@ -31,7 +31,7 @@ class Deformables(Scene):
     neighbours.
 
     In the equations: i, j cell and l its size, p_1, p_2 large primes, m slots of the table, β barycentric
-    coordinates, x where an edge crosses the rim and n its normal there, d depth of vertex p and r its way out.
+    coordinates, x where an edge crosses the rim and n its normal there, d depth of vertex p, r its way out.
     """
 
     name, task, title = DEFORMABLES.names
@@ -48,7 +48,8 @@ class Deformables(Scene):
     )
     equations = (
         Equation(
-            "Slot of a cell", r"h = (i p_1 \oplus j p_2) \mod m",
+            "Slot of a cell",
+            r"h = (i p_1 \oplus j p_2) \mod m",
             "Teschner and others 2003",
         ),
         Equation("Inside", r"\beta_1, \beta_2, \beta_3 \ge 0", "edges belong to the triangle"),

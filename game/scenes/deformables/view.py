@@ -37,7 +37,9 @@ class DeformablesView:
         if chosen.view != "meshes":
             self._draw_cells(canvas, points)
         half = 0.5 * WIDTH
-        canvas.polyline(((-half, 2.0 * HEIGHT), (-half, 0.0), (half, 0.0), (half, 2.0 * HEIGHT)), "line2", 2.0)
+        canvas.polyline(
+            ((-half, 2.0 * HEIGHT), (-half, 0.0), (half, 0.0), (half, 2.0 * HEIGHT)), "line2", 2.0
+        )
         self._draw_meshes(canvas, points)
         if chosen.contacts:
             self._draw_contacts(canvas, points)
@@ -83,11 +85,13 @@ class DeformablesView:
         seen = ((where >= 0) & (where < (columns, rows))).all(axis=1)
         counts = np.bincount(where[seen, 1] * columns + where[seen, 0], minlength=columns * rows)
         picture = counts.reshape(rows, columns) / FULL_CELL
-        stops = LOADS
+        stops: tuple[tuple[float, str], ...] = LOADS
         if self.model.parameters.view == "table":
             i, j = np.arange(low[0], high[0] + 1), np.arange(low[1], high[1] + 1)[:, None]
             slots = (((i * FIRST_PRIME) ^ (j * SECOND_PRIME)) & WORD) % len(self.model.bodies.collider.slots)
-            picture = np.where(picture > 0.0, 0.05 + 0.95 * slots / len(self.model.bodies.collider.slots), 0.0)
+            picture = np.where(
+                picture > 0.0, 0.05 + 0.95 * slots / len(self.model.bodies.collider.slots), 0.0
+            )
             stops = SLOTS
         sharp = 8 if columns * rows < 10_000 else 3
         lines = np.repeat(np.repeat(picture, sharp, axis=0), sharp, axis=1)  # cells with edges, not a blur
@@ -118,5 +122,7 @@ class DeformablesView:
                 x, y = left[k] + 0.08 * width, STRIP_LOW + tall[k]
                 end = x + 0.84 * width
                 canvas.polygon(((x, STRIP_LOW), (end, STRIP_LOW), (end, y), (x, y)), fill=color)
-        words = f"{len(loads)} slots, {int(np.count_nonzero(loads))} in use, longest {int(loads.max(initial=0))}"
+        words = (
+            f"{len(loads)} slots, {int(np.count_nonzero(loads))} in use, longest {int(loads.max(initial=0))}"
+        )
         canvas.label((-0.5 * WIDTH, STRIP_LOW), words, "text2", 12, anchor="topleft", offset=(0.0, 3.0))

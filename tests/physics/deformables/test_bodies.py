@@ -15,8 +15,8 @@ ONLY_PUSHING = EffectSet([MESH_CONTACTS, SELF_CONTACTS, PUSHING])
 def slab_in_slab(depth: float) -> tuple[SoftBodies, np.ndarray]:
     """A small block from above, so deep in a large one."""
     below, above = strip(4.0, 1.0, 1, 1), strip(0.8, 0.8, 4, 4)
-    store, points = store_of([Mesh(below.points - (0.0, 0.5), below.triangles),
-                              Mesh(above.points + (0.03, 0.4 - depth), above.triangles)])  # fmt: skip
+    low, high = below.points - (0.0, 0.5), above.points + np.array((0.03, 0.4 - depth))
+    store, points = store_of([Mesh(low, below.triangles), Mesh(high, above.triangles)])
     return SoftBodies(store, points, effects=ONLY_PUSHING), points
 
 
@@ -37,8 +37,8 @@ def test_depth_is_how_far_a_vertex_is_below_the_surface_and_out_is_up():
 def test_pushing_keeps_momentum_and_takes_the_depth_away():
     bodies, before = slab_in_slab(0.1)
     generator = np.random.default_rng(5)
-    bodies.system.inverse_masses[:] = weights = generator.uniform(0.5, 2.0, bodies.store.count)
-    bodies.system.fields[2:4, : bodies.store.count] = generator.normal(size=(2, bodies.store.count))
+    bodies.system.inverse_masses[:] = weights = generator.uniform(0.5, 2.0, bodies.store.vertices)
+    bodies.system.fields[2:4, : bodies.store.vertices] = generator.normal(size=(2, bodies.store.vertices))
     speeds = bodies.system.velocities
     deepest = [bodies.deepest()]
     for _ in range(12):
@@ -81,8 +81,17 @@ def test_the_fixed_stay_and_a_switched_off_push_does_nothing():
 
 def test_a_blob_that_is_dropped_on_another_comes_to_rest_on_it():
     one = blob(0.15, 4)
-    store, points = store_of([one, Mesh(one.points + (0.01, 0.35), one.triangles)])
-    bodies = SoftBodies(store, points + (0.0, 0.16), 20.0, floor=0.0, left=-0.18, right=0.18, iterations=8, damping=0.02)
+    store, points = store_of([one, Mesh(one.points + np.array((0.01, 0.35)), one.triangles)])
+    bodies = SoftBodies(
+        store,
+        points + np.array((0.0, 0.16)),
+        20.0,
+        floor=0.0,
+        left=-0.18,
+        right=0.18,
+        iterations=8,
+        damping=0.02,
+    )
     bodies.set_steps(6, Pushing())
     for _ in range(180):
         bodies.step(1.0 / 60.0)

@@ -1,4 +1,4 @@
-"""What the table finds: equal to exact arithmetic and to testing all pairs, whatever the cells and the slots."""
+"""What the table finds: equal to exact arithmetic and to testing all pairs, whatever the cells."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def found_by(store, points, cell, table, effects=MESH_CONTACTS | SELF_CONTACTS):
 
 @pytest.mark.parametrize("seed", range(6))
 def test_on_whole_numbers_it_finds_what_exact_arithmetic_does(seed):
-    """Corners on a coarse lattice: points on edges and on each other, edges that only meet, flat triangles."""
+    """Corners on a coarse lattice: points on edges and on others, edges that only meet, flat triangles."""
     generator = np.random.default_rng(seed)
     store, points = store_of([strip(1.0, 1.0, 2, 2), blob(1.0, 1), strip(1.0, 1.0, 3, 1)])
     points = generator.integers(-3, 4, points.shape).astype(np.float64)
@@ -76,7 +76,9 @@ WORKLOADS = {
     "flat": lambda points, generator: points * (1.0, 0.0),
     "all in one": lambda points, generator: np.full_like(points, 0.3),
     "far": lambda points, generator: points + generator.normal(0.0, 0.01, points.shape) + 1e9,
-    "stretched": lambda points, generator: points * np.where(generator.random((len(points), 1)) < 0.1, 50.0, 1.0),
+    "stretched": lambda points, generator: (
+        points * np.where(generator.random((len(points), 1)) < 0.1, 50.0, 1.0)
+    ),
     "huge": lambda points, generator: points * 1e150,
 }
 
@@ -89,7 +91,11 @@ def test_on_every_workload_it_finds_what_all_pairs_do(workload, cell):
     store, points = store_of([one, Mesh(one.points + 0.25, one.triangles), comb(0.8, 0.5, 7, 3)])
     points = WORKLOADS[workload](points, generator)
     for table in (7, 64, 1009):
-        for effects in (MESH_CONTACTS | SELF_CONTACTS, EffectSet([MESH_CONTACTS]), EffectSet([SELF_CONTACTS])):
+        for effects in (
+            MESH_CONTACTS | SELF_CONTACTS,
+            EffectSet([MESH_CONTACTS]),
+            EffectSet([SELF_CONTACTS]),
+        ):
             collider = found_by(store, points, cell, table, effects)
             contacts, crossings = collider.naive()
             assert np.array_equal(collider.contact_keys, contacts)
@@ -101,7 +107,10 @@ def test_self_contacts_and_contacts_together_are_all():
     store, points = store_of([blob(1.0, 3), strip(2.0, 0.3, 12, 2)])
     points += generator.normal(0.0, 0.2, points.shape)
     both = found_by(store, points, 0.3, 211).contact_keys
-    parts = [found_by(store, points, 0.3, 211, EffectSet([one])).contact_keys for one in (MESH_CONTACTS, SELF_CONTACTS)]
+    parts = [
+        found_by(store, points, 0.3, 211, EffectSet([one])).contact_keys
+        for one in (MESH_CONTACTS, SELF_CONTACTS)
+    ]
     assert min(map(len, parts)) > 0
     assert np.array_equal(np.sort(np.concatenate(parts)), both)
 
@@ -121,7 +130,7 @@ def test_buffers_grow_and_stamps_begin_again():
     crumpled = np.random.default_rng(1).normal(0.0, 0.3, points.shape)
     for _ in range(3):
         collider.find(crumpled)
-        assert len(collider.contact_keys) > 3 * store.count
+        assert len(collider.contact_keys) > 3 * store.vertices
         assert np.array_equal(collider.contact_keys, collider.naive()[0])
 
 
@@ -155,7 +164,10 @@ def test_what_is_no_number_is_refused(bad):
         (lambda: store_of([]), "one or more"),
         (lambda: store_of([Mesh(np.zeros((3, 2)), np.array([[0, 1, 1]]))]), "twice"),
         (lambda: store_of([Mesh(np.zeros((3, 2)), np.array([[0, 1, 3]]))]), "vertices 0 to 2"),
-        (lambda: store_of([Mesh(np.zeros((5, 2)), np.array([[0, 1, 2], [1, 0, 3], [0, 1, 4]]))]), "three triangles"),
+        (
+            lambda: store_of([Mesh(np.zeros((5, 2)), np.array([[0, 1, 2], [1, 0, 3], [0, 1, 4]]))]),
+            "three triangles",
+        ),
         (lambda: store_of([Mesh(np.zeros((5, 2)), np.array([[0, 1, 2], [0, 3, 4]]))]), "once"),
         (lambda: MeshCollider(store_of([blob(1.0, 1)])[0], 0.0, 7), "cell_size"),
         (lambda: MeshCollider(store_of([blob(1.0, 1)])[0], 1.0, 0), "table_size"),
@@ -186,5 +198,7 @@ def test_cells_on_opposite_sides_of_the_origin_share_slots_however_long_the_tabl
     """-a xor -b is nearly always a xor b: a weakness of the printed hash, which costs tests and no errors."""
     store, points = store_of([blob(1.0, 5)])
     edge = mean_edge(store, points)
-    about, beside = (found_by(store, places, edge, 1_000_003).counts for places in (points, points + 20.0 * edge))
+    about, beside = (
+        found_by(store, places, edge, 1_000_003).counts for places in (points, points + 20.0 * edge)
+    )
     assert about.strangers > 0.1 * about.tested and beside.strangers == 0
