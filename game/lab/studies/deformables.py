@@ -117,8 +117,8 @@ cell_study = replace(
         for cell in CELLS
     ],
     trial=lambda setting: DetectionTrial(setting.knob, USUAL_TABLE if setting.method == "usual" else 101),
-    expectation="Small cells are many to look at, large ones are full. Vertices met are fewest at the mean length "
-    "of an edge, which the authors found best; time hardly changes from there to three times that.",
+    expectation="Small cells are many to look at, large ones are full. Vertices met are fewest at the mean "
+    "length of an edge, which the authors found best; time hardly changes from there to three times that.",
     present=_present,
     workload=Workload("40 blobs, 3,840 triangles"),
     short="Cells",
