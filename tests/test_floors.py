@@ -35,7 +35,7 @@ FOLDERS = {
         "effects integrators",
         "fields proximity_effects dominoes",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
-        "spheres generations oscillators acoustics spacetime",
+        "spheres generations oscillators acoustics spacetime deformables",
         "surfaces",
     ),
     "billiards": (

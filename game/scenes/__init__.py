@@ -11,6 +11,7 @@ from game.scenes import (
     boxes,
     carom,
     convex,
+    deformables,
     depth,
     domino,
     examples,
@@ -60,6 +61,7 @@ CATALOGUE = Catalogue(
         *spacetime.ENTRIES,
         *levitation.ENTRIES,
         *depth.ENTRIES,
+        *deformables.ENTRIES,
         *domino.ENTRIES,
         *metal.ENTRIES,
     )
