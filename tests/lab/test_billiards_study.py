@@ -2,11 +2,13 @@
 
 import dataclasses
 import math
+from types import SimpleNamespace
 
 import pytest
 
 from game.lab.analysis import fit_order, summarise
 from game.lab.runner import measure, run_study
+from game.lab.studies.billiards import chances
 from game.lab.studies.billiards.effects import EFFECTS, effects_study
 from game.lab.studies.billiards.flights import LEVEL, flights_study, stroke_at
 from game.lab.studies.billiards.hits import missed_hits_study, overlap_study
@@ -105,3 +107,23 @@ def test_a_level_cue_costs_no_flight_and_a_raised_one_its_bounces():
     raised = measure(flights_study, Setting("air", 30.0), repeats=1)
     grounded = measure(flights_study, Setting("slate", 30.0), repeats=1)
     assert raised.error == 0.0 and grounded.error > 0.1 and raised.counter != grounded.counter
+
+
+def test_a_chance_is_counted_from_nothing_each_time(monkeypatch):
+    """Three of four strokes score; a new trial stands at its start, and a reset one stands there again."""
+    played = []
+
+    def summarize(trajectory, cue):
+        played.append(trajectory)
+        scored = SimpleNamespace(cushions=chances.WANTED.cushions)
+        return SimpleNamespace(scoring=lambda ball: scored if len(played) % 4 else None)
+
+    monkeypatch.setattr(chances, "simulate", lambda shot, model: shot)
+    monkeypatch.setattr(chances, "summarize_carom", summarize)
+    monkeypatch.setattr(chances, "true_chance", lambda: 0.5)
+    trial = chances.Chance(Setting("stepped", 4.0))
+    trial.run()
+    assert trial.outcome()[:2] == (0.25, 4)
+    trial.reset()
+    trial.run()
+    assert trial.outcome()[:2] == (0.25, 4)

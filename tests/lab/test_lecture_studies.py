@@ -126,3 +126,9 @@ def test_main_study_leads_to_the_others():
         "lecture-pressed-rack",
         "lecture-symmetric-break",
     ]
+
+
+def test_a_step_longer_than_the_shot_is_taken_once():
+    """At the least one: of half a second for 0.7 s one as well, and of 0.45 s two."""
+    for length, steps in ((5.0, 1), (0.5, 1), (0.45, 2)):
+        assert two_ball_study.trial(Setting("lecture", length, {"passes": 1})).steps == steps

@@ -239,3 +239,18 @@ def test_evolution_finds_the_bottom_of_a_bent_valley() -> None:
     np.testing.assert_allclose(search.mean, 1.0, atol=1e-4)
     with pytest.raises(ValueError, match="positive"):
         Evolution(np.zeros(2), np.array([1.0, 0.0]), seed=1)
+
+
+def test_the_first_turn_sizes_its_steps_as_the_tutorial_says() -> None:
+    """Hansen 2016, with the weights and constants worked out by hand for 2 numbers and 10 values a turn."""
+    weights = np.log(5.5) - np.log([1, 2, 3, 4, 5])
+    weights /= weights.sum()
+    mu_eff = 1.0 / (weights**2).sum()
+    c_sigma = (mu_eff + 2.0) / (2 + mu_eff + 5.0)
+    d_sigma = 1.0 + 2.0 * max(0.0, math.sqrt((mu_eff - 1.0) / 3.0) - 1.0) + c_sigma
+    expected = math.sqrt(2.0) * (1.0 - 1.0 / 8.0 + 1.0 / 84.0)
+    search = Evolution(np.array([30.0, 40.0]), np.array([0.5, 0.5]), seed=3)
+    search.turn(lambda p: float(p @ p))
+    moved = (search.mean - (30.0, 40.0)) / 0.5
+    path = math.sqrt(c_sigma * (2.0 - c_sigma) * mu_eff) * math.hypot(*moved)
+    assert search._size == pytest.approx(math.exp(c_sigma / d_sigma * (path / expected - 1.0)), rel=1e-12)

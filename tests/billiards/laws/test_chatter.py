@@ -9,8 +9,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from game.billiards.laws import impacts
 from game.billiards.laws.contacts import chatter
-from game.billiards.laws.state import MASS, RADIUS, VX, VY, WX, WZ
+from game.billiards.laws.state import (
+    BALL_CUSHION,
+    MASS,
+    NORMAL_Y,
+    PHYSICS_COLUMNS,
+    RADIUS,
+    RAIL_COUNT,
+    VX,
+    VY,
+    WX,
+    WZ,
+)
 
 separate, least_separating_speed = (
     getattr(kernel, "py_func", kernel) for kernel in (chatter.separate, chatter.least_separating_speed)
@@ -70,3 +82,22 @@ def test_a_ball_parts_from_a_rail():
     assert energy(state, 1) == pytest.approx(before, rel=1e-12)
     assert 0.0 < state[WX + 1, 0] < 3.0
     assert state[VX : VY + 1, 1].tolist() == [9.0, 9.0] and state[WX : WZ + 1, 1].tolist() == [1.0] * 3
+
+
+LAST = chatter.LAST_REPEATS
+
+
+@pytest.mark.parametrize(
+    ("repeats", "spin", "stuck"), [(LAST, 0.0, True), (LAST, 9.0, False), (LAST - 1, 0.0, False)]
+)
+def test_a_ball_is_stuck_at_a_rail_when_no_spin_is_left_for_parting(monkeypatch, repeats, spin, stuck):
+    state = state_of(((0.0, 0.0), (0.0, 0.0)), ((0.0, spin, 0.0), (0.0, 0.0, 0.0)), (0.17, 0.17))
+    modes, rail = np.zeros((ROWS, 2), np.int64), np.zeros((1, 16))
+    modes[RAIL_COUNT, 0], rail[0, NORMAL_Y] = repeats - 1, 1.0
+    for name, plain in (("separate", separate), ("least_separating_speed", least_separating_speed)):
+        monkeypatch.setattr(impacts, name, plain)
+    monkeypatch.setattr(impacts, "bounce_off", lambda *_: None)  # at rest there is nothing to throw back
+    hit_rail = getattr(impacts.hit_rail, "py_func", impacts.hit_rail)
+    nothing, physics = np.zeros((0, 4)), np.zeros(PHYSICS_COLUMNS)
+    assert hit_rail(state, modes, 0, BALL_CUSHION, 0, rail, nothing, physics) == stuck
+    assert (state[VY, 0] > 0.0) == (spin > 0.0)

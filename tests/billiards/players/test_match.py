@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ import pytest
 from game.billiards import Table, simulate
 from game.billiards.game.arrangement import Stroke, arrange
 from game.billiards.game.summary import summarize
+from game.billiards.players import match_search
 from game.billiards.players.match import (
     check_match_data,
     match_data,
@@ -20,8 +22,10 @@ from game.billiards.players.match import (
     what_counts,
 )
 from game.billiards.players.match_search import count_neighbours, is_clean
+from game.billiards.search.candidates import AIM, COLUMNS, SPREAD, WINDOW
+from game.billiards.search.fans import make_styles
 from game.billiards.search.outcomes import DOWN
-from game.billiards.search.strokes import Board
+from game.billiards.search.strokes import AZIMUTH, Board
 from game.billiards.shot.shot import Physics
 from game.billiards.shot.shot_file import parse_shot
 from game.billiards.shot.shot_writing import shot_data
@@ -167,3 +171,18 @@ def test_a_written_shot_reads_back_to_the_same_play():
     assert shot_data(parse_shot(shot_data(again))) == shot_data(again)
     bare = arrange({0: (0.5, 0.5)}).shot(Table.bare(1.0, 2.0), PHYSICS, Stroke(1.0, 0.0))
     assert parse_shot(shot_data(bare)).table.cushions.tolist() == bare.table.cushions.tolist()
+
+
+def test_a_window_is_as_wide_as_its_rays_lie_apart(monkeypatch):
+    """What a stroke of a fan counts for is the angle to the next one."""
+    seen = []
+    monkeypatch.setattr(match_search, "_ranked", lambda view, *given: seen.extend(given[:3]) or [])
+    candidates = np.zeros((2, COLUMNS))
+    candidates[:, AIM], candidates[:, SPREAD], candidates[:, WINDOW] = (0.3, 2.0), (0.02, 0.3), (0.02, 0.01)
+    view = SimpleNamespace(board=Board(arrange({0: (0.8, 1.27), 1: (0.3, 1.27)}), POOL))
+    styles = make_styles((1.0, 2.0), (-0.3, 0.3), (0.0,))
+    match_search._from_fans(view, candidates, styles, 3, 1, None)
+    strokes, steps, fans = seen
+    within = np.diff(fans) == 0
+    assert len(steps) == len(strokes) and len(set(fans.tolist())) == 8
+    assert steps[1:][within] == pytest.approx(np.diff(strokes[:, AZIMUTH])[within], rel=1e-9)

@@ -109,3 +109,11 @@ def test_beats_that_make_no_sense_are_refused(beats, said):
 
 def test_beats_count_from_the_first():
     assert check_beats((2.0, 2.5, 3.5)) == (0.0, 0.5, 1.5)
+
+
+def test_the_last_impact_may_be_a_little_late(found):
+    """What comes after the last beat, but together with it for the ear, is how far that beat is missed."""
+    candidates = Candidates(TABLE, Physics(), len(BEATS))
+    early = np.array([*BEATS[:-1], BEATS[-1] - 0.005])
+    (cost,) = candidates.rough_costs(np.array([found.candidate]), early)
+    assert cost == pytest.approx(0.005 / math.sqrt(len(BEATS)), abs=1e-7)

@@ -8,7 +8,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game.physics.constraints import AREAS, LINKS, PositionBasedDynamics, shapes
-from game.physics.constraints.areas import gradient_weight, outline_area, project_outline
+from game.physics.constraints.areas import (
+    AREA,
+    AREA_ROWS,
+    COMPLIANCE,
+    INTACT,
+    MULTIPLIER,
+    STIFFNESS,
+    gradient_weight,
+    outline_area,
+    project_outline,
+    sweep_areas,
+)
+from game.physics.constraints.links import PBD, XPBD
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, GROUND
 
@@ -86,3 +98,15 @@ def test_clockwise_outlines_have_negative_areas_and_keep_them():
 def test_absurd_outlines_are_refused(areas):
     with pytest.raises(ValueError, match=r"areas\[0\]"):
         PositionBasedDynamics([(0, 0), (0, 1), (1, 0)], areas=areas)
+
+
+@pytest.mark.parametrize(("model", "part"), [(PBD, 0.25), (XPBD, 0.5 / (0.5 + 2.0))])
+def test_a_model_goes_by_its_own_softness(model, part):
+    """Stiffness is of position based dynamics, compliance of XPBD: by Newton's step on the gradient."""
+    x, y, w = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, 2.0])
+    rows = np.zeros((AREA_ROWS, 1))
+    rows[AREA], rows[STIFFNESS], rows[COMPLIANCE], rows[INTACT] = 0.3, 0.25, 0.02, 1.0
+    sweep_areas(model, x, y, w, np.arange(3), np.array([0, 3]), rows, 1, 0.1)
+    # only (0, 1) can move, and only up and down changes the area: by half as much; w |∂A/∂p|² is 0.5
+    assert y.tolist() == pytest.approx([0.0, 0.0, 1.0 - part * 0.4])
+    assert rows[MULTIPLIER, 0] == pytest.approx(-part * 0.4 if model == XPBD else 0.0)
