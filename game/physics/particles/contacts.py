@@ -185,6 +185,7 @@ def root_time(rules, law, solids, j, particle, x1, y1, t, left):
             return 2.0 * left
     low = 0.0
     gap_low = gap_after(rules, law, solids, j, particle, t, low)
+    moved = 0  # the end that moved last: -1 low, 1 high
     for turn in range(ROOT_ROUNDS):
         middle = low + (high - low) * gap_low / (gap_low - gap_high)
         if turn % 8 == 7 or not low < middle < high:
@@ -195,11 +196,15 @@ def root_time(rules, law, solids, j, particle, x1, y1, t, left):
         if gap >= 0.0:
             low = middle
             gap_low = gap
-            gap_high *= 0.5
+            if moved < 0:
+                gap_high *= 0.5
+            moved = -1
         else:
             high = middle
             gap_high = gap
-            gap_low *= 0.5
+            if moved > 0:
+                gap_low *= 0.5
+            moved = 1
         if gap == 0.0:
             break
     return low

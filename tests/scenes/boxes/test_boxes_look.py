@@ -229,4 +229,4 @@ def test_boxes_without_end_and_large_scenes_can_be_looked_into(scene_type, monke
     stage = Stage(scene_type, parameters={"count": 2000})
     stage.scene.model.chosen = 1999
     stage.run(1)
-    assert any("#1999" in words for words, _ in written(stage, monkeypatch, (320, 180)))
+    assert any("#2000" in words for words, _ in written(stage, monkeypatch, (320, 180)))

@@ -1,11 +1,11 @@
-"""Polygons of the course: boards lie below the floor, as thick as they are meant to be."""
+"""Polygons of boards: they lie below the floor, as thick as they are meant to be."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from game.scenes.domino.shapes import boards_of, joined, moved
+from game.scenes.shared.boards import boards_of, joined, moved
 
 THICK = 0.1
 
