@@ -71,10 +71,11 @@ def test_what_is_made_from_a_parameter_goes_back_with_it():
     stage.run(5)
     assert stage.scene.shades.tolist() == [0.75, 0.25]
     scene = stage.scene
-    for _ in range(7):
+    for step in range(9, 2, -1):
         assert stage.step_back()
+        shade = 0.75 if step >= 5 else 0.25  # at once, not a step later
+        assert (stage.scene.shade, stage.scene.shades.tolist()) == (shade, [shade, 1.0 - shade])
     assert stage.scene is scene  # no parameter has changed for which it is built again
-    assert stage.scene.shade == 0.25 and stage.scene.shades.tolist() == [0.25, 0.75]
 
 
 @pytest.mark.parametrize(("scene", "events"), [(BouncingBall, BALL_EVENTS), (Cloud, CLOUD_EVENTS)])
