@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from game.stage import Action, Param, Pointer, Scene, SetEffect, SetParameter, Stage
+from game.stage.records.recording import CHECK_INTERVAL
+from game.stage.states import snapshots
 from tests.stage.example_scene import KICK, BouncingBall
 from tests.stage.odd_scenes import BURST, Cloud
 
@@ -138,6 +140,22 @@ class TestAnotherWay:
         twin.run(400)
         assert stage.digest() == twin.digest()
         assert stage.recording == twin.recording
+
+    @pytest.mark.parametrize("interval", [30, 1000])  # snapshots of later steps, or digests alone
+    def test_without_later_events_it_drops_the_states_that_were_to_come(self, interval, monkeypatch) -> None:
+        monkeypatch.setattr(snapshots, "INTERVAL", interval)
+        stage, twin = Stage(BouncingBall), Stage(BouncingBall)
+        stage.run(3 * CHECK_INTERVAL)
+        while stage.step_number > CHECK_INTERVAL - 20:
+            stage.step_back()
+        twin.run(CHECK_INTERVAL - 20)
+        for each in (stage, twin):
+            each.post(SetParameter("gravity", 1.0))
+            each.run(4 * CHECK_INTERVAL)
+        assert stage.recording == twin.recording
+        for _ in range(4 * CHECK_INTERVAL - 1):
+            assert stage.step_back() and twin.step_back()
+            assert stage.digest() == twin.digest()
 
     def test_a_drag_whose_end_is_dropped_is_cancelled(self) -> None:
         stage = Stage(BouncingBall)
