@@ -243,7 +243,6 @@ class Session:
             if step - self.step < room:
                 self._ring.add_dense(self._snapshot())
             self._repeat_events()
-        self._schedule()
 
     def _put_back(self, snapshot: Snapshot) -> None:
         """Make the scene what it was; built again if a parameter that shapes it has changed since."""

@@ -182,7 +182,9 @@ def test_segments_switches_and_effects(desk):
 
 def test_the_costs_of_a_step_lie_side_by_side_above_the_effects(desk):
     (bar,) = (row for row in desk.panel._sheet.rows if isinstance(row, CostBar))
-    (heading,) = (row for row in desk.panel._sheet.rows if isinstance(row, Heading) and row.title == "Effects")
+    (heading,) = (
+        row for row in desk.panel._sheet.rows if isinstance(row, Heading) and row.title == "Effects"
+    )
     first = desk.row(EffectRow, next(iter(desk.stage.scene.effects)).name)
     assert heading.rect.bottom <= bar.rect.top and bar.rect.bottom <= first.rect.top
     desk.stage.post(SetEffect("test-ground", True))
