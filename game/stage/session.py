@@ -138,6 +138,8 @@ class Session:
             if held is not None and not _goes_on(event):
                 # the hand let go in a future that is given up; a drag would stick to the pointer
                 self._try(Pointer("cancel", held.x, held.y))
+        elif self._ring.last_step > self.step or (self._checks and self._checks[-1].step > self.step):
+            self.forget_future()  # it holds no events, but snapshots and digests of what will not come
         self._try(event)
 
     def _try(self, event: StageEvent) -> None:
@@ -241,7 +243,6 @@ class Session:
             if step - self.step < room:
                 self._ring.add_dense(self._snapshot())
             self._repeat_events()
-        self._schedule()
 
     def _put_back(self, snapshot: Snapshot) -> None:
         """Make the scene what it was; built again if a parameter that shapes it has changed since."""

@@ -8,6 +8,7 @@ import pytest
 
 from game.lab import run_study
 from game.lab.studies.dominoes import LONGEST_S, STEP_S, DominoTrial
+from game.lab.studies.loops import EXACT, SMOOTH, comes_round
 from game.lab.studies.solids.laws import LAWS
 from game.lab.studies.solids.race import STUDIES, USES, law_study, present_solver, race_study
 from game.lab.study import Setting
@@ -61,3 +62,8 @@ def test_every_solver_takes_part_and_can_be_placed():
 
 def test_the_referee_is_not_asked_for_too_many_points():
     assert "complementarity" not in {setting.method for setting in STUDIES["dominoes"].settings()}
+
+
+def test_a_disc_on_a_smooth_track_comes_round_from_the_exact_drop_on():
+    found = [comes_round(SMOOTH, 100, 4, share * EXACT) for share in (0.5, 0.97, 1.03, 1.5)]
+    assert found == [False, False, True, True]

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from game.stage import Action, Param, Pointer, Scene, SetEffect, SetParameter, Stage
+from game.stage.records.recording import CHECK_INTERVAL
+from game.stage.states import snapshots
 from tests.stage.example_scene import KICK, BouncingBall
 from tests.stage.odd_scenes import BURST, Cloud
 
@@ -71,10 +73,11 @@ def test_what_is_made_from_a_parameter_goes_back_with_it():
     stage.run(5)
     assert stage.scene.shades.tolist() == [0.75, 0.25]
     scene = stage.scene
-    for _ in range(7):
+    for step in range(9, 2, -1):
         assert stage.step_back()
+        shade = 0.75 if step >= 5 else 0.25  # at once, not a step later
+        assert (stage.scene.shade, stage.scene.shades.tolist()) == (shade, [shade, 1.0 - shade])
     assert stage.scene is scene  # no parameter has changed for which it is built again
-    assert stage.scene.shade == 0.25 and stage.scene.shades.tolist() == [0.25, 0.75]
 
 
 @pytest.mark.parametrize(("scene", "events"), [(BouncingBall, BALL_EVENTS), (Cloud, CLOUD_EVENTS)])
@@ -137,6 +140,22 @@ class TestAnotherWay:
         twin.run(400)
         assert stage.digest() == twin.digest()
         assert stage.recording == twin.recording
+
+    @pytest.mark.parametrize("interval", [30, 1000])  # snapshots of later steps, or digests alone
+    def test_without_later_events_it_drops_the_states_that_were_to_come(self, interval, monkeypatch) -> None:
+        monkeypatch.setattr(snapshots, "INTERVAL", interval)
+        stage, twin = Stage(BouncingBall), Stage(BouncingBall)
+        stage.run(3 * CHECK_INTERVAL)
+        while stage.step_number > CHECK_INTERVAL - 20:
+            stage.step_back()
+        twin.run(CHECK_INTERVAL - 20)
+        for each in (stage, twin):
+            each.post(SetParameter("gravity", 1.0))
+            each.run(4 * CHECK_INTERVAL)
+        assert stage.recording == twin.recording
+        for _ in range(4 * CHECK_INTERVAL - 1):
+            assert stage.step_back() and twin.step_back()
+            assert stage.digest() == twin.digest()
 
     def test_a_drag_whose_end_is_dropped_is_cancelled(self) -> None:
         stage = Stage(BouncingBall)

@@ -78,7 +78,7 @@ class Tracks(Scene):
     )
     default_content: ClassVar[TrackContent] = TrackContent(
         tracks=(TrackEntry(form="loop", size=(1.0, 2.75)),),
-        balls=(BallEntry(position=(-4.4, 2.85)),),
+        balls=(BallEntry(position=(-4.1, 2.85)),),
     )
 
     # -- building -----------------------------------------------------------------------------------

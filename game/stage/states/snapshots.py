@@ -63,6 +63,11 @@ class SnapshotRing:
         return self._rare.items[0].step
 
     @property
+    def last_step(self) -> int:
+        """The latest step with a snapshot, not counting those made on the way back."""
+        return self._rare.items[-1].step
+
+    @property
     def first_event(self) -> int:
         """Events before this number are needed no more for stepping back."""
         return self._rare.items[0].events

@@ -270,3 +270,13 @@ def test_a_domino_that_is_added_is_like_its_nearest_neighbour():
     for x, tall in ((22.0, 2.0), (1.5, 1.0)):
         assert stage.scene.model.add(Standing(x, 0.0, 0.0, 1.0))
         assert stage.scene.model.dominoes[-1, TALL] == tall
+
+
+def test_the_first_domino_is_pushed_at_its_time_and_once() -> None:
+    stage = row_of(3)
+    model, pushes = stage.scene.model, []
+    push = model.push
+    model.push = lambda number: (pushes.append((number, model.time)), push(number))
+    stage.run(round(0.3 / stage.dt))
+    assert [number for number, _ in pushes] == [0]
+    assert pushes[0][1] == pytest.approx(0.1, abs=0.5 * stage.dt)

@@ -9,7 +9,7 @@ from game.levels import level_files
 from game.physics.solids.tracks.motion import FREE, PIECE, SPEED, VY, X, Y
 from game.scenes.shared.expectations import captions_of
 from game.scenes.tracks.scene import Tracks
-from game.stage import SetParameter
+from game.stage import SetParameter, Stage
 from tests.scenes.particle_stages import move, open_level, press, readouts, release
 
 SECONDS = {"default": 6.5, "hard-01-loop-of-fifty-chords": 6.5, "bowl": 4.0, "cylinder": 3.0, "race": 2.0,
@@ -32,6 +32,20 @@ def test_the_number_of_chords_changes_nothing_about_the_loop(chords):
     stage = open_level(Tracks, "default", chords=chords)
     stage.run(780)
     assert readouts(stage)["rode through"] == 1
+
+
+def test_without_a_level_the_disc_rolls_through_the_loop():
+    stage = Stage(Tracks)
+    balls = stage.scene.model.world.balls
+    places = []
+    for _ in range(96):
+        stage.run(4)
+        assert balls.pieces[0, PIECE] != FREE
+        places.append(balls.rows[0, [X, Y]])
+    x, y = np.array(places).T
+    top = int(np.argmax(y * (np.abs(x) < 0.9)))
+    assert y[top] > 1.8  # of a loop 2 m high, by a disc of 0.1 m
+    assert x[:top].min() < -3.0 and x[top:].max() > 2.0
 
 
 def test_the_speed_is_what_the_energy_says():

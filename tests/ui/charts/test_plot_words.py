@@ -1,12 +1,14 @@
 """Words in the plot of a study keep off its marks and lines wherever there is room for them."""
 
 import itertools
+import math
 
 import pygame
 import pytest
 
 from game.ui.charts.plot import WorkPrecisionPlot
 from game.ui.charts.plot_data import PlotPoint, PlotSeries, Present
+from game.ui.charts.plot_marks import Brush
 from game.ui.charts.plot_words import PlotWords
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
@@ -47,3 +49,27 @@ def test_no_line_runs_through_what_the_present_setting_is(shape, present, monkey
     for i, method in enumerate(series):
         for a, b in itertools.pairwise(plot.place(i, p) for p in method.points):
             assert not box.clipline(a, b), (box, a, b)
+
+
+@pytest.mark.parametrize("present", (1, 4, 8))
+def test_the_leader_runs_from_the_ring_straight_to_the_words(present, monkeypatch):
+    pygame.font.init()
+    times = times_of("minimum")
+    series = [PlotSeries("One cell", tuple(PlotPoint(c, t) for c, t in zip(CELLS, times, strict=True)))]
+    leaders = []
+    chain = Brush.chain
+
+    def seen(self, points, width, color):
+        if color == "amber":
+            leaders.append(points)
+        chain(self, points, width, color)
+
+    monkeypatch.setattr(Brush, "chain", seen)
+    plot = WorkPrecisionPlot(Look(DARK))
+    point = PlotPoint(CELLS[present], times[present], words="cell size 2.00")
+    plot.show(series, Present(0, point, point.words), 1e-3)
+    plot.draw(pygame.Surface((800, 520), 0, 32), pygame.Rect(80, 20, 680, 440))
+    ((begin, end),) = leaders
+    ring = plot.place(0, series[0].points[present])
+    assert math.dist(ring, begin) == pytest.approx(10.5, abs=1e-6)
+    assert math.dist(ring, begin) + math.dist(begin, end) == pytest.approx(math.dist(ring, end), abs=1e-6)

@@ -15,7 +15,7 @@ from game.levels import Level
 from game.stage import Param, ParameterError, SetEffect, SetParameter, Stage, Table
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
-from game.ui.panel.effects import EffectRow
+from game.ui.panel.effects import COLORS, CostBar, EffectRow
 from game.ui.panel.panel import Panel
 from game.ui.panel.rows import Heading, Measure, SegmentsRow
 from game.ui.panel.slider import SliderRow, read_value, share_of, shown_value, value_at
@@ -178,6 +178,28 @@ def test_segments_switches_and_effects(desk):
     assert wishes == [SetEffect("test-gravity", False)]
     desk.apply(wishes)
     assert not row.is_on()
+
+
+def test_the_costs_of_a_step_lie_side_by_side_above_the_effects(desk):
+    (bar,) = (row for row in desk.panel._sheet.rows if isinstance(row, CostBar))
+    (heading,) = (
+        row for row in desk.panel._sheet.rows if isinstance(row, Heading) and row.title == "Effects"
+    )
+    first = desk.row(EffectRow, next(iter(desk.stage.scene.effects)).name)
+    assert heading.rect.bottom <= bar.rect.top and bar.rect.bottom <= first.rect.top
+    desk.stage.post(SetEffect("test-ground", True))
+    desk.frame(0.3)
+    left, y = desk.place(bar, 0, 4)
+    desk.frame(0.3)
+    line = [tuple(desk.surface.get_at((left + x, y)))[:3] for x in range(bar.left, bar.right)]
+    shares = []
+    for i, effect in enumerate(desk.stage.scene.effects):
+        if effect in desk.stage.scene.active:
+            shares.append((METER.costs[effect.name], line.count(tuple(desk.look.color(COLORS[i]))[:3])))
+    assert len(shares) > 1
+    scale = sum(METER.costs.values()) + METER.bare
+    for cost, pixels in shares:
+        assert pixels == pytest.approx(len(line) * cost / scale, abs=6)
 
 
 def test_letting_go_beside_a_switch_changes_nothing(desk):
