@@ -45,7 +45,7 @@ def functions_of(root: str) -> dict[str, list[FunctionType]]:
     """All living functions whose source lies below a folder, by file."""
     found: dict[str, list[FunctionType]] = {}
     for thing in gc.get_objects():
-        if isinstance(thing, FunctionType) and thing.__code__.co_filename.startswith(root):
+        if type(thing) is FunctionType and thing.__code__.co_filename.startswith(root):
             found.setdefault(thing.__code__.co_filename, []).append(thing)
     return found
 

@@ -17,20 +17,23 @@ class PapersCard(ChoiceCard):
     called: ClassVar[str] = "The list of papers"
 
     def __init__(self, host: Host):
-        done = sum(row.done for row in PAPERS)
-        rows = [list_row(row) for row in sorted(PAPERS, key=lambda row: (not row.done, row.number))]
-        super().__init__(host, f"Papers of the course: {done} of {len(PAPERS)} done", rows, self._take)
+        scenes = {entry.name for entry in host.catalogue}
+        self._done = {row.number for row in PAPERS if row.done and row.scene in scenes}
+        rows = [
+            list_row(row, row.number in self._done)
+            for row in sorted(PAPERS, key=lambda row: (row.number not in self._done, row.number))
+        ]
+        heading = f"Papers of the course: {len(self._done)} of {len(PAPERS)} done"
+        super().__init__(host, heading, rows, self._take)
 
     def _take(self, row: PaperRow) -> None:
-        if row.done:
+        if row.number in self._done:
             self.host.open_paper(row)
         else:
             self.host.tell(f"{row.number} is not done yet", "Those above can be opened.")
 
 
-def list_row(row: PaperRow) -> ListRow:
+def list_row(row: PaperRow, done: bool) -> ListRow:
     """A paper as a row: what it is called, who wrote it, and how far it is."""
     about = f"{row.authors}, {row.year}"
-    return ListRow(
-        f"{row.number}  {row.title}", about, row.scene.upper() if row.done else "to come", value=row
-    )
+    return ListRow(f"{row.number}  {row.title}", about, row.scene.upper() if done else "to come", value=row)

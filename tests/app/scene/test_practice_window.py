@@ -99,7 +99,9 @@ def test_a_drill_is_saved_from_the_window_and_opened_from_the_list(driver):
     drawn(driver)
     scene.buttons.press("drill-play")
     driver.app.perform("save")
-    driver.frames(5)
+    driver.frames(20)
+    driver.key(pygame.K_RETURN)  # without a title of one's own
+    driver.frames(20)
     (path,) = [path for path in user_level_files("billiards") if path.stem != "autosave"]
     rows = {row.value: row.title for row in driver.top.play.shelf.saved()}
     assert rows[path] == "Drill: pot the 2, upper right pocket"
@@ -119,7 +121,9 @@ def test_what_a_replay_shows_is_not_counted(driver):
     strike(driver, 1.0, -1.0, 0.0, 0.0, 0.0)
     assert [one.tried for one in read_history()] == [1]
     driver.app.perform("save")
-    driver.frames(5)
+    driver.frames(20)
+    driver.key(pygame.K_RETURN)  # without a title of one's own
+    driver.frames(20)
     recording = next(row.value for row in driver.top.play.shelf.saved() if row.value.suffix == ".json")
     driver.top.play.open_file(recording)
     driver.frames(300, 0.1)

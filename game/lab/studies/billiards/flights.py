@@ -89,4 +89,6 @@ flights_study = Study(
     "Without the effect the ball in the way is hit, and from there on it is another shot.",
     axes=Axes("knob", "cpu"),
 )
-game_study = dataclasses.replace(effects_study, related=(*effects_study.related, flights_study))
+game_study = dataclasses.replace(
+    effects_study, name="billiards-effects", related=(*effects_study.related, flights_study)
+)
