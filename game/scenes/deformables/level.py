@@ -78,7 +78,8 @@ class DeformablesContent(LevelEntry, frozen=True, kw_only=True):
     bodies: Annotated[tuple[Body, ...], msgspec.Meta(min_length=1, max_length=64)]
     expected: Expectations = ()
 
-    def __post_init__(self) -> None:
+    def check_count(self) -> None:
+        """ValueError if there are too many bodies."""
         count = sum(body.copies[0] * body.copies[1] for body in self.bodies)
         if count > MOST_BODIES:
             raise ValueError(f"bodies: {count} of them; there is room for {MOST_BODIES}")

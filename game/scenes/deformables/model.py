@@ -24,6 +24,7 @@ class DeformablesModel(Part):
 
     def __init__(self, content: DeformablesContent, parameters: DeformablesParameters, active: EffectSet):
         self.content, self.parameters, self.active = content, parameters, active
+        content.check_count()
         meshes, places, masses, speeds = [], [], [], []
         for body in content.bodies:
             mesh = body.mesh()

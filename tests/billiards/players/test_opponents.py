@@ -150,5 +150,5 @@ def test_a_steadier_hand_pots_more():
 
 
 def test_a_club_player_beats_a_novice():
-    series = measure_series(CLUB, NOVICE, range(3))
-    assert series.first + series.second == 3 and series.first >= 2 and series.strokes > 5.0
+    series = measure_series(CLUB, NOVICE, range(13, 23))  # of 43 it wins 32: three games said little
+    assert series.first + series.second == 10 and series.first >= 6 and series.strokes > 5.0
