@@ -112,7 +112,7 @@ class Levitator:
         """Lead the focus along another figure, from its beginning."""
         self.path = figure_path(figure, size)
         self.focus[:] = 0.0, 0.0, self.path[0, 0], self.path[0, 1]
-        self._aim()
+        self.aim()
 
     def add(self, place: tuple[float, float]) -> None:
         """One more grain at rest; ValueError if there are too many, or no place."""
@@ -137,8 +137,8 @@ class Levitator:
         """The focus, m."""
         return float(self.focus[FOCUS_X]), float(self.focus[FOCUS_Y])
 
-    def _aim(self) -> None:
-        """Phases for the place of the focus."""
+    def aim(self) -> None:
+        """Give the transducers the phases for the place of the focus, after another pattern was set."""
         turn = self.array.level if self.settings.pattern == "plane" else self.array.focus
         turn(self.wave.number, self.place, self.offsets)
 
@@ -152,7 +152,6 @@ class Levitator:
         mode = FOLLOWS if self.hand is not None else LED
         if settings.pattern == "plane":
             mode = STANDS
-            self._aim()
         hand = self.hand or (0.0, 0.0)
         flight = Flight(
             GRAINS.mask(settings.effects), settings.substeps, float(settings.gravity), grain.mass,

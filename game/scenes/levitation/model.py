@@ -71,6 +71,7 @@ class LevitationModel(Part):
             levitator.array.set_strength(chosen.strength)
         else:
             levitator.settings = self._settings()
+            levitator.aim()
 
     def change_effects(self, active: EffectSet) -> None:
         """Compute these effects from now on."""
@@ -134,10 +135,10 @@ class LevitationModel(Part):
         weight = self.levitator.grain.mass * 9.81
         return float(np.max(np.abs(across))) / weight, float(np.max(np.abs(upright))) / weight
 
-    def escape_speed(self) -> float:
-        """The steady speed (m/s) at which drag would be as strong as the weaker of these forces."""
-        weight = self.levitator.grain.mass * 9.81
-        return escape_estimate(min(self.strongest()) * weight, self.levitator.grain, AIR)
+    def escape_speed(self, weights: float) -> float:
+        """The steady speed (m/s) at which drag would be as strong as so many weights of a grain."""
+        grain = self.levitator.grain
+        return escape_estimate(weights * grain.mass * 9.81, grain, AIR)
 
     def fastest(self) -> float:
         """m/s of the fastest grain."""

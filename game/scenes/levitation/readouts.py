@@ -23,5 +23,5 @@ def readouts_of(model: LevitationModel) -> tuple[Readout, ...]:
         Readout("fastest", model.fastest(), "m/s"),
         Readout("sideways", across, "weights"),
         Readout("upright", upright, "weights"),
-        Readout("drag limit", model.escape_speed(), "m/s"),
+        Readout("drag limit", model.escape_speed(min(across, upright)), "m/s"),
     )

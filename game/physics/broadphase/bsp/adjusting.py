@@ -15,7 +15,6 @@ from game.physics.broadphase.bsp.nodes import (
     AXIS,
     BOX,
     COUNT,
-    CUT,
     DEBT,
     HEAD,
     LEAF,
@@ -31,6 +30,7 @@ from game.physics.broadphase.bsp.nodes import (
     TOTAL,
     collapse,
     split,
+    walk,
 )
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel
@@ -136,12 +136,28 @@ def _owes(tree, node, total, larger):
     return tree.cuts[node, DEBT] > REBUILD * total * np.log2(1.0 * total)
 
 
+@inner_kernel
+def _cut_anew(tree, boxes, node, stack, scratch, ids):
+    """Collapse a node and split it afresh; the old cuts bind its boxes no more. False if room ran out."""
+    collapse(tree, node, stack)
+    count, ref = 0, tree.nodes[node, HEAD]
+    while ref >= 0:
+        ids[count] = tree.refs[ref, BOX]
+        count += 1
+        ref = tree.refs[ref, NEXT]
+    tree.numbers[MOVED] += count
+    done = split_below(tree, boxes, node, stack, scratch)
+    for i in range(count):
+        walk(tree, boxes, ids[i], stack, False, True)
+    return done
+
+
 @kernel(_nrt=False)
-def adjust(tree: Any, boxes, stack, scratch):
+def adjust(tree: Any, boxes, stack, scratch, ids):
     """Split what is too full, merge what is nearly empty, cut anew what has owed too much.
 
-    ``stack``: (3, DEEPEST) and ``scratch``: (capacity,) to work in. False if room ran out: with more of it,
-    calling again goes on.
+    ``stack``: (3, DEEPEST), ``scratch`` and ``ids``: (capacity,) to work in. False if room ran out: with more
+    of it, calling again goes on.
     """
     way, begun = stack[0], stack[1]
     height = 1
@@ -173,38 +189,8 @@ def adjust(tree: Any, boxes, stack, scratch):
             collapse(tree, node, stack[2])
             tree.numbers[MERGES] += 1
             tree.nodes[node, TOTAL] = tree.nodes[node, COUNT]
-        elif _owes(tree, node, total, max(tree.nodes[left, TOTAL], tree.nodes[right, TOTAL])):
-            collapse(tree, node, stack[2])
-            tree.numbers[MOVED] += tree.nodes[node, COUNT]
-            if not split_below(tree, boxes, node, stack[2], scratch):
-                return False
+            continue
+        owing = _owes(tree, node, total, max(tree.nodes[left, TOTAL], tree.nodes[right, TOTAL]))
+        if owing and not _cut_anew(tree, boxes, node, stack[2], scratch, ids):
+            return False
     return True
-
-
-@kernel(_nrt=False)
-def note_cuts(tree: Any, boxes, ids, stack):
-    """Find anew between which cuts the corners of boxes lie, which may be farther apart than was noted."""
-    for box in ids:
-        for place in range(4):
-            tree.safe[box, 2 * place], tree.safe[box, 2 * place + 1] = -np.inf, np.inf
-        height = 1
-        stack[0] = 0
-        while height > 0:
-            height -= 1
-            node = stack[height]
-            axis = tree.nodes[node, AXIS]
-            if axis == LEAF:
-                continue
-            cut = tree.cuts[node, CUT]
-            for end in range(2):
-                place = axis + 2 * end
-                if cut <= boxes[box, place]:
-                    tree.safe[box, 2 * place] = max(tree.safe[box, 2 * place], cut)
-                else:
-                    tree.safe[box, 2 * place + 1] = min(tree.safe[box, 2 * place + 1], cut)
-            if boxes[box, axis] < cut:
-                stack[height] = tree.nodes[node, LEFT]
-                height += 1
-            if boxes[box, axis + 2] >= cut:
-                stack[height] = tree.nodes[node, RIGHT]
-                height += 1

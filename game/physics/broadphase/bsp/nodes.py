@@ -141,11 +141,13 @@ def is_safe(safe, box, corners):
 
 
 @inner_kernel
-def walk(tree, boxes, box, stack, put):
+def walk(tree, boxes, box, stack, put, note):
     """Go to all leaves that a box reaches, from the root; returns their number.
 
-    ``put``: let them refer to it, and note between which cuts it lies.
+    ``put``: let them refer to it. ``note``: keep between which cuts its corners lie.
     """
+    if note:
+        forget_safe(tree.safe, box)
     found, height = 0, 1
     stack[0] = 0
     while height > 0:
@@ -158,7 +160,7 @@ def walk(tree, boxes, box, stack, put):
                 refer(tree, node, box)
             continue
         cut = tree.cuts[node, CUT]
-        if put:
+        if note:
             narrow(tree.safe, box, boxes, axis, cut)
         if boxes[box, axis] < cut:
             stack[height] = tree.nodes[node, LEFT]
@@ -189,14 +191,13 @@ def put_boxes(tree: Any, boxes, ids, done, stack, moved):
         box = ids[i]
         if moved and is_safe(tree.safe, box, boxes):
             continue
-        needed = walk(tree, boxes, box, stack, False)
+        needed = walk(tree, boxes, box, stack, False, False)
         if len(tree.refs) - tree.numbers[REFS] < needed:
             return i
         if moved:
             take_out(tree, box)
             tree.numbers[REPAIRS] += 1
-        forget_safe(tree.safe, box)
-        walk(tree, boxes, box, stack, True)
+        walk(tree, boxes, box, stack, True, True)
     return len(ids)
 
 

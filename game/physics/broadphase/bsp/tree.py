@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.broadphase.boxes import BroadPhase
-from game.physics.broadphase.bsp.adjusting import adjust, note_cuts
+from game.physics.broadphase.bsp.adjusting import adjust
 from game.physics.broadphase.bsp.nodes import (
     AXIS,
     BOX,
@@ -116,7 +116,7 @@ class BspTree(BroadPhase):
         self._ids, self._near = np.empty(capacity, np.int64), np.empty((4, capacity))
 
     def _room(self) -> None:
-        """Double nodes and references, where the old ones are used up; first the free ones go in order."""
+        """Double nodes and references, where the old ones are used up."""
         tree = self._tree
         self._tree = tree._replace(
             nodes=grown(tree.nodes, 2 * len(tree.nodes)), cuts=grown(tree.cuts, 2 * len(tree.cuts)),
@@ -155,12 +155,9 @@ class BspTree(BroadPhase):
         """Bring the tree into shape, if anything has changed."""
         if not self._changed:
             return
-        before = int(self._tree.numbers[MOVED])
         scratch = self._near.reshape(-1)
-        while not adjust(self._tree, self.boxes, self._stack, scratch):
+        while not adjust(self._tree, self.boxes, self._stack, scratch, self._ids):
             self._room()
-        if self._tree.numbers[MOVED] > before:
-            note_cuts(self._tree, self.boxes, self.ids(), self._stack[0])
         self._changed = False
         done = int(self._tree.numbers[[REPAIRS, SPLITS, MOVED]].sum())
         if done - self._ordered_at > ORDERED_EVERY * len(self):
