@@ -26,7 +26,8 @@ from game.billiards.fitting.strokes import (
     root_mean_squares,
 )
 from game.billiards.fitting.tracks import TableSize, TrackedShot
-from game.billiards.shot.shot import Physics, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import make_shot
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from game.billiards.game.rules import CUE_BALL, Hand, ShotSummary
 from game.billiards.laws.layout import layout_of
 from game.billiards.shot.cue import strike
-from game.billiards.shot.shot import Physics, Shot, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.table.rack import (
     BALL_MASS,
     BALL_RADIUS,

@@ -42,6 +42,7 @@ from game.billiards.lecture.state import (
     WALLS,
 )
 from game.billiards.lecture.table import LectureTable
+from game.billiards.shot.physics import ShotError
 from game.billiards.shot.sampled import (
     SAMPLE_COLUMNS,
     SAMPLE_MOTION,
@@ -57,7 +58,7 @@ from game.billiards.shot.sampled import (
     sampled_trajectory,
     samples_for,
 )
-from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.shot.shot import Shot
 from game.billiards.table.table import Table, checked_table
 
 Array = NDArray[np.float64]

@@ -26,7 +26,7 @@ from game.billiards.search.strokes import (
     draw_noise,
     with_noise,
 )
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions, touching
 from game.billiards.table.table import Table
 

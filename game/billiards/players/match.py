@@ -25,7 +25,8 @@ from game.billiards.search.breaking import apex_of
 from game.billiards.search.finding import processors, thread_pool
 from game.billiards.search.strokes import Board, Noise
 from game.billiards.search.view import View
-from game.billiards.shot.shot import Physics, Shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.shot_file import parse_shot
 from game.billiards.shot.shot_writing import shot_data
 from game.billiards.shot.trajectory import Trajectory

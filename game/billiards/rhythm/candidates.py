@@ -29,7 +29,8 @@ from game.billiards.laws.state import (
 from game.billiards.rhythm.hearing import TOGETHER
 from game.billiards.search.strokes import LARGEST_TIP, SPEED, strike_all
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
-from game.billiards.shot.shot import Physics, Shot, batch_of, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot, batch_of, make_shot
 from game.billiards.simulation import log_for, workspace_for
 from game.billiards.table.table import Table
 

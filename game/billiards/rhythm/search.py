@@ -21,7 +21,8 @@ from numpy.typing import NDArray
 
 from game.billiards.rhythm.candidates import EXTRA, FARTHEST_MISS, STROKE, Candidates
 from game.billiards.rhythm.hearing import TOGETHER, clicks_of
-from game.billiards.shot.shot import Physics, Shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table

@@ -20,7 +20,7 @@ from game.billiards.search.outcomes import CUSHIONS, DOWN, Outcomes
 from game.billiards.search.rating import FOULED, LOST, SCORED, WON, Aims
 from game.billiards.search.strokes import Board, Noise, with_noise
 from game.billiards.search.view import View
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import FOOT_SPOT, HEAD_SPOT
 from game.billiards.table.table import Table
 

@@ -19,7 +19,7 @@ from game.billiards.search.looking import Effort, Looked, look
 from game.billiards.search.rating import Aims
 from game.billiards.search.strokes import Board, Noise, draw_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]

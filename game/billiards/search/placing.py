@@ -21,7 +21,7 @@ from game.billiards.search.outcomes import NOWHERE
 from game.billiards.search.rating import BLOCKED, Aims
 from game.billiards.search.strokes import Board, Noise, in_threads
 from game.billiards.search.view import UNLIMITED, Clock, View
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import HEAD_SPOT
 from game.billiards.table.table import Table
 

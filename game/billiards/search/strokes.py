@@ -38,7 +38,7 @@ from game.billiards.laws.state import (
 )
 from game.billiards.search.outcomes import Outcomes, sum_up
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.simulation import log_for, play_into
 from game.billiards.table.table import Table
 

@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.orientation import turn
 from game.billiards.laws.state import IN_COLUMNS, IN_MOTION, IN_WZ, SEGMENT_COLUMNS
-from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.shot.physics import ShotError
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.trajectory import TableState, Trajectory, rotation_matrices
 
 Array = NDArray[np.float64]

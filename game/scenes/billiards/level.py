@@ -15,7 +15,7 @@ from game.billiards.game.games.ghost import GHOST
 from game.billiards.game.goals import Goal
 from game.billiards.game.rules import CUE_BALL, Call, Game
 from game.billiards.game.tally import Tally
-from game.billiards.shot.shot import OVERLAP
+from game.billiards.shot.balls import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
 from game.scenes.shared.entry import LevelEntry

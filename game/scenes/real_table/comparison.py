@@ -19,7 +19,7 @@ from game.billiards.fitting.fitting import FittedShot, FittedStroke, computed_sh
 from game.billiards.fitting.strokes import EVERYTHING, PLAIN, QUICK, Bench, fit_stroke
 from game.billiards.fitting.tables import FittedTable, target_of
 from game.billiards.fitting.tracks import TrackedShot
-from game.billiards.shot.shot import ShotError
+from game.billiards.shot.physics import ShotError
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate
 

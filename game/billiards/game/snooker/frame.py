@@ -15,7 +15,7 @@ from game.billiards.game.snooker.stroke import Seen
 from game.billiards.laws.state import BALL_BALL
 from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.billiards.shot.paths import Paths
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.snooker import (
     APART,

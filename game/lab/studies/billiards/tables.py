@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 
 from game.billiards.laws.state import BALL_JAW
-from game.billiards.shot.shot import FRICTIONLESS, Physics, Shot, make_shot
+from game.billiards.shot.physics import FRICTIONLESS, Physics
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
