@@ -41,8 +41,8 @@ class SkinningModel(FigureModel):
         self.take_pose(state.pose)
         self.time = float(state.clock[0])
 
-    def follow_effects(self, active: EffectSet) -> None:
-        super().follow_effects(active)
+    def change_effects(self, active: EffectSet) -> None:
+        super().change_effects(active)
         if SKINNING not in active:
             for blend in BLENDS:
                 self.watch.forget(blend)

@@ -104,7 +104,7 @@ class TwoBalls(Part):
         for ball, before in zip(self.balls, old, strict=True):
             ball.position, ball.velocity = before.position, before.velocity
 
-    def set_effects(self, effects: EffectSet) -> None:
+    def change_effects(self, effects: EffectSet) -> None:
         """Compute these effects from now on."""
         self.effects = effects
         self.renew_balls()
