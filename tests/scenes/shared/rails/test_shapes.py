@@ -60,10 +60,10 @@ def test_eight_waves():
 
 def test_it_stands_at_its_place_mirrored_with_a_tail_and_beside_the_ball_it_carries():
     plain = points_of("arc")
-    np.testing.assert_allclose(points_of("arc", at=(3.0, -1.0)), plain + (3.0, -1.0))
+    np.testing.assert_allclose(points_of("arc", at=(3.0, -1.0)), plain + np.array((3.0, -1.0)))
     np.testing.assert_allclose(points_of("arc", mirrored=True), plain * (-1.0, 1.0))
     tailed = points_of("arc", tail=((1.0, 0.5),))
-    np.testing.assert_allclose(tailed[-1], plain[-1] + (1.0, 0.5))
+    np.testing.assert_allclose(tailed[-1], plain[-1] + np.array((1.0, 0.5)))
     beside = points_of("line", carries=0.1)  # to the right of its way, the ball above it
     normal = np.array((-DEPTH, -WIDTH)) / np.hypot(WIDTH, DEPTH)
     np.testing.assert_allclose(beside - points_of("line"), np.tile(0.1 * normal, (41, 1)), atol=1e-12)
