@@ -32,6 +32,7 @@ from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import POCKET_NAMES, Table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -83,7 +84,7 @@ def unlike_balls(seed: int) -> BallSet:
     scale = rng.uniform(1.0 - LARGEST_CHANGE, 1.0 + LARGEST_CHANGE, 16)
     density = rng.uniform(1.0 - DENSITY_CHANGE, 1.0 + DENSITY_CHANGE, 16)
     scale[CUE_BALL] = density[CUE_BALL] = 1.0
-    return BallSet(BALL_RADIUS * scale, BALL_MASS * density * scale**3)
+    return BallSet(BALL_RADIUS * scale, BALL_MASS * density * (scale * scale * scale))
 
 
 def play_match(
@@ -150,7 +151,7 @@ class _Finder:
         cue_ball = layout.place_of(CUE_BALL)
         assert cue_ball is not None
         board = Board(layout, self.table, self.physics)
-        azimuth = math.atan2(y - cue_ball[1], x - cue_ball[0])
+        azimuth = elementary.atan2(y - cue_ball[1], x - cue_ball[0])
         for _ in range(MOST_BREAKS):
             strokes = np.zeros((BREAKS, 5))
             strokes[:, 0] = rng.uniform(4.0, 6.0, BREAKS)

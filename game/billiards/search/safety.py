@@ -11,6 +11,7 @@ from game.billiards.search.candidates import BALL, COLUMNS, INTO, KIND, NO_POT, 
 from game.billiards.search.looking import Looked, sample
 from game.billiards.search.rating import FOULED, LOST, SCORED, Aims
 from game.billiards.search.view import View
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -28,8 +29,8 @@ def _strokes_at(view: View, first: int) -> Array:
         if first >> ball & 1:
             dx, dy = view.places[ball] - cue_ball
             reach = view.board.radii[ball] + view.board.radius
-            half = float(np.arcsin(min(1.0, reach / np.hypot(dx, dy))))
-            directions += (np.arctan2(dy, dx) + half * OFFSETS).tolist()
+            half = float(elementwise.arcsin(min(1.0, reach / elementwise.hypot(dx, dy))))
+            directions += (elementwise.arctan2(dy, dx) + half * OFFSETS).tolist()
     directions += np.linspace(0.0, 2.0 * np.pi, ROUND, endpoint=False).tolist()
     return np.array([(v, a, 0.0, 0.0, up) for a in directions for v in SPEEDS for up in UPS])
 

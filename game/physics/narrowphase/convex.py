@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.narrowphase.cleaning import NOT_CONVEX, clean_outline
 
 Array = NDArray[np.float64]
@@ -69,7 +70,7 @@ class ConvexPolygon:
         """
         if not (math.isfinite(x) and math.isfinite(y) and math.isfinite(angle)):
             raise ValueError(f"moved: x, y, angle must be finite, not {x}, {y}, {angle}")
-        c, s = (math.cos(angle), math.sin(angle)) if angle else (1.0, 0.0)
+        c, s = (elementary.cos(angle), elementary.sin(angle)) if angle else (1.0, 0.0)
         turned = np.array(((c, s), (-s, c)))
         copy = object.__new__(ConvexPolygon)
         copy.source = self.source

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.fields import DRAG
+from game.physics.kernels import elementary
 from game.physics.rigid.body_state import BodyState
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.mass import inverse_moments, mass_properties, principal_axes, sphere_positions
@@ -175,7 +176,7 @@ class RigidBody(BodyState):
         if PUSHES not in self.effects:
             self.clear_forces()
         walls = WINDOW in self.effects and len(self.radii) > 0
-        keep = math.exp(-self.damping * dt) if DRAG in self.effects else 1.0
+        keep = elementary.exp(-self.damping * dt) if DRAG in self.effects else 1.0
         for _ in range(steps if walls else 1):
             advance(
                 METHODS.index(self.method), self.states, self.constants, self.loads, (self._fall(), keep),

@@ -29,7 +29,10 @@ def energy_of(bodies: Bodies, numbers: Numbers) -> Energy:
     """What there is now. numbers: of the steps."""
     rows = np.flatnonzero(bodies.flags & DYNAMIC)
     mass, inertia = 1.0 / bodies.inverse_masses[rows], 1.0 / bodies.inverse_inertias[rows]
-    kinetic = 0.5 * (mass * (bodies.velocities[rows] ** 2).sum(axis=1) + inertia * bodies.spins[rows] ** 2)
+    kinetic = 0.5 * (
+        mass * (bodies.velocities[rows] * bodies.velocities[rows]).sum(axis=1)
+        + inertia * (bodies.spins[rows] * bodies.spins[rows])
+    )
     pull = np.array([numbers.gravity_x, numbers.gravity_y])
     height = -(bodies.gravity_scales[rows] * mass * (bodies.positions[rows] @ pull))
     return Energy(float(kinetic.sum()), float(height.sum()))

@@ -99,7 +99,7 @@ def _inertias_by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners
     tensors = np.zeros((n, 3, 3))
     for s, i in enumerate(owners.tolist()):
         d = offsets[s]
-        tensors[i] += weights[s] * ((SOLID * radii[s] ** 2 + d @ d) * np.eye(3) - np.outer(d, d))
+        tensors[i] += weights[s] * ((SOLID * (radii[s] * radii[s]) + d @ d) * np.eye(3) - np.outer(d, d))
     return tensors
 
 

@@ -210,7 +210,7 @@ class SphereBodies:
         """Verify what must always hold; AssertionError names what does not."""
         for name, array in self.state._asdict().items():
             assert np.isfinite(array).all(), f"{name} are finite"
-        lengths = np.sqrt((self.state.orientations**2).sum(axis=1))
+        lengths = np.sqrt((self.state.orientations * self.state.orientations).sum(axis=1))
         assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-12, "orientations have length 1"
         heavy = np.isinf(self.composition.masses)
         assert not self.state.momenta[heavy].any(), "what nothing moves has no momentum"

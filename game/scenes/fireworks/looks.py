@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from game.physics.kernels import elementary
 
 SHADES = 64  # of a kind over its life
 Rgb = tuple[float, float, float]  # 0 to 1
@@ -32,7 +33,8 @@ class LookOf(NamedTuple):
 def glowing(kelvin: float) -> Rgb:
     """Colour of a glowing body (Planck 1900 at three wavelengths), its brightest channel 1."""
     raw = [
-        math.expm1(_SECOND_RADIATION / (wave * WHITE_HOT)) / math.expm1(_SECOND_RADIATION / (wave * kelvin))
+        elementary.expm1(_SECOND_RADIATION / (wave * WHITE_HOT))
+        / elementary.expm1(_SECOND_RADIATION / (wave * kelvin))
         for wave in _WAVES_UM
     ]
     tints = [channel * tint for channel, tint in zip(raw, (1.0, 0.86, 0.62), strict=True)]
@@ -44,7 +46,8 @@ def cooling(hot: float, cold: float, strength: float, **more: object) -> LookOf:
     """A spark that cools, from a temperature (K) to another."""
     shares = (0.0, 0.15, 0.4, 0.7, 1.0)
     stops = tuple(
-        (share, glowing(hot + (cold - hot) * share), strength * (1.0 - share) ** 1.4) for share in shares
+        (share, glowing(hot + (cold - hot) * share), strength * elementary.pow(1.0 - share, 1.4))
+        for share in shares
     )
     return LookOf(stops, **more)  # type: ignore[arg-type]
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
 from game.scenes.metal.level import MOST_BALLS, MOST_TRACKS, BallEntry
@@ -68,7 +69,7 @@ class MetalHand(Part):
         rows = self.model.riders.balls.rows
         if not len(rows):
             return NOBODY
-        away = np.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
+        away = elementwise.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
         away[~self.model.there()] = math.inf
         return int(away.argmin()) if away.min() < self.reach else NOBODY
 
@@ -79,9 +80,11 @@ class MetalHand(Part):
             points = np.asarray(curve.points)
             starts = points if curve.closed else points[:-1]
             along = (np.roll(points, -1, axis=0) if curve.closed else points[1:]) - starts
-            at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300)
+            at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum(
+                (along * along).sum(axis=1), 1e-300
+            )
             near = starts + np.clip(at, 0.0, 1.0)[:, None] * along
-            away = float(np.hypot(*(near - point).T).min())
+            away = float(elementwise.hypot(*(near - point).T).min())
             if away < best:
                 best, found = away, k
         return found
@@ -119,8 +122,8 @@ class MetalHand(Part):
             self.model.hold(self.held, point)
         elif self.sized != NOBODY:
             centre = self.model.riders.balls.rows[self.sized, X : Y + 1].tolist()
-            self.model.resize(self.sized, min(max(math.dist(centre, point), LEAST), LARGEST))
-        elif self.path and math.dist(point, self.path[-1]) > 0.3 * self.reach:
+            self.model.resize(self.sized, min(max(elementary.dist(centre, point), LEAST), LARGEST))
+        elif self.path and elementary.dist(point, self.path[-1]) > 0.3 * self.reach:
             self.path.append(point)
         elif self.bent != NOBODY:
             return self._bend(before, point)
@@ -133,8 +136,8 @@ class MetalHand(Part):
             return ""
         curve = curves[self.bent]
         points = np.array(curve.points, dtype=np.float64)
-        away = np.hypot(*(points - before).T) / self.parameters.bending
-        points += np.exp(-(away**2))[:, None] * (np.array(point) - np.array(before))
+        away = elementwise.hypot(*(points - before).T) / self.parameters.bending
+        points += elementwise.exp(-(away * away))[:, None] * (np.array(point) - np.array(before))
         curves[self.bent] = Curve(points, curve.closed, curve.corner)
         return self._lay(curves)
 
@@ -152,7 +155,10 @@ class MetalHand(Part):
             self.model.put_down(self.held, LANDING * radius)
         if path:
             points = simplified(np.array(path), 0.12 * self.reach)[:MOST_POINTS]
-            if len(points) < 2 or float(np.hypot(*np.diff(points, axis=0).T).sum()) < 2.0 * self.reach:
+            if (
+                len(points) < 2
+                or float(elementwise.hypot(*np.diff(points, axis=0).T).sum()) < 2.0 * self.reach
+            ):
                 words = "Drag to draw a track."
             elif len(self.model.riders.curves) >= MOST_TRACKS:
                 words = f"There is room for {MOST_TRACKS} tracks."

@@ -7,6 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
+
 Array = NDArray[np.float64]
 HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
 
@@ -17,7 +19,7 @@ def camera_matrix(turn: float, tilt: float) -> Array:
     turn, tilt: degrees; tilt above 0 looks from above.
     """
     a, t = math.radians(turn), math.radians(tilt)
-    ca, sa, ct, st = math.cos(a), math.sin(a), math.cos(t), math.sin(t)
+    ca, sa, ct, st = elementary.cos(a), elementary.sin(a), elementary.cos(t), elementary.sin(t)
     return np.array(((ca, 0.0, sa), (sa * st, ct, -ca * st), (-sa * ct, st, ca * ct)))
 
 
@@ -29,7 +31,7 @@ def hit_sphere(
     view: of `camera_matrix`; places (n, 3) m; point: picture coordinates, m.
     """
     seen = places @ view.T
-    off = (seen[:, 0] - point[0]) ** 2 + (seen[:, 1] - point[1]) ** 2
+    off = elementary.square(seen[:, 0] - point[0]) + elementary.square(seen[:, 1] - point[1])
     inside = off <= radii * radii
     if not inside.any():
         return None

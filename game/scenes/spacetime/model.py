@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.physics.spacetime.motion import Grip, Laws
 from game.physics.spacetime.shapes import KINDS
 from game.physics.spacetime.tree import inside
@@ -138,7 +139,7 @@ def _scattered(count: int, seed: int, content: SpaceTimeContent) -> list[TimedBo
             KINDS[k % len(KINDS)], int(chance.integers(0, 4)), float(size),
             ((column + 0.5) * cell[0] - HALF[0], (row + 0.5) * cell[1] - HALF[1]),
             float(chance.uniform(0.0, math.tau)),
-            (float(speed * math.cos(heading)), float(speed * math.sin(heading))),
+            (float(speed * elementary.cos(heading)), float(speed * elementary.sin(heading))),
             float(chance.uniform(-2.0, 2.0) * content.speed),
         ))  # fmt: skip
     return found

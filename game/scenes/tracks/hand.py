@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
 from game.scenes.shared.rails.level import Point
@@ -60,7 +59,7 @@ class TrackHand(Part):
     def ball_at(self, point: Point) -> int:
         """The ball under a point, or NOBODY."""
         rows = self.model.world.balls.rows
-        away = np.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
+        away = elementwise.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
         return int(away.argmin()) if len(rows) and away.min() < self.reach else NOBODY
 
     def track_at(self, point: Point) -> int:
@@ -71,9 +70,11 @@ class TrackHand(Part):
             ends = np.roll(points, -1, axis=0) if curve.closed else points[1:]
             starts = points if curve.closed else points[:-1]
             along = ends - starts
-            at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300)
+            at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum(
+                (along * along).sum(axis=1), 1e-300
+            )
             near = starts + np.clip(at, 0.0, 1.0)[:, None] * along
-            away = float(np.hypot(*(near - point).T).min())
+            away = float(elementwise.hypot(*(near - point).T).min())
             if away < best:
                 best, found = away, k
         return found
@@ -112,7 +113,7 @@ class TrackHand(Part):
         self.point = point
         if self.held != NOBODY:
             self.model.hold(self.held, point)
-        elif self.path and math.dist(point, self.path[-1]) > 0.1 * self.reach:
+        elif self.path and elementary.dist(point, self.path[-1]) > 0.1 * self.reach:
             self.path.append(point)
         elif self.bent != NOBODY:
             return self._bend(before, point)
@@ -123,8 +124,8 @@ class TrackHand(Part):
         curves = list(self.model.world.curves)
         curve = curves[self.bent]
         points = np.array(curve.points, dtype=np.float64)
-        away = np.hypot(*(points - before).T) / self.parameters.bending
-        points += np.exp(-(away**2))[:, None] * (np.array(point) - np.array(before))
+        away = elementwise.hypot(*(points - before).T) / self.parameters.bending
+        points += elementwise.exp(-(away * away))[:, None] * (np.array(point) - np.array(before))
         curves[self.bent] = Curve(points, curve.closed, curve.corner)
         return self._lay(curves)
 
@@ -143,7 +144,10 @@ class TrackHand(Part):
             self.model.world.put_down(self.held, 0.5 * self.reach)
         if path:
             points = simplified(np.array(path), 0.12 * self.reach)
-            if len(points) < 2 or float(np.hypot(*np.diff(points, axis=0).T).sum()) < 2.0 * self.reach:
+            if (
+                len(points) < 2
+                or float(elementwise.hypot(*np.diff(points, axis=0).T).sum()) < 2.0 * self.reach
+            ):
                 words = "Drag to draw a track."
             elif len(self.model.world.curves) >= MOST_TRACKS:
                 words = f"There is room for {MOST_TRACKS} tracks."

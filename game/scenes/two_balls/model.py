@@ -13,6 +13,7 @@ from game.billiards.lecture.ball_collision import Collision
 from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, WALLS
 from game.billiards.table import passing
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.scenes.two_balls import record
 from game.scenes.two_balls.level import HEIGHT, WIDTH, LectureBallsContent, entry_of
 from game.scenes.two_balls.parameters import LectureBallsParameters
@@ -171,8 +172,8 @@ class TwoBalls(Part):
         turn = math.radians(chosen.direction)
         lost = min(chosen.deceleration, speed) / speed if speed > 0.0 else 0.0
         return (
-            chosen.acceleration * math.cos(turn) - lost * vx,
-            chosen.acceleration * math.sin(turn) - lost * vy,
+            chosen.acceleration * elementary.cos(turn) - lost * vx,
+            chosen.acceleration * elementary.sin(turn) - lost * vy,
         )
 
     def release(self) -> None:

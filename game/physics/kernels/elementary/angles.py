@@ -1,7 +1,8 @@
 """Arc functions, each within 0.6 ulp.
 
 The tangent t of an angle up to pi/4 is compared with the nearest i/64: arctan t = arctan i/64 + arctan of
-(t - i/64) / (1 + t i/64), which is so small that four terms of Gregory's series do. All else is led back to that.
+(t - i/64) / (1 + t i/64), which is so small that five terms of Gregory's series do. All else is led back to
+that.
 """
 
 from __future__ import annotations

@@ -81,7 +81,7 @@ def exp_table(count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def log_table(middles: list[float], grid: int) -> tuple[NDArray[np.float64], ...]:
-    """For each c: 1 / c to nine bits after the point, and -ln of that as high + low; high multiples of 2^grid."""
+    """1 / c to nine bits after the point, and -ln of that as high + low; high a multiple of 2^grid."""
     context = exact_context()
     inverses = [round(512.0 / c) / 512.0 for c in middles]
     pairs = [pair(-Fraction(context.ln(Decimal(inverse))), grid) for inverse in inverses]

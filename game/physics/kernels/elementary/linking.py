@@ -25,7 +25,7 @@ _waiting: dict[str, tuple[Any, int]] = {}  # by name: dispatcher, number of argu
 
 
 def linked(name: str, count: int, function: Callable[..., float]) -> Callable[..., float]:
-    """What kernels call for a linked kernel of ``count`` floats: a symbol; without compilation the function itself."""
+    """What kernels call for a linked kernel of ``count`` floats: a symbol; itself if nothing is compiled."""
     if config.DISABLE_JIT:
         return function
 
@@ -38,8 +38,10 @@ def linked(name: str, count: int, function: Callable[..., float]) -> Callable[..
     @type_callable(symbol)
     def type_symbol(_context: Any) -> Callable[..., Any]:
         make_known()
-        return (lambda x: signature(types.float64, *doubles)) if count == 1 else (
-            lambda x, y: signature(types.float64, *doubles)
+        return (
+            (lambda x: signature(types.float64, *doubles))
+            if count == 1
+            else (lambda x, y: signature(types.float64, *doubles))
         )
 
     @lower_builtin(symbol, *doubles)

@@ -8,7 +8,7 @@ from game.physics.kernels.elementary.constants import ln, pair, pi, square_root
 from game.physics.kernels.elementary.extended import quick_two_sum, root, two_product, two_sum
 from game.physics.kernels.elementary.powers import exp_parts, log_parts, scaled
 from game.physics.kernels.elementary.words import from_bits
-from game.physics.kernels.lean import inner_kernel, linked_kernel
+from game.physics.kernels.lean import linked_kernel
 
 LN2_HIGH, LN2_LOW = pair(ln(2))
 ERF_HIGH, ERF_LOW = pair(2 / square_root(pi()))
@@ -61,7 +61,9 @@ def tanh(x: float) -> float:
         return x
     if size < 0.25:
         z = x * x
-        tail = 6404582.0 / 10854718875.0 - z * (443861162.0 / 1856156927625.0 - z * (18888466084.0 / 194896477400625.0))
+        tail = 6404582.0 / 10854718875.0 - z * (
+            443861162.0 / 1856156927625.0 - z * (18888466084.0 / 194896477400625.0)
+        )
         tail = 21844.0 / 6081075.0 - z * (929569.0 / 638512875.0 - z * tail)
         tail = 17.0 / 315.0 - z * (62.0 / 2835.0 - z * (1382.0 / 155925.0 - z * tail))
         return x - x * (z * (1.0 / 3.0 - z * (2.0 / 15.0 - z * tail)))
@@ -99,7 +101,7 @@ def asinh(x: float) -> float:
 
 @linked_kernel
 def erf(x: float) -> float:
-    """The error function: E. E. Kummer's series (1837), all of whose terms are positive, with a low part kept."""
+    """The error function: E. E. Kummer's series (1837), whose terms are positive, with a low part kept."""
     size = math.fabs(x)
     if x != x:
         return math.nan

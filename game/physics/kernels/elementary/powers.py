@@ -1,14 +1,12 @@
 """Exponentials, logarithms and powers: each within 0.6 ulp but expm1, which is within 0.8.
 
-Both are read from tables and led on by short series (P. T. P. Tang 1989 and 1990), with a low part kept so that
-powers, logarithms to other bases and what else is made of them are rounded once and a little.
+Both are read from tables and led on by short series (P. T. P. Tang 1989 and 1990), with a low part kept so
+that powers, logarithms to other bases and what else is made of them are rounded once and a little.
 """
 
 from __future__ import annotations
 
 import math
-
-import numpy as np
 
 from game.physics.kernels.elementary.constants import exp_table, ln, log_table, pair
 from game.physics.kernels.elementary.extended import quick_two_sum, two_product, two_sum
@@ -19,14 +17,15 @@ TABLE = 128  # entries of each table, a power of two
 PLACES = 7  # its logarithm
 EXP_TABLE, EXP_RESTS = exp_table(TABLE)
 STEPS_OF_ONE = float(TABLE / ln(2))
-STEP_HIGH, STEP_LOW = pair(ln(2) / TABLE, -41)  # 34 bits: the product with a count below 2^18 is exact
+STEP_HIGH, STEP_LOW = pair(ln(2) / TABLE, -41)  # 34 bits: exact times a count below 2^18
 ROUNDER = 1.5 * 2.0**52
 LARGEST_EXP = float.fromhex("0x1.62e42fefa39efp+9")  # of greater numbers it is infinite
 LEAST_EXP = -745.2  # of smaller ones it is zero
 
-# Sections of the mantissa, 2^-7 wide above one and half as wide below; one stands within a section of its own.
+# Sections of the mantissa, 2^-7 wide above one and half as wide below; one is the middle of a section, so
+# that near it the logarithm is the short series alone.
 SECTION = 1 << (52 - PLACES)
-LEAST_WORD = bits_of(1.0) - (TABLE // 2 - 22) * SECTION - SECTION // 2 - 22 * SECTION
+LEAST_WORD = bits_of(1.0) - TABLE // 2 * SECTION - SECTION // 2
 MIDDLES = [from_bits(LEAST_WORD + i * SECTION + SECTION // 2) for i in range(TABLE)]
 INVERSES, LOG_HIGH, LOG_LOW = log_table(MIDDLES, -42)
 LN2_HIGH, LN2_LOW = pair(ln(2), -42)
@@ -105,7 +104,9 @@ def log_parts(x: float, low: float) -> tuple[float, float]:
         rest += low * inverse * from_bits((1023 - power) << 52)
     square, square_rest = two_product(r, r)
     high, left = quick_two_sum(r, -0.5 * square)
-    tail = 1.0 / 3.0 + r * (-0.25 + r * (0.2 + r * (-1.0 / 6.0 + r * (1.0 / 7.0 + r * (-0.125 + r * (1.0 / 9.0))))))
+    tail = 1.0 / 3.0 + r * (
+        -0.25 + r * (0.2 + r * (-1.0 / 6.0 + r * (1.0 / 7.0 + r * (-0.125 + r * (1.0 / 9.0)))))
+    )
     left += (rest - r * rest) - 0.5 * square_rest + (r * square) * tail
     count = float(power + n)
     high, added = two_sum(count * LN2_HIGH + float(LOG_HIGH[section]), high)
@@ -160,7 +161,7 @@ def log1p(x: float) -> float:
 
 
 @linked_kernel
-def pow(x: float, y: float) -> float:  # noqa: A001  what it is called everywhere
+def pow(x: float, y: float) -> float:
     """x to the power y, as C has it (ISO C, F.10.4.4), but nan where that raises an error."""
     if y == 0.0 or x == 1.0:
         return 1.0

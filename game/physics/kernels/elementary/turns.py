@@ -69,7 +69,7 @@ def tangent_near(x: float, low: float) -> tuple[float, float]:
 
 @inner_kernel
 def reduced(x: float) -> tuple[int, float, float]:
-    """Quarter turns n (its last two bits count) and high + low in [-pi/4, pi/4] with x = n pi/2 + high + low."""
+    """Quarter turns n (its last two bits count) and high + low in [-pi/4, pi/4]: x = n pi/2 + high + low."""
     size = math.fabs(x)
     if size >= MEDIUM:
         return reduced_far(x)
@@ -188,7 +188,9 @@ def tan(x: float) -> float:
     if high < 0.0:
         high, low, sign = -high, -low, -1.0
     over = turns & 1 == 1
-    if high >= NEAR_QUARTER:  # tan(pi/4 - y) = (1 - t) / (1 + t), and its inverse for the quarter turns between
+    if (
+        high >= NEAR_QUARTER
+    ):  # tan(pi/4 - y) = (1 - t) / (1 + t), and its inverse for the quarter turns between
         y, rest = two_sum(QUARTER, -high)
         t, left = tangent_near(y, rest + (0.5 * HALF_LOW - low))
         above, above_rest = two_sum(1.0, -t)

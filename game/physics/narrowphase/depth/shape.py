@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.narrowphase.depth.grid import overlap_of
 from game.physics.narrowphase.depth.sums import Parts
 
@@ -43,7 +44,7 @@ class Shape:
         self.corners: Floats = corners - middle
         polar = float(pieces[:, 3].sum()) / self.area - float(middle @ middle)
         self.gyration = math.sqrt(max(polar, 0.0))
-        far = np.hypot(*self.corners.T)
+        far = elementwise.hypot(*self.corners.T)
         self.reaches: Floats = np.maximum.reduceat(far, self.starts[:-1])
         self._refuse_overlaps()
 
@@ -75,12 +76,12 @@ class Shape:
 
     def norm(self, x: float, y: float, angle: float) -> float:
         """The object norm (m) of a motion: root of the mean square displacement of all points."""
-        return math.hypot(x, y, 2.0 * self.gyration * math.sin(0.5 * angle))
+        return elementary.length(x, y, 2.0 * self.gyration * elementary.sin(0.5 * angle))
 
 
 def _turn(angle: float) -> Floats:
     """What rows (x, y) are multiplied by, on the right."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     return np.array(((c, s), (-s, c)))
 
 
@@ -100,12 +101,12 @@ def _checked(number: int, points: Any) -> Floats:
     if not 1e-50 < extent < 1e50:
         raise ValueError(f"part {number}: its extent must be within 1e-50 to 1e50 m")
     edges = np.roll(part, -1, axis=0) - part
-    lengths = np.hypot(*edges.T)
+    lengths = elementwise.hypot(*edges.T)
     if lengths.min() <= SAME * extent:
         raise ValueError(f"part {number}: corners {int(np.argmin(lengths))} and the next coincide")
     after = np.roll(edges, -1, axis=0)
     crosses = edges[:, 0] * after[:, 1] - edges[:, 1] * after[:, 0]
-    heading = np.arctan2(crosses, np.sum(edges * after, axis=1))
+    heading = elementwise.arctan2(crosses, np.sum(edges * after, axis=1))
     if heading.sum() < 0.0:
         raise ValueError(f"part {number}: goes clockwise")
     if heading.min() < -SAME:

@@ -186,8 +186,8 @@ def joint_conditions(
                     torques,
                     row[RATE] * line[LINE_GAP] if kind == EQUAL else -float(joints.parameters[k, SPEED]),
                 )
-                weight = (u[0] ** 2 + u[1] ** 2) * (row[JIMA] + row[JIMB])
-                weight += row[JIIA] * torques[0] ** 2 + row[JIIB] * torques[1] ** 2
+                weight = (u[0] * u[0] + u[1] * u[1]) * (row[JIMA] + row[JIMB])
+                weight += row[JIIA] * (torques[0] * torques[0]) + row[JIIB] * (torques[1] * torques[1])
                 equal.give[-1] = weight * (LEAST_GIVE + (row[GIVE] / row[MASS] if slot != DRIVE else 0.0))
                 equal.to.append(to)
             else:
