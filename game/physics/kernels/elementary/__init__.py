@@ -16,7 +16,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from numba.extending import register_jitable
+from numba.extending import overload
 
 from game.physics.kernels.elementary import angles, others, powers, turns
 from game.physics.kernels.elementary.linking import linked
@@ -170,13 +170,21 @@ def length(*coordinates: float) -> float:
     return dist(coordinates, (0.0,) * len(coordinates))
 
 
-@register_jitable
 def square(x: Any) -> Any:
     """x times x, of a number or an array."""
     return x * x
 
 
-@register_jitable
 def cube(x: Any) -> Any:
     """x times x times x, of a number or an array."""
     return x * x * x
+
+
+@overload(square)
+def _square_in_kernels(x: Any) -> Any:
+    return square
+
+
+@overload(cube)
+def _cube_in_kernels(x: Any) -> Any:
+    return cube

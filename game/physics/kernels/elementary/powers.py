@@ -169,10 +169,13 @@ def pow(x: float, y: float) -> float:
         return math.nan
     size, sign = math.fabs(x), 1.0
     if x < 0.0 or (x == 0.0 and math.copysign(1.0, x) < 0.0):
-        whole = math.floor(y) == y
-        if whole and math.fabs(y) < 2.0**53 and math.floor(0.5 * y) != 0.5 * y:
-            sign = -1.0
-        elif not whole and 0.0 < size < math.inf:
+        if (
+            math.fabs(y) >= 2.0**53
+        ):  # even; a kernel's floor is an integer, which has no room for all of these
+            sign = 1.0
+        elif math.floor(y) == y:
+            sign = 1.0 if math.floor(0.5 * y) == 0.5 * y else -1.0
+        elif 0.0 < size < math.inf:
             return math.nan
     if size == 1.0:
         return sign
