@@ -66,13 +66,36 @@ FOLDERS = {
         "commands",
     ),
 }
-# What decides simulated numbers and so calls no C library's functions but `game.physics.kernels.elementary`:
+# What decides simulated numbers, by no C library's functions but `physics.kernels.elementary`:
 # these floors, and of the scenes whatever does not draw.
 DECIDING = ("physics", "billiards", "levels", "lab", "stage")
-LIBM = """sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp exp2 expm1 log log1p log2 log10
-pow hypot dist cbrt erf erfc gamma lgamma sumprod arcsin arccos arctan arctan2 arcsinh arccosh arctanh power
-float_power logaddexp angle unwrap sinc i0"""  # as math and numpy have them
-TRANSCENDENTAL = frozenset(LIBM.split())
+TRANSCENDENTAL = {  # as math and numpy have them
+    *(
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asinh",
+        "acosh",
+        "atanh",
+    ),
+    *("exp", "exp2", "expm1", "log", "log1p", "log2", "log10", "pow", "hypot", "dist", "cbrt", "erf", "erfc"),
+    *("gamma", "lgamma", "sumprod", "arcsin", "arccos", "arctan", "arctan2", "arcsinh", "arccosh", "arctanh"),
+    *("power", "float_power", "logaddexp", "angle", "unwrap", "sinc", "i0"),
+}
+# What `game.physics.kernels.linear` has in their place.
+FUSED = {
+    f"np.{name}" for name in "dot vdot inner matmul einsum tensordot interp convolve polyfit".split()
+} | {
+    f"np.linalg.{name}"
+    for name in ("solve", "inv", "det", "eigh", "eigvalsh", "eig", "lstsq", "svd", "qr", "pinv")
+}
 # what touches files in physics/ is the kernels' disk cache and nothing else
 MACHINERY = {"physics/kernels/jit.py", "physics/kernels/jit_cache.py", "physics/kernels/jit_sources.py"}
 NOT_IN_PHYSICS = {"time", "datetime", "io", "os", "shutil", "pathlib", "tempfile", "random", "platformdirs"}
@@ -340,6 +363,17 @@ def libm_calls(tree: ast.AST) -> Iterator[str]:
             yield f"{node.lineno}: {ast.unparse(node)}"
 
 
+def blas_calls(tree: ast.AST) -> Iterator[str]:
+    """What of a module numpy would hand to a BLAS, or to sums that a compiler may fuse."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+            yield f"{node.lineno}: {ast.unparse(node)}"
+        elif isinstance(node, ast.Call):
+            name = ast.unparse(node.func)
+            if name in FUSED or (name.endswith(".uniform") and name != "linear.uniform"):
+                yield f"{node.lineno}: {ast.unparse(node)}"
+
+
 def _is_exact(power: ast.BinOp) -> bool:
     """Of two numbers as written: a whole number to a whole power, or a power of two."""
     try:
@@ -357,6 +391,17 @@ def test_no_c_library_decides_a_simulated_number() -> None:
         for where, tree in deciding
         if not where.startswith("physics/kernels/elementary/")
         for found in libm_calls(tree)
+    ]
+    assert wrong == []
+
+
+def test_no_blas_decides_a_simulated_number() -> None:
+    wrong = [
+        f"{where}:{found}"
+        for where, tree in MODULES
+        if decides(where, tree)
+        and floor_of(where) != "lab"  # which weighs and draws, and tells references apart
+        for found in blas_calls(tree)
     ]
     assert wrong == []
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.rigid.free_top import elliptic_functions
 
 MOST_BOUNCES = 10_000  # looked at for one answer
@@ -99,7 +99,7 @@ def bead_positions(start: ArrayLike, frequency: float, time: float) -> NDArray[n
     n = len(start)
     numbers = np.arange(1, n + 1)
     shapes = elementwise.sin(np.outer(numbers, numbers) * (math.pi / (n + 1)))
-    amplitudes = (2.0 / (n + 1)) * (shapes @ start)
+    amplitudes = (2.0 / (n + 1)) * (linear.product(shapes, start))
     swings = elementwise.cos(2.0 * frequency * elementwise.sin(numbers * (0.5 * math.pi / (n + 1))) * time)
-    result: NDArray[np.float64] = shapes @ (amplitudes * swings)
+    result: NDArray[np.float64] = linear.product(shapes, amplitudes * swings)
     return result

@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -42,9 +42,9 @@ class Evolution:
 
     def turn(self, value: Callable[[Array], float]) -> float:
         """One generation: asks for LAMBDA values, moves the mean. Returns the least of them."""
-        lengths, axes = np.linalg.eigh(self._covariance)
+        lengths, axes = linear.eigenvectors(self._covariance)
         lengths = np.sqrt(np.maximum(lengths, 1e-20))
-        steps = self._chance.standard_normal((LAMBDA, len(self.mean))) * lengths @ axes.T
+        steps = linear.product(self._chance.standard_normal((LAMBDA, len(self.mean))) * lengths, axes.T)
         values = [value(self.mean + self._units * self._size * step) for step in steps]
         order = np.argsort(values, kind="stable")[:MU]
         self._turns += 1
@@ -62,9 +62,9 @@ class Evolution:
         )
         damping = 1.0 + 2.0 * max(0.0, math.sqrt((MU_EFF - 1.0) / (n + 1.0)) - 1.0) + for_size
         expected = math.sqrt(n) * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n))
-        step = WEIGHTS @ steps
+        step = linear.product(WEIGHTS, steps)
         self.mean = self.mean + self._units * self._size * step
-        white = axes @ ((axes.T @ step) / lengths)
+        white = linear.product(axes, (linear.product(axes.T, step)) / lengths)
         self._size_path *= 1.0 - for_size
         self._size_path += math.sqrt(for_size * (2.0 - for_size) * MU_EFF) * white
         length = float(np.sqrt((self._size_path * self._size_path).sum()))
@@ -74,5 +74,5 @@ class Evolution:
         self._path += goes_on * math.sqrt(for_path * (2.0 - for_path) * MU_EFF) * step
         self._covariance *= 1.0 - rank_one - rank_mu
         self._covariance += rank_one * np.outer(self._path, self._path)
-        self._covariance += rank_mu * (steps.T * WEIGHTS) @ steps
+        self._covariance += linear.product(rank_mu * (steps.T * WEIGHTS), steps)
         self._size *= elementary.exp(for_size / damping * (length / expected - 1.0))

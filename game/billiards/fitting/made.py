@@ -16,7 +16,7 @@ from game.billiards.fitting.tables import CAROM_MASS, FittedTable
 from game.billiards.fitting.tracks import Track, TrackedShot
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.simulation import simulate_exact
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 
 Array = NDArray[np.float64]
 
@@ -52,14 +52,14 @@ def _make_shot(table: FittedTable, name: str, chance: np.random.Generator, noise
     towards = places[1] - places[0]
     # at most three quarters of the way to a miss, so that the balls meet
     reach = elementary.asin(min(1.0, 1.5 * table.radius / elementary.length(*towards.tolist())))
-    aim = elementary.atan2(towards[1], towards[0]) + chance.uniform(-reach, reach)
-    off, way = TIP * math.sqrt(chance.uniform()), chance.uniform(-math.pi, math.pi)
+    aim = elementary.atan2(towards[1], towards[0]) + linear.uniform(chance, -reach, reach)
+    off, way = TIP * math.sqrt(linear.uniform(chance)), linear.uniform(chance, -math.pi, math.pi)
     stroke = FittedStroke(
         aim,
-        chance.uniform(*SPEEDS),
+        linear.uniform(chance, *SPEEDS),
         off * elementary.cos(way),
         off * elementary.sin(way),
-        chance.uniform(0.0, 0.02),
+        linear.uniform(chance, 0.0, 0.02),
     )
     ready = make_shot(
         table.table, places, radii=table.radius, masses=CAROM_MASS, physics=table.physics, ids=("0", "1", "2")
@@ -74,7 +74,7 @@ def _scattered(table: FittedTable, chance: np.random.Generator) -> Array:
     low = table.radius + AT_CUSHION
     high = np.array([table.size.width, table.size.length]) - low
     while True:
-        places = chance.uniform(low, high, (3, 2))
+        places = linear.uniform(chance, low, high, (3, 2))
         gaps = [elementary.length(*(places[i] - places[j]).tolist()) for i in range(3) for j in range(i)]
         if min(gaps) >= APART:
             return places

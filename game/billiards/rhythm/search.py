@@ -25,7 +25,7 @@ from game.billiards.shot.shot import Physics, Shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -176,7 +176,7 @@ class RhythmSearch:
         for position, velocity in zip(state.positions, state.velocities, strict=True):
             if elementary.length(*velocity) > LEAST_MOVING:
                 path = elementary.atan2(velocity[1], velocity[0])
-                for turn in self._rng.uniform(-WIDEST, WIDEST, DIRECTIONS):
+                for turn in linear.uniform(self._rng, -WIDEST, WIDEST, DIRECTIONS):
                     away = 2.0 * self._candidates.radius
                     place = position + away * np.array(
                         [elementary.cos(path + turn), elementary.sin(path + turn)]
@@ -220,7 +220,7 @@ class RhythmSearch:
         """CHILDREN of each layout: all numbers varied, a few, or one ball alone; by much and by little."""
         count, width = len(self._rows) * CHILDREN, self._rows.shape[1]
         size = np.array([2.0, math.pi, 0.5, 0.5] + [self._table.width, self._table.length] * len(self.beats))
-        spread = size * elementwise.power(10.0, self._rng.uniform(-6.0, -0.5, (count, 1)))
+        spread = size * elementwise.power(10.0, linear.uniform(self._rng, -6.0, -0.5, (count, 1)))
         touched = self._rng.random((count, width)) < self._rng.choice([0.15, 0.5, 1.0], (count, 1))
         ball = self._rng.integers(-STROKE // 2, len(self.beats), count)
         only = np.arange(width)[None, :] // 2 == (ball + STROKE // 2)[:, None]

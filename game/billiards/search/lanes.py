@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.table.table import Table
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 
 Array = NDArray[np.float64]
 
@@ -80,7 +80,7 @@ def gates_of(table: Table) -> Array:
         gates[k, RIGHT_X : RIGHT_Y + 1] = table.jaws[right, :2]
         gates[k, JAW_RADIUS] = table.jaws[left, 2]
         across = table.jaws[left, :2] - table.jaws[right, :2]
-        axis = np.array([across[1], -across[0]]) / np.sqrt(across @ across)
+        axis = np.array([across[1], -across[0]]) / np.sqrt(linear.product(across, across))
         gates[k, AXIS_X : AXIS_Y + 1] = axis
         gates[k, CORNER] = float(abs(axis[0] * axis[1]) > 0.1)
     return gates

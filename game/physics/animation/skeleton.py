@@ -185,7 +185,7 @@ class Skeleton:
         if not np.array_equal(again.world, self.world):
             raise SkeletonError("world: not that of the present angles")
         turn = self.world[:, :2, :2]
-        off = np.abs(turn @ turn.transpose(0, 2, 1) - np.eye(2)).max()
+        off = np.abs((turn[:, :, None, :] * turn[:, None, :, :]).sum(axis=3) - np.eye(2)).max()
         if off > 1e-13 * (self.count + 1):
             raise SkeletonError(f"world: frames are off a rotation by {off:.1e}")
 

@@ -202,7 +202,7 @@ def invert_frames(frames: ArrayLike) -> Array:
     inverse = np.zeros(frames.shape)
     inverse[:, 0, 0], inverse[:, 0, 1] = d / determinant, -b / determinant
     inverse[:, 1, 0], inverse[:, 1, 1] = -c / determinant, a / determinant
-    inverse[:, :2, 2] = -np.einsum("nij,nj->ni", inverse[:, :2, :2], frames[:, :2, 2])
+    inverse[:, :2, 2] = -(inverse[:, :2, :2] * frames[:, None, :2, 2]).sum(axis=2)
     inverse[:, 2, 2] = 1.0
     return inverse
 

@@ -12,7 +12,7 @@ from game.physics.bounds.building import PARENT
 from game.physics.bounds.segments import SCRATCH
 from game.physics.bounds.tree import BoundingTree
 from game.physics.bounds.validation import Array, as_angle, as_vector
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.limits import LimitError
 
@@ -258,8 +258,11 @@ class Query:
         apart = (rows[:, traversal.VERDICT] == traversal.APART) & (rows[:, traversal.TESTED] == 1)
         for k in np.flatnonzero(apart).tolist():
             axis = gaps[k, 1:]
-            mine = a.ends[a.segments_of(rows[k, 0])].reshape(-1, 2) @ axis
-            theirs = (b.ends[b.segments_of(rows[k, 1])].reshape(-1, 2) @ turn + (x, y)) @ axis
+            mine = linear.product(a.ends[a.segments_of(rows[k, 0])].reshape(-1, 2), axis)
+            theirs = linear.product(
+                linear.product(b.ends[b.segments_of(rows[k, 1])].reshape(-1, 2), turn) + np.array((x, y)),
+                axis,
+            )
             assert theirs.min() - mine.max() > 0.0, f"row {k}: not separated by its axis"
 
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from game.physics.bounds.building import BEGIN, CHILD, DEPTH, END, PARENT, fit_scratch, grow_tree
 from game.physics.bounds.fits import ROUNDING, box_of, capsule_of
 from game.physics.bounds.validation import Array, as_angle, as_points, as_step, turns_of
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 
 KINDS = ("obb", "capsule", "aabb")
 FITS = ("search", "refined", "thinnest", "exact")
@@ -100,13 +100,13 @@ class BoundingTree:
         """
         c, s = elementary.cos(as_angle(angle, "angle")), elementary.sin(angle)
         turn = np.array([[c, s], [-s, c]])
-        points = self.points @ turn
+        points = linear.product(self.points, turn)
         if self.kind == "aabb":
             return self._rebuild(points)
         volumes = self.volumes.copy()
         for column in (0, 2):
-            volumes[:, column : column + 2] = self.volumes[:, column : column + 2] @ turn
-        ends = (self.ends.reshape(-1, 2) @ turn).reshape(-1, 4)
+            volumes[:, column : column + 2] = linear.product(self.volumes[:, column : column + 2], turn)
+        ends = (linear.product(self.ends.reshape(-1, 2), turn)).reshape(-1, 4)
         return BoundingTree(
             self.kind, points, self.closed, ends, self.order, volumes, self.links, self.sizes, self._rebuild
         )

@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 from game.physics.kernels.jit import kernel
 
 Array = NDArray[np.float64]
@@ -180,8 +180,8 @@ def quaternion_to_matrix(q: ArrayLike) -> Array:
 def quaternion_from_matrix(matrix: ArrayLike) -> Array:
     """Quaternion (4,), w >= 0, of a rotation matrix (3, 3); ValueError if it is none (to 1e-6)."""
     m = np.array(_numbers("matrix", matrix, 9)).reshape(3, 3)
-    off = np.abs(m @ m.T - np.eye(3)).max()
-    if not off < 1e-6 or np.linalg.det(m) < 0.0:
+    off = np.abs(linear.product(m, m.T) - np.eye(3)).max()
+    if not off < 1e-6 or linear.determinant(m) < 0.0:
         raise ValueError("matrix: is not a rotation")
     return np.array(normalize(quaternion_of(tuple(m.reshape(-1).tolist()))))
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.solids.outlines import LARGEST
 from game.physics.solids.shapes import (
     Part,
@@ -215,5 +215,5 @@ def _core(part: Part) -> float:
     if part.kind == SEGMENT:
         return 0.0
     normals = outward_normals(part.kind, part.corners)
-    heights = (normals * part.corners).sum(axis=1)[:, None] - normals @ part.corners.T
+    heights = (normals * part.corners).sum(axis=1)[:, None] - linear.product(normals, part.corners.T)
     return part.radius + 0.5 * float(heights.max(axis=1).min())

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.physics.kernels import linear
 from game.physics.solids.settings import Numbers
 from game.physics.solids.state import DYNAMIC, Bodies
 
@@ -34,5 +35,5 @@ def energy_of(bodies: Bodies, numbers: Numbers) -> Energy:
         + inertia * (bodies.spins[rows] * bodies.spins[rows])
     )
     pull = np.array([numbers.gravity_x, numbers.gravity_y])
-    height = -(bodies.gravity_scales[rows] * mass * (bodies.positions[rows] @ pull))
+    height = -(bodies.gravity_scales[rows] * mass * (linear.product(bodies.positions[rows], pull)))
     return Energy(float(kinetic.sum()), float(height.sum()))

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementwise
+from game.physics.kernels import elementwise, linear
 from game.physics.solids import memory
 from game.physics.solids.joints.layout import NO_JOINT, Joints
 from game.physics.solids.state import DYNAMIC, NONE, SEGMENT, USED, Bodies, Contacts, Pool, Shapes
@@ -109,7 +109,7 @@ class SolidStore:
             local = local[1:3]
         body = int(self.shapes.bodies[shape])
         c, s = self.bodies.rotations[body].tolist()
-        turned: Floats = local @ np.array([[c, s], [-s, c]]) + self.bodies.positions[body]
+        turned: Floats = linear.product(local, np.array([[c, s], [-s, c]])) + self.bodies.positions[body]
         return turned
 
     def local(self, body: int, point: tuple[float, float]) -> tuple[float, float]:

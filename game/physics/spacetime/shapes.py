@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 
 Floats = NDArray[np.float64]
 KINDS = ("star", "comb", "letter", "coast")
@@ -48,7 +48,9 @@ def _coast(variant: int) -> Floats:
     radii = np.ones(COAST_CORNERS)
     for wave in range(2, 17):
         radii += (
-            0.42 / elementary.pow(wave, 0.9) * elementwise.cos(wave * turns + chance.uniform(0.0, math.tau))
+            0.42
+            / elementary.pow(wave, 0.9)
+            * elementwise.cos(wave * turns + linear.uniform(chance, 0.0, math.tau))
         )
     radii = np.maximum(radii, 0.25)
     return np.stack([radii * elementwise.cos(turns), radii * elementwise.sin(turns)], axis=1)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.physics.constraints.effects import CONTACTS
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.spacetime.effects import SPACE_TIME, TIMED
 from game.physics.spacetime.exact import exact_distance
 from game.physics.spacetime.motion import (
@@ -205,7 +205,10 @@ class TimedWorld:
         """Corners (k, 2) of a body where it is, m."""
         first, count = self.spans[i].tolist()
         x, y, c, s = self.poses[i].tolist()
-        return np.asarray(self.outlines[first : first + count] @ np.array(((c, s), (-s, c))) + (x, y))
+        return np.asarray(
+            linear.product(self.outlines[first : first + count], np.array(((c, s), (-s, c))))
+            + np.array((x, y))
+        )
 
     def queue(self) -> list[tuple[float, int, int]]:
         """The queue: (s from now, i, j), soonest first."""

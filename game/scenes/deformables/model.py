@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from game.physics.constraints import PositionState
 from game.physics.deformables import Counts, Mesh, Pushing, SoftBodies, store_of
 from game.physics.effects import EffectSet
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 from game.scenes.deformables.level import WIDTH, Body, DeformablesContent
 from game.scenes.deformables.parameters import DeformablesParameters
 from game.stage import Part
@@ -38,7 +38,7 @@ class DeformablesModel(Part):
                     )
                 )
                 meshes.append(Mesh(mesh.points, mesh.triangles))
-                places.append(start @ turn.T + (x, y))
+                places.append(linear.product(start, turn.T) + np.array((x, y)))
                 masses.append(weights)
                 speeds.append(np.broadcast_to(body.velocity, mesh.points.shape))
         store, rest = store_of(meshes)

@@ -9,7 +9,7 @@ from game.lab.studies.motion import chain_study
 from game.physics.constraints import LINKS
 from game.physics.effects import EffectSet
 from game.physics.integrators import METHODS, integrate
-from game.physics.kernels import elementwise
+from game.physics.kernels import elementwise, linear
 from game.physics.oscillators import bead_positions, spring_pull
 from game.scenes.examples import SPRING_CHAIN
 from game.scenes.examples.figure import draw_modes
@@ -69,7 +69,7 @@ class SpringChain(Scene):
             self.held = -1
         elif self.held >= 0:
             knots = [-1, self.held, self.count], [0.0, float(np.clip(event.y, -2.0, 2.0)), 0.0]
-            self.chain.beads[:], self.chain.rates[:] = np.interp(np.arange(self.count), *knots), 0.0
+            self.chain.beads[:], self.chain.rates[:] = linear.interpolated(np.arange(self.count), *knots), 0.0
             self.free = self.chain.beads.tolist(), self.time
 
     def effects_changed(self):
@@ -86,7 +86,10 @@ class SpringChain(Scene):
     def readouts(self):
         beads, rates = self.chain
         springs = np.diff(beads, prepend=0.0, append=0.0)
-        energy, error = 0.5 * (rates @ rates + self.stiffness * springs @ springs), beads - self.exact()
+        energy, error = (
+            0.5 * (linear.product(rates, rates) + linear.product(self.stiffness * springs, springs)),
+            beads - self.exact(),
+        )
         return [Readout("error", float(np.abs(error).max()), "m"), Readout("energy", float(energy), "J/kg")]
 
     def draw(self, canvas, alpha):

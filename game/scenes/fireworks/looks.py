@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 
 SHADES = 64  # of a kind over its life
 Rgb = tuple[float, float, float]  # 0 to 1
@@ -117,6 +117,8 @@ def shades_of(look: LookOf) -> NDArray[np.float64]:
     """(SHADES, 3) red, green and blue, 0 to 255, over the life."""
     at = np.linspace(0.0, 1.0, SHADES)
     shares = [stop[0] for stop in look.stops]
-    strength = np.interp(at, shares, [stop[2] for stop in look.stops])
-    channels = [np.interp(at, shares, [stop[1][c] for stop in look.stops]) * strength for c in range(3)]
+    strength = linear.interpolated(at, shares, [stop[2] for stop in look.stops])
+    channels = [
+        linear.interpolated(at, shares, [stop[1][c] for stop in look.stops]) * strength for c in range(3)
+    ]
     return 255.0 * np.stack(channels, axis=1)

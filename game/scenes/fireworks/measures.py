@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.physics.fields import QUADRATIC_DRAG
 from game.physics.generations import BURNING
 from game.physics.generations.step import BORN, VX, VY, X, Y
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.shells import HEADS, SHELLS
 
@@ -41,7 +41,7 @@ def reach_of(speed: float, drag: float, burnt: float, age: float) -> float:
     weights = np.full(len(t), 2.0)
     weights[1::2] = 4.0
     weights[0] = weights[-1] = 1.0
-    return float(np.dot(weights, v)) * float(t[1]) / 3.0
+    return float(linear.product(weights, v)) * float(t[1]) / 3.0
 
 
 def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:

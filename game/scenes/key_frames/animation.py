@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from game.physics.animation import Easing, Keyframes, PiecewiseCubic, Playback
 from game.physics.effects import EffectSet
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.key_frames.editing import AUTOMATIC, as_rows
 from game.scenes.key_frames.level import Motion
 
@@ -80,7 +80,7 @@ class Animation:
             heading = float(self.playback.heading(part))
             return speed * np.array([elementwise.cos(heading), elementwise.sin(heading)])
         rate = self.track.rate(float(self.playback.key_times(part)))[:2]
-        size = float(np.sqrt(rate @ rate))
+        size = float(np.sqrt(linear.product(rate, rate)))
         return rate * (speed / size) if size > 0.0 else np.zeros(2)
 
     def handles(self) -> Array:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementwise
+from game.physics.kernels import elementwise, linear
 
 Floats = NDArray[np.float64]
 
@@ -23,7 +23,7 @@ def simplified(points: Floats, tolerance: float) -> Floats:
         between = points[first + 1 : last] - a
         length = float(elementwise.hypot(*way))
         if length > 0.0:
-            along = np.clip(between @ way / (length * length), 0.0, 1.0)
+            along = np.clip(linear.product(between, way) / (length * length), 0.0, 1.0)
             away = elementwise.hypot(*(between - along[:, None] * way).T)
         else:
             away = elementwise.hypot(*between.T)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 from game.physics.solids import Capsule, Chain, Disc, Material, Polygon, SolidWorld
 from game.physics.solids.joints.layout import (
     ANGLE,
@@ -81,7 +81,7 @@ def _shape(entry: ShapeEntry, material: Material) -> Shape:
     corners = np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
     c, s = elementary.cos(math.radians(entry.angle)), elementary.sin(math.radians(entry.angle))
     if entry.angle:
-        corners = corners @ np.array([[c, s], [-s, c]])
+        corners = linear.product(corners, np.array([[c, s], [-s, c]]))
     return Polygon(corners + entry.at, entry.radius, material)
 
 

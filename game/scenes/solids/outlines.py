@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementwise
+from game.physics.kernels import elementwise, linear
 from game.physics.solids.state import DISC, NONE, SEGMENT, Pool, Shapes
 from game.scenes.solids.cutting import rounded_outline
 
@@ -75,7 +75,7 @@ def _bevel(corners: Floats) -> tuple[Floats, Floats]:
     lengths = elementwise.hypot(edges[:, 0], edges[:, 1])[:, None]
     normals = np.stack([edges[:, 1], -edges[:, 0]], axis=1) / np.where(lengths > 0.0, lengths, 1.0)
     before = np.roll(normals, 1, axis=0)
-    heights = corners @ normals.T
+    heights = linear.product(corners, normals.T)
     width = float((heights.max(axis=0) - heights.min(axis=0)).min())
     inset = min(BEVEL * width, MOST_BEVEL)
     share = np.maximum(1.0 + (normals * before).sum(axis=1), 0.3)[:, None]

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.solids.level import (
     GROUND,
     ArchEntry,
@@ -180,8 +180,8 @@ def _pegs(entry: PegEntry) -> Iterator[BodyEntry]:
 def _heap(entry: HeapEntry, chance: np.random.Generator) -> Iterator[BodyEntry]:
     (x0, y0), (x1, y1) = entry.low, entry.high
     for k in range(entry.count):
-        place = (float(chance.uniform(x0, x1)), float(chance.uniform(y0, y1)))
-        size, turn = float(chance.uniform(*entry.size)), float(chance.uniform(-180.0, 180.0))
+        place = (float(linear.uniform(chance, x0, x1)), float(linear.uniform(chance, y0, y1)))
+        size, turn = float(linear.uniform(chance, *entry.size)), float(linear.uniform(chance, -180.0, 180.0))
         disc = entry.form == "disc" or (entry.form == "mixed" and k % 2 == 0)
         shape = ShapeEntry(disc=size) if disc else ShapeEntry(box=(2.0 * size, 2.0 * size))
         yield BodyEntry(shapes=(shape,), position=place, angle=turn, **material_of(entry))

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 from game.physics.spheres.settings import Surroundings, Tables, material_tables, surroundings_of
 from game.physics.spheres.spheres import SphereBodies
 from game.scenes.spheres.level import MOST_SPHERES, WALL, CollisionContent, CradleEntry, HeapEntry, RackEntry
@@ -186,9 +186,9 @@ def _heap(content: CollisionContent, heap: HeapEntry, random: np.random.Generato
     for row in range(heap.rows):
         here = layers[row * len(layers) // heap.rows] if layers else kind
         for column in range(heap.columns):
-            x = heap.corner[0] + heap.spacing * (column + 0.5) + space * random.uniform(-1.0, 1.0)
-            y = heap.corner[1] + heap.spacing * (row + 0.5) + space * random.uniform(-1.0, 1.0)
-            radius = heap.radius * (1.0 - heap.odd * random.uniform())
+            x = heap.corner[0] + heap.spacing * (column + 0.5) + space * linear.uniform(random, -1.0, 1.0)
+            y = heap.corner[1] + heap.spacing * (row + 0.5) + space * linear.uniform(random, -1.0, 1.0)
+            radius = heap.radius * (1.0 - heap.odd * linear.uniform(random))
             found.append(_Row(x, y, radius, here))
     return found
 

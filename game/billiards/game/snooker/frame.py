@@ -31,7 +31,7 @@ from game.billiards.table.snooker import (
     touching,
 )
 from game.billiards.table.table import Table
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 
 TIP_CONTACT_S = 0.001  # s that a tip stays at the ball (Alciatore: 1 to 2 ms, from memory)
 FINE_EDGE = math.radians(75.0)  # a cut so thin is the fine edge that 2.19(b) lets pass
@@ -197,7 +197,7 @@ def pushes(trajectory: Trajectory, places: Places) -> bool:
     velocity = trajectory.shot.balls[cue, 2:4]
     line = trajectory.shot.positions[other] - trajectory.shot.positions[cue]
     size = elementary.length(*velocity) * elementary.length(*line)
-    return size > 0.0 and float(velocity @ line) / size > elementary.cos(FINE_EDGE)
+    return size > 0.0 and float(linear.product(velocity, line)) / size > elementary.cos(FINE_EDGE)
 
 
 def nearest_gap(trajectory: Trajectory, on: tuple[int, ...]) -> float:

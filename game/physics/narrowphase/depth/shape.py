@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.narrowphase.depth.grid import overlap_of
 from game.physics.narrowphase.depth.sums import Parts
 
@@ -42,7 +42,7 @@ class Shape:
         middle = pieces[:, 1:3].sum(axis=0) / self.area
         self.centroid: Floats = middle + anchor
         self.corners: Floats = corners - middle
-        polar = float(pieces[:, 3].sum()) / self.area - float(middle @ middle)
+        polar = float(pieces[:, 3].sum()) / self.area - float(linear.product(middle, middle))
         self.gyration = math.sqrt(max(polar, 0.0))
         far = elementwise.hypot(*self.corners.T)
         self.reaches: Floats = np.maximum.reduceat(far, self.starts[:-1])
@@ -71,7 +71,7 @@ class Shape:
 
     def placed(self, x: float, y: float, angle: float) -> list[Floats]:
         """The corners (n, 2) m of each part, the centroid at (x, y) m, turned by ``angle`` rad."""
-        turned = self.corners @ _turn(angle) + (x, y)
+        turned = linear.product(self.corners, _turn(angle)) + np.array((x, y))
         return np.split(turned, self.starts[1:-1])
 
     def norm(self, x: float, y: float, angle: float) -> float:
@@ -125,7 +125,7 @@ def _moments(part: Floats) -> tuple[float, float, float, float]:
     u, v = part[1:-1] - root, part[2:] - root
     areas = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
     area = float(areas.sum())
-    first = areas @ (u + v) / 3.0
-    second = float(areas @ (np.sum(u * u + v * v + u * v, axis=1))) / 6.0
-    polar = second + 2.0 * float(root @ first) + area * float(root @ root)
+    first = linear.product(areas, u + v) / 3.0
+    second = float(linear.product(areas, np.sum(u * u + v * v + u * v, axis=1))) / 6.0
+    polar = second + 2.0 * float(linear.product(root, first)) + area * float(linear.product(root, root))
     return area, float(first[0] + area * root[0]), float(first[1] + area * root[1]), polar

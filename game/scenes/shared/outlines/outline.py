@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, linear
 
 Point = tuple[float, float]
 HANDLE_SHARE = 0.55  # of an outline's size, where its handle for turning is
@@ -28,7 +28,7 @@ def placed(outline: Outline) -> NDArray[np.float64]:
     """Corners (n, 2) in the world, m."""
     points = np.array(outline.points).reshape(-1, 2)
     c, s = elementary.cos(outline.angle), elementary.sin(outline.angle)
-    return points @ np.array([[c, s], [-s, c]]) + outline.position
+    return linear.product(points, np.array([[c, s], [-s, c]])) + outline.position
 
 
 def outline_through(corners: Sequence[Point], closed: bool) -> Outline:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from game.billiards.table.aim import first_contact
 from game.billiards.table.rack import HEAD_SPOT
 from game.billiards.table.table import Table
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -28,7 +28,7 @@ def scattered_orientations(count: int, seed: int) -> Array:
     """Unit quaternions (count, 4) of balls with their numbers up, as the table is drawn, a little tilted."""
     random = np.random.default_rng((seed, count))
     axes = random.normal(size=(count, 3))
-    halves = random.uniform(0.1, 0.35, count)
+    halves = linear.uniform(random, 0.1, 0.35, count)
     x, y, z = (elementwise.sin(halves) * axes.T) / np.sqrt((axes * axes).sum(axis=1))
     w, quarter = (
         elementwise.cos(halves),
@@ -92,15 +92,15 @@ def _pot(
 ) -> tuple[float, float, float] | None:
     """Difficulty, aim and speed of sending a ball straight into a pocket; None if the path is not open."""
     path = pocket[:2] - positions[ball]
-    distance = math.sqrt(float(path @ path))
+    distance = math.sqrt(float(linear.product(path, path)))
     if distance < 1e-6:
         return None
     ghost = positions[ball] - path / distance * (radii[0] + radii[ball])
     run = ghost - positions[0]
-    length = math.sqrt(float(run @ run))
+    length = math.sqrt(float(linear.product(run, run)))
     if length < 1e-6:
         return None
-    cosine = float(run @ path) / (length * distance)
+    cosine = float(linear.product(run, path)) / (length * distance)
     if cosine < elementary.cos(STEEPEST_CUT):
         return None
     aim = _bearing(positions[0], ghost)

@@ -18,7 +18,7 @@ from game.billiards.laws.state import (
     BALL_POCKET,
 )
 from game.billiards.shot.paths import Paths
-from game.physics.kernels import elementary, elementwise
+from game.physics.kernels import elementary, elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -146,8 +146,12 @@ def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]
         return 0.0
     along = approach[-1] - approach[-2]
     normal = np.array(place) - ghost
-    size = math.sqrt(float(along @ along) * float(normal @ normal))
-    return elementary.acos(min(max(float(along @ normal) / size, -1.0), 1.0)) if size > 0.0 else 0.0
+    size = math.sqrt(float(linear.product(along, along)) * float(linear.product(normal, normal)))
+    return (
+        elementary.acos(min(max(float(linear.product(along, normal)) / size, -1.0), 1.0))
+        if size > 0.0
+        else 0.0
+    )
 
 
 def _length(points: Array) -> float:
