@@ -91,10 +91,14 @@ TRANSCENDENTAL = {  # as math and numpy have them
 }
 # What `game.physics.kernels.linear` has in their place.
 FUSED = {
-    f"np.{name}" for name in "dot vdot inner matmul einsum tensordot interp convolve polyfit".split()
-} | {
-    f"np.linalg.{name}"
-    for name in ("solve", "inv", "det", "eigh", "eigvalsh", "eig", "lstsq", "svd", "qr", "pinv")
+    *(
+        f"np.{name}"
+        for name in ("dot", "vdot", "inner", "matmul", "einsum", "tensordot", "interp", "convolve")
+    ),
+    *(
+        f"np.linalg.{name}"
+        for name in ("solve", "inv", "det", "eig", "eigh", "eigvalsh", "lstsq", "svd", "qr")
+    ),
 }
 # what touches files in physics/ is the kernels' disk cache and nothing else
 MACHINERY = {"physics/kernels/jit.py", "physics/kernels/jit_cache.py", "physics/kernels/jit_sources.py"}
