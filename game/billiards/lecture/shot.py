@@ -60,6 +60,7 @@ from game.billiards.shot.sampled import (
 )
 from game.billiards.shot.shot import Shot
 from game.billiards.table.table import Table, checked_table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -74,7 +75,7 @@ def friction_factor(rolling: float, gravity: float) -> float:
 
     With the factor f the speed falls as f^(60 t), so f = (v_min/v)^(1/(60 t)) where t = v/(mu_r g).
     """
-    return (MINIMUM / REFERENCE_SPEED) ** (rolling * gravity / (FRAME_RATE * REFERENCE_SPEED))
+    return elementary.pow(MINIMUM / REFERENCE_SPEED, rolling * gravity / (FRAME_RATE * REFERENCE_SPEED))
 
 
 def lecture_settings_for(

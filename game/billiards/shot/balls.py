@@ -11,6 +11,7 @@ from game.billiards.laws.contacts import CUSHION_MODELS, RESTITUTION
 from game.billiards.laws.state import MOTIONS, POCKETED, ROLLING, SPINNING, STATIONARY
 from game.billiards.shot.physics import Physics, ShotError
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -61,8 +62,8 @@ def _check_motion(i: int, row: list[float]) -> None:
     if motion == STATIONARY and wz != 0.0:
         raise ShotError(f"balls[{i}].motion: stationary, but it spins about z")
     if motion == ROLLING:
-        slip = math.hypot(vx - radius * wy, vy + radius * wx)
-        if slip > 1e-6 * (1.0 + math.hypot(vx, vy)):
+        slip = elementary.hypot(vx - radius * wy, vy + radius * wx)
+        if slip > 1e-6 * (1.0 + elementary.hypot(vx, vy)):
             raise ShotError(
                 f"balls[{i}].spin: a rolling ball has spin (-vy/R, vx/R), this one slips at {slip:.3g} m/s"
             )
@@ -73,6 +74,6 @@ def _check_overlap(balls: Array) -> None:
     for place, i in enumerate(present):
         for j in present[:place]:
             reach = 2.0 * math.sqrt(balls[i, 7] * balls[j, 7])
-            gap = math.hypot(balls[i, 0] - balls[j, 0], balls[i, 1] - balls[j, 1]) - reach
+            gap = elementary.hypot(balls[i, 0] - balls[j, 0], balls[i, 1] - balls[j, 1]) - reach
             if gap < -OVERLAP:
                 raise ShotError(f"balls[{j}] and balls[{i}] overlap by {-gap:.3g} m")

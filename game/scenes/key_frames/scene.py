@@ -11,6 +11,7 @@ import numpy as np
 from game.lab.studies.animation.keyframing import keyframing_study
 from game.levels import Level
 from game.physics.animation import CONSTANT_SPEED, EASING, CubicBezier, Easing, Keyframes
+from game.physics.kernels import elementary
 from game.scenes.key_frames import C01
 from game.scenes.key_frames.commands import take_action
 from game.scenes.key_frames.figure import draw_casteljau
@@ -190,7 +191,7 @@ class KeyFraming(ModelScene):
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
         times, values = np.arange(3.0), np.eye(3)
-        path = CubicBezier(np.arange(8.0).reshape(4, 2) ** 2)
+        path = CubicBezier(elementary.square(np.arange(8.0).reshape(4, 2)))
 
         def sample(name: str) -> Any:
             track = Keyframes(times, values, name)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
 from game.scenes.metal.level import MOST_BALLS, MOST_TRACKS, BallEntry
@@ -67,7 +66,7 @@ class MetalHand(Part):
         rows = self.model.riders.balls.rows
         if not len(rows):
             return NOBODY
-        away = np.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
+        away = elementwise.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
         away[~self.model.there()] = math.inf
         return int(away.argmin()) if away.min() < self.reach else NOBODY
 
@@ -108,8 +107,8 @@ class MetalHand(Part):
             self.model.hold(self.held, point)
         elif self.sized != NOBODY:
             centre = self.model.riders.balls.rows[self.sized, X : Y + 1].tolist()
-            self.model.resize(self.sized, min(max(math.dist(centre, point), LEAST), LARGEST))
-        elif self.path and math.dist(point, self.path[-1]) > 0.3 * self.reach:
+            self.model.resize(self.sized, min(max(elementary.dist(centre, point), LEAST), LARGEST))
+        elif self.path and elementary.dist(point, self.path[-1]) > 0.3 * self.reach:
             self.path.append(point)
         elif self.bent != NOBODY:
             return self._bend(before, point)

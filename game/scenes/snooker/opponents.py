@@ -11,6 +11,7 @@ from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.shot.cue import strike as struck_ball
 from game.billiards.table.snooker import COLOURS
+from game.physics.kernels import elementwise, linear
 from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.demo_shots import choose_stroke
 from game.scenes.shared.tables.opponents import TableOpponents, check_option
@@ -61,8 +62,8 @@ def simple_stroke(frame: SnookerFrame, seed: int) -> tuple[Stroke, Call]:
     in_play = np.array([number == CUE_BALL or number in on for number in layout.numbers])
     chosen = choose_stroke(layout.positions, layout.radii, in_play, frame.table, seed, 1)
     offset = layout.positions - layout.positions[0]
-    along = offset @ (np.cos(chosen.aim), np.sin(chosen.aim))
-    across = np.abs(offset @ (-np.sin(chosen.aim), np.cos(chosen.aim)))
+    along = linear.product(offset, (elementwise.cos(chosen.aim), elementwise.sin(chosen.aim)))
+    across = np.abs(linear.product(offset, (-elementwise.sin(chosen.aim), elementwise.cos(chosen.aim))))
     rows = [
         k for k in range(1, len(along)) if along[k] > 0.0 and across[k] < 2.0 * layout.radii[k] and in_play[k]
     ]

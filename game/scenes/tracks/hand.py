@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
 from game.scenes.shared.rails.curves import NOBODY, bent, drawn, nearest_curve
@@ -59,7 +56,7 @@ class TrackHand(Part):
     def ball_at(self, point: Point) -> int:
         """The ball under a point, or NOBODY."""
         rows = self.model.world.balls.rows
-        away = np.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
+        away = elementwise.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
         return int(away.argmin()) if len(rows) and away.min() < self.reach else NOBODY
 
     def track_at(self, point: Point) -> int:
@@ -100,7 +97,7 @@ class TrackHand(Part):
         self.point = point
         if self.held != NOBODY:
             self.model.hold(self.held, point)
-        elif self.path and math.dist(point, self.path[-1]) > 0.1 * self.reach:
+        elif self.path and elementary.dist(point, self.path[-1]) > 0.1 * self.reach:
             self.path.append(point)
         elif self.bent != NOBODY:
             return self._bend(before, point)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from game.physics.kernels import elementwise
 from game.physics.solids.tracks import Curve
 from game.scenes.shared.rails.level import Point
 from game.scenes.shared.simplify import simplified
@@ -24,9 +25,11 @@ def nearest_curve(curves: Sequence[Curve], point: Point, reach: float) -> int:
         points = np.asarray(curve.points)
         starts = points if curve.closed else points[:-1]
         along = (np.roll(points, -1, axis=0) if curve.closed else points[1:]) - starts
-        at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300)
+        at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum(
+            (along * along).sum(axis=1), 1e-300
+        )
         near = starts + np.clip(at, 0.0, 1.0)[:, None] * along
-        away = float(np.hypot(*(near - point).T).min())
+        away = float(elementwise.hypot(*(near - point).T).min())
         if away < best:
             best, found = away, k
     return found
@@ -35,14 +38,14 @@ def nearest_curve(curves: Sequence[Curve], point: Point, reach: float) -> int:
 def bent(curve: Curve, before: Point, point: Point, width: float) -> Curve:
     """A curve whose points have followed the hand, the nearer the farther; ``width``: m, of the bend."""
     points = np.array(curve.points, dtype=np.float64)
-    away = np.hypot(*(points - before).T) / width
-    points += np.exp(-(away**2))[:, None] * (np.array(point) - np.array(before))
+    away = elementwise.hypot(*(points - before).T) / width
+    points += elementwise.exp(-(away * away))[:, None] * (np.array(point) - np.array(before))
     return Curve(points, curve.closed, curve.corner)
 
 
 def drawn(path: Sequence[Point], reach: float, most: int | None = None) -> Curve | None:
     """The curve of a hand's path, of at most so many points; None if it is too short to be one."""
     points = simplified(np.array(path), EXACT * reach)[:most]
-    if len(points) < 2 or float(np.hypot(*np.diff(points, axis=0).T).sum()) < SHORTEST * reach:
+    if len(points) < 2 or float(elementwise.hypot(*np.diff(points, axis=0).T).sum()) < SHORTEST * reach:
         return None
     return Curve(points, corner=CORNER)
