@@ -220,7 +220,8 @@ class TimedWorld:
         """Pairs whose outlines meet although their next possible time of contact is still to come."""
         found = 0
         for ahead, i, j in self.queue():
-            far = elementary.dist(self.fields[X : Y + 1, i], self.fields[X : Y + 1, j])
+            away = self.fields[X : Y + 1, i] - self.fields[X : Y + 1, j]
+            far = elementary.hypot(away[0], away[1])
             if ahead > 0.0 and far < self.makes[i, SIZE] + self.makes[j, SIZE]:
                 found += self.exact(i, j) == 0.0
         return found
