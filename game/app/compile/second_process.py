@@ -16,9 +16,11 @@ PATIENCE_S = 1.0
 def start_quietly(command: Sequence[str], **options: Any) -> subprocess.Popen[Any] | None:
     """Start it without a screen or sound card; None on one core, or where it cannot be started.
 
-    ``options`` go to `subprocess.Popen`; what is not said otherwise is neither read nor written.
+    ``options`` go to `subprocess.Popen`; what is not said otherwise is neither read nor written. In a frozen
+    application ``sys.executable`` is the application: only if it says that it runs modules is it started.
     """
-    if (os.cpu_count() or 1) < 2 or getattr(sys, "frozen", False):
+    frozen = getattr(sys, "frozen", False) and not getattr(sys, "runs_modules", False)
+    if (os.cpu_count() or 1) < 2 or frozen:
         return None
     streams: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
     environment = {**os.environ, "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}

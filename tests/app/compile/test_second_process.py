@@ -28,3 +28,13 @@ def test_what_was_never_started_needs_no_end(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: 1 / 0)
     assert start_quietly((sys.executable, "-c", "pass")) is None
     end(None)
+
+
+@pytest.mark.parametrize("runs_modules", (False, True))
+def test_a_frozen_application_is_started_only_if_it_runs_modules(monkeypatch, runs_modules: bool):
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    monkeypatch.setattr(sys, "runs_modules", runs_modules, raising=False)
+    process = start_quietly((sys.executable, "-c", "pass"))
+    assert (process is not None) is runs_modules
+    end(process)
