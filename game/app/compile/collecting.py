@@ -29,6 +29,7 @@ from game.ui.look.theme import DARK
 
 STEPS = 24  # of each level: its demo begins by then
 FEW_STEPS = 2  # of a scene without one of its effects
+LONG_STEPS = 240  # of the scene as it opens, with its own players and pictures on the way
 
 
 def collect_scene(entry: Entry) -> list[str]:
@@ -41,12 +42,15 @@ def collect_scene(entry: Entry) -> list[str]:
     def attempt(name: str, steps: int, opening: Opening) -> None:
         try:
             stage = opening.make_stage(scene_type)
-            Script(stage, demo_of(scene_type)).run(steps)
-            _draw(stage, look)
+            script = Script(stage, demo_of(scene_type), players=steps == LONG_STEPS)
+            for done in range(0, steps, STEPS):
+                script.run(min(STEPS, steps - done))
+                _draw(stage, look)
         except Exception as error:  # a scene's own code may raise anything
             trouble.append(f"{name}: {type(error).__name__}: " + " ".join(str(error).split()))
 
     compile_scene(entry)
+    attempt("as it opens", LONG_STEPS, Opening())
     for file in level_files(entry.name):
         attempt(file.stem, STEPS, Opening(level=file))
     for story in stories_of(scene_type):
