@@ -2,7 +2,7 @@
 
     python .ci/cold_start.py [--runs 3] [--kept] [--at-most MENU_S BILLIARDS_S] [--compiled-at-most N]
 
-Beside the times of the clock stands the CPU time of the whole, which a busy machine does not lengthen as much.
+Beside the times of the clock stands the CPU time of the whole, which a busy machine hardly lengthens.
 Each run is a process of its own with an empty cache folder and an empty home (``--kept``: those of the run
 before, so the first is cold and the others are warm). It opens the menu, opens billiards from it, and breaks
 off by mouse. It measures the Carom that the Python it is called with has, in the folder it is called from.
@@ -118,7 +118,9 @@ def main() -> int:
             print(" ".join(f"{key} {value}" for key, value in found[-1].items()), flush=True)
     if options.json:
         Path(options.json).write_text(json.dumps(found))
-    best = {key: min(run.get(key, LIMIT_S) for run in found) for key in ("menu", "billiards", "cpu", "compiled")}
+    best = {
+        key: min(run.get(key, LIMIT_S) for run in found) for key in ("menu", "billiards", "cpu", "compiled")
+    }
     print(" ".join(f"least {key} {value}" for key, value in best.items()))
     late = options.at_most and any(
         best[key] > most for key, most in zip(("menu", "billiards"), options.at_most, strict=True)

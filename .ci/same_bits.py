@@ -35,7 +35,9 @@ def selftest(name: str, scenes: list[str], more: dict[str, str]) -> bool:
 
 def main() -> int:
     """Status 1 if a digest is another."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("scenes", nargs="*", default=SAMPLE)
     parser.add_argument("--plain", nargs="*", default=PLAIN)
     options = parser.parse_args()

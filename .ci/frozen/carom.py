@@ -1,4 +1,4 @@
-"""The frozen application's beginning: Carom itself, or with ``-m`` one of its modules, as its own Python would.
+"""The frozen application's beginning: Carom itself, or with ``-m`` one of its modules, as Python would.
 
 Second processes are started as ``sys.executable -m game...``; here that is this program.
 """

@@ -258,7 +258,7 @@ class Billiards(Scene):
 
 
 def _warm_up(scene: Billiards) -> None:
-    """Play one stroke, so that all kernels of the table are compiled, those that turn rolling balls as well."""
+    """Play one stroke and look at it, so that all kernels of the table are compiled."""
     scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call(), practised=False)
     for _ in range(100):
         scene.advance(0.02)

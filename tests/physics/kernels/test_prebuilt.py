@@ -1,4 +1,4 @@
-"""Machine code that came with Carom: taken where it fits and is sound, and never where somebody could change it.
+"""Machine code that came with Carom: taken where it fits and is sound, never where others could change it.
 
 As in test_jit.py, processes run a small copy of the package; here its kernels are packed into it.
 """
