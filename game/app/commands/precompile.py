@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from game.app.commands import given, output
+from game.app.compile.second_process import with_this_game
 from game.app.window.mistake import MistakeError
 from game.app.window.words import say
 
@@ -116,7 +117,7 @@ def _start(names: Sequence[str]) -> subprocess.Popen[str]:
     from game.physics.kernels.prebuilt import GENERIC, VARIABLE
 
     environment = {
-        **os.environ,
+        **with_this_game(),
         "NUMBA_CPU_NAME": GENERIC[0], "NUMBA_CPU_FEATURES": GENERIC[1],
         "NUMBA_DISABLE_INTEL_SVML": "1",  # a library that another machine need not have
         "NUMBA_DISABLE_JIT": "0", VARIABLE: "0",

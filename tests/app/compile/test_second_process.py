@@ -6,6 +6,7 @@ import threading
 
 import pytest
 
+import game
 from game.app.compile import second_process
 from game.app.compile.second_process import end, start_quietly
 
@@ -38,3 +39,15 @@ def test_a_frozen_application_is_started_only_if_it_runs_modules(monkeypatch, ru
     process = start_quietly((sys.executable, "-c", "pass"))
     assert (process is not None) is runs_modules
     end(process)
+
+
+def test_it_is_of_the_same_carom_whatever_lies_in_the_folder(monkeypatch, tmp_path):
+    """A stranger's package of that name would be run, and another version's kernels be compiled."""
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "game").mkdir()
+    (tmp_path / "game" / "__init__.py").write_text("raise SystemExit('a stranger')")
+    code = "import game; print(game.__file__)"
+    process = start_quietly((sys.executable, "-c", code), stdout=subprocess.PIPE, text=True)
+    assert process is not None
+    assert process.communicate(timeout=60)[0].strip() == game.__file__
