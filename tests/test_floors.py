@@ -66,6 +66,40 @@ FOLDERS = {
         "commands",
     ),
 }
+# What decides simulated numbers, by no C library's functions but `physics.kernels.elementary`:
+# these floors, and of the scenes whatever does not draw.
+DECIDING = ("physics", "billiards", "levels", "lab", "stage")
+TRANSCENDENTAL = {  # as math and numpy have them
+    *(
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sinh",
+        "cosh",
+        "tanh",
+        "asinh",
+        "acosh",
+        "atanh",
+    ),
+    *("exp", "exp2", "expm1", "log", "log1p", "log2", "log10", "pow", "hypot", "dist", "cbrt", "erf", "erfc"),
+    *("gamma", "lgamma", "sumprod", "arcsin", "arccos", "arctan", "arctan2", "arcsinh", "arccosh", "arctanh"),
+    *("power", "float_power", "logaddexp", "angle", "unwrap", "sinc", "i0"),
+}
+# What `game.physics.kernels.linear` has in their place.
+FUSED = {
+    *(
+        f"np.{name}"
+        for name in ("dot", "vdot", "inner", "matmul", "einsum", "tensordot", "interp", "convolve")
+    ),
+    *(
+        f"np.linalg.{name}"
+        for name in ("solve", "inv", "det", "eig", "eigh", "eigvalsh", "lstsq", "svd", "qr")
+    ),
+}
 # what touches files in physics/ is the kernels' disk cache and nothing else
 MACHINERY = {f"physics/kernels/{name}.py" for name in ("jit", "jit_cache", "jit_sources", "prebuilt")}
 NOT_IN_PHYSICS = {"time", "datetime", "io", "os", "shutil", "pathlib", "tempfile", "random", "platformdirs"}
@@ -305,3 +339,96 @@ def test_the_floors_without_a_screen_import_without_one() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
+
+
+def decides(where: str, tree: ast.AST) -> bool:
+    """Whether a module decides simulated numbers; one of a scene does unless it draws (but for examples)."""
+    if floor_of(where) == "scenes":
+        draws = any(name.startswith("game.ui") for name in imported(tree, where))
+        return not draws or where.startswith("scenes/examples/")
+    return floor_of(where) in DECIDING
+
+
+def libm_calls(tree: ast.AST) -> Iterator[str]:
+    """What of a module a C library would reckon: functions of math and numpy, and powers of floats."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            if node.value.id in ("math", "np", "numpy") and node.attr in TRANSCENDENTAL:
+                yield f"{node.lineno}: {ast.unparse(node)}"
+        elif isinstance(node, ast.ImportFrom) and node.module in ("math", "numpy"):
+            yield from (f"{node.lineno}: {a.name}" for a in node.names if a.name in TRANSCENDENTAL)
+        elif isinstance(node, ast.Import) and any(alias.name == "cmath" for alias in node.names):
+            yield f"{node.lineno}: cmath"
+        elif (
+            (isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and not _is_exact(node))
+            or (isinstance(node, ast.AugAssign) and isinstance(node.op, ast.Pow))
+            or (isinstance(node, ast.Call) and ast.unparse(node.func) == "pow")
+        ):
+            yield f"{node.lineno}: {ast.unparse(node)}"
+
+
+def blas_calls(tree: ast.AST) -> Iterator[str]:
+    """What of a module numpy would hand to a BLAS, or to sums that a compiler may fuse."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+            yield f"{node.lineno}: {ast.unparse(node)}"
+        elif isinstance(node, ast.Call):
+            name = ast.unparse(node.func)
+            if name in FUSED or (name.endswith(".uniform") and name != "linear.uniform"):
+                yield f"{node.lineno}: {ast.unparse(node)}"
+
+
+def _is_exact(power: ast.BinOp) -> bool:
+    """Of two numbers as written: a whole number to a whole power, or a power of two."""
+    try:
+        base, exponent = ast.literal_eval(power.left), ast.literal_eval(power.right)
+    except ValueError:
+        return False
+    return exponent == int(exponent) and (isinstance(base, int) or base in (2.0, 0.5))
+
+
+def test_no_c_library_decides_a_simulated_number() -> None:
+    deciding = [(where, tree) for where, tree in MODULES if decides(where, tree)]
+    assert len(deciding) > 600
+    wrong = [
+        f"{where}:{found}"
+        for where, tree in deciding
+        if not where.startswith("physics/kernels/elementary/")
+        for found in libm_calls(tree)
+    ]
+    assert wrong == []
+
+
+def test_no_blas_decides_a_simulated_number() -> None:
+    wrong = [
+        f"{where}:{found}"
+        for where, tree in MODULES
+        if decides(where, tree)
+        and floor_of(where) != "lab"  # which weighs and draws, and tells references apart
+        for found in blas_calls(tree)
+    ]
+    assert wrong == []
+
+
+def test_the_elementary_functions_themselves_call_none() -> None:
+    own = [(where, tree) for where, tree in MODULES if where.startswith("physics/kernels/elementary/")]
+    assert len(own) > 5
+    allowed = {"math.inf", "math.nan", "math.fabs", "math.sqrt", "math.floor", "math.copysign", "math.fsum"}
+    used = {
+        ast.unparse(node)
+        for _, tree in own
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and ast.unparse(node.value) in ("math", "np", "numpy")
+    }
+    assert {name for name in used if name.startswith("math.")} <= allowed
+    assert not {name for name in used if name.split(".")[1] in TRANSCENDENTAL}
+
+
+def test_what_a_c_library_would_reckon_is_found() -> None:
+    for code in (
+        *("math.sin(x)", "np.hypot(x, y)", "x ** 2", "x **= 2", "pow(x, 2)", "10.0 ** 3", "2.0 ** x"),
+        *("import cmath", "from math import exp"),
+    ):
+        assert list(libm_calls(ast.parse(code))), code
+    for code in ("2.0 ** -53", "10 ** 9", "math.sqrt(x)", "x * x", "np.floor(x)"):
+        assert not list(libm_calls(ast.parse(code))), code

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from game.billiards.laws.state import IN_MOTION, IN_WZ
 from game.billiards.lecture.shot import LecturePlay, lecture_settings_for
+from game.billiards.shot.physics import ShotError
 from game.billiards.shot.sampled import (
     SAMPLE_COLUMNS,
     SAMPLE_MOTION,
@@ -20,7 +21,7 @@ from game.billiards.shot.sampled import (
     check_steps,
     turn_samples,
 )
-from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.shot.shot import Shot
 from game.billiards.stepped.play import SteppedPlay
 
 Array = NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from game.billiards.lecture.state import POCKETS
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet, declare_effect
 

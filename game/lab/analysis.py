@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.lab.study import Method, Row, Study, StudyTable
+from game.physics.kernels import elementary, elementwise
 
 ENVELOPE_BINS = 20
 TARGETS = (1e-2, 1e-4, 1e-6)
@@ -31,7 +32,7 @@ def upper_envelope(rows: Sequence[Row], bins: int = ENVELOPE_BINS, over: str = "
         return list(rows)
     places = np.array([float(getattr(row, over)) for row in rows])
     counted = places[places > 0.0]
-    logs = np.log(np.maximum(places, counted.min() if len(counted) else 1.0))
+    logs = elementwise.log(np.maximum(places, counted.min() if len(counted) else 1.0))
     width = (logs.max() - logs.min()) / bins
     if width == 0.0:
         return [max(rows, key=lambda row: row.error)]
@@ -63,7 +64,7 @@ def fit_order(
     places = [float(getattr(row, over)) for row in points]
     if len(set(places)) < 3:
         return math.nan
-    slope = float(np.polyfit(np.log(places), np.log([row.error for row in points]), 1)[0])
+    slope = float(np.polyfit(elementwise.log(places), elementwise.log([row.error for row in points]), 1)[0])
     return slope if over == "knob" else -slope
 
 
@@ -77,7 +78,11 @@ def fit_exponent(rows: Sequence[Row]) -> float:
     points = [row for row in paid if row.cpu_s >= FIXED * least]
     if len({row.knob for row in points}) < 3:
         return math.nan
-    return float(np.polyfit(np.log([r.knob for r in points]), np.log([r.cpu_s for r in points]), 1)[0])
+    return float(
+        np.polyfit(elementwise.log([r.knob for r in points]), elementwise.log([r.cpu_s for r in points]), 1)[
+            0
+        ]
+    )
 
 
 def slope_of(study: Study, method: Method, rows: Sequence[Row]) -> float:
@@ -127,8 +132,8 @@ def cost_to_reach(rows: Sequence[Row], target: float, envelope: bool = False) ->
     if last < 0 or after.error <= 0.0 or points[last].cpu_s <= 0.0:
         return after.cpu_s
     before = points[last]
-    part = math.log(before.error / target) / math.log(before.error / after.error)
-    return before.cpu_s * (after.cpu_s / before.cpu_s) ** part
+    part = elementary.log(before.error / target) / elementary.log(before.error / after.error)
+    return before.cpu_s * elementary.pow(after.cpu_s / before.cpu_s, part)
 
 
 def out_of_order(rows: Sequence[Row], floor: float = 0.0, envelope: bool = False) -> list[tuple[Row, Row]]:

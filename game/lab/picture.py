@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from game.folders import data_folder
 from game.lab.analysis import fitted, slope_of, upper_envelope, usable
 from game.lab.study import Row, Study, StudyTable
+from game.physics.kernels import elementary
 
 # colours that colour-blind people can tell apart, each with a shape of its own (Okabe and Ito 2008)
 SERIES = (
@@ -160,12 +161,14 @@ def _mark(axis: Any, limits: tuple[float, float], unit: str, foot: Foot = NO_FOO
     """Marks at powers of ten, or at 1, 2 and 5 where there are few; and one at the foot."""
     from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-    decades = math.log10(limits[1] / limits[0])
-    first, last = math.floor(math.log10(limits[0])), math.ceil(math.log10(limits[1]))
+    decades = elementary.log10(limits[1] / limits[0])
+    first, last = math.floor(elementary.log10(limits[0])), math.ceil(elementary.log10(limits[1]))
     every = max(1, math.ceil(decades / 9.0))
     parts = (1.0, 2.0, 5.0) if decades < SHORT else (1.0,)
-    marks = [part * 10.0**k for k in range(first, last + 1) if k % every == 0 for part in parts]
-    lowest = max(limits[0], foot.height * 10.0 ** (APART * decades))
+    marks = [
+        part * elementary.pow(10.0, k) for k in range(first, last + 1) if k % every == 0 for part in parts
+    ]
+    lowest = max(limits[0], foot.height * elementary.pow(10.0, APART * decades))
     words = {mark: in_words(mark, unit, lowest >= PLAIN) for mark in marks if lowest <= mark <= limits[1]}
     if foot.height:
         words[foot.height] = foot.word
@@ -187,8 +190,8 @@ def in_words(value: float, unit: str, plain: bool = True) -> str:
                 return f"{value / factor:g}\u202f{prefix}{unit}"
     if (plain or value >= 1.0) and PLAIN <= value < 1e5:
         return f"{value:,g}".replace(",", "\u202f")
-    power = math.floor(math.log10(value) + 1e-9)
-    front = round(value / 10.0**power)
+    power = math.floor(elementary.log10(value) + 1e-9)
+    front = round(value / elementary.pow(10.0, power))
     return ("" if front == 1 else f"{front}·") + f"10{str(power).translate(RAISED)}"
 
 

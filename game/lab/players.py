@@ -9,7 +9,6 @@ A table is a rack of eight-ball after a hard break, the cue ball in hand anywher
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -23,6 +22,7 @@ from game.billiards.game.games.eight_ball import EIGHT
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.players.opponents import Grade, decide, stroke_of_hand
 from game.billiards.search.breaking import apex_of
+from game.physics.kernels import elementary
 
 BREAK_SPEED = 6.0  # m/s of the cue
 FROM = (0.3, 0.5)  # share of the width, m of the length: where breaks come from
@@ -61,7 +61,7 @@ def broken_table(seed: int) -> Frame:
         x = frame.table.width * random.uniform(FROM[0], 1.0 - FROM[0])
         placed = frame.place_cue_ball(x, FROM[1])
         apex = apex_of(placed.layout, placed.table)
-        azimuth = math.atan2(apex[1] - FROM[1], apex[0] - x) + SPREAD * random.standard_normal()
+        azimuth = elementary.atan2(apex[1] - FROM[1], apex[0] - x) + SPREAD * random.standard_normal()
         played = placed.play(Stroke(BREAK_SPEED, azimuth, tip_up=0.1))
         if EIGHT in played.summary.balls_down:
             continue

@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
+
 Array = NDArray[np.float64]
 
 
@@ -83,4 +85,4 @@ def missed_share(speed: float, dt: float, radius: float) -> float:
     if c >= d:
         return 1.0 - math.pi * d / (4.0 * c)
     b0 = math.sqrt(d * d - c * c)
-    return 1.0 - b0 / (2.0 * d) - d / (2.0 * c) * math.acos(b0 / d)
+    return 1.0 - b0 / (2.0 * d) - d / (2.0 * c) * elementary.acos(b0 / d)

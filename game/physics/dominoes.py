@@ -15,6 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
+
 Floats = NDArray[np.float64]
 STANDARD_GRAVITY = 9.81  # m/s²
 PIECES = 200  # of the front's way from upright to the next domino
@@ -41,15 +43,15 @@ def _train(pitch: float, thickness: float, friction: float, angles: Floats) -> _
     for _ in range(LONGEST_TRAIN):
         inertia += weight * own * slope
         rate += weight * own * bend
-        torque += weight * 0.5 * (np.sin(theta) - thickness * np.cos(theta))
-        sine, cosine = np.sin(theta), np.cos(theta)
+        torque += weight * 0.5 * (elementwise.sin(theta) - thickness * elementwise.cos(theta))
+        sine, cosine = elementwise.sin(theta), elementwise.cos(theta)
         lean = pitch * cosine - thickness  # sine of the angle between it and the next one back
         flat = np.sqrt(np.maximum(1.0 - lean * lean, 1e-30))
         turn = -pitch * sine / flat  # rate of that angle
-        bend_of = -pitch * cosine / flat - pitch * sine * lean * turn / flat**2
+        bend_of = -pitch * cosine / flat - pitch * sine * lean * turn / (flat * flat)
         lever, reach = flat - pitch * sine - friction * thickness, flat + friction * lean
         weight = weight * lever / reach
-        theta = theta + np.arcsin(lean)
+        theta = theta + elementwise.arcsin(lean)
         bend = bend_of * slope * slope + (1.0 + turn) * bend
         slope = (1.0 + turn) * slope
         if np.abs(weight * slope).max() < NEGLIGIBLE:
@@ -69,14 +71,14 @@ def domino_wave_speed(spacing: float, thickness: float, friction: float) -> floa
             raise ValueError(f"{name} = {value!r}: expected above 0 and below {most:g}, in heights")
     if not 0.0 <= friction <= 10.0:
         raise ValueError(f"friction = {friction!r}: expected 0 to 10")
-    meeting = math.asin(spacing)
+    meeting = elementary.asin(spacing)
     angles = np.linspace(0.0, meeting, 2 * PIECES + 1)
     train = _train(spacing + thickness, thickness, friction, angles)
     if not (train.inertia > 0.0).all():
         return math.nan
     # the one struck joins at angle 0: the sum of weight, inertia and spin is kept, and its own begins at none
     joined = float(train.inertia[0])
-    ratio = (1.0 - _inertia(thickness) / joined) ** 2
+    ratio = elementary.square(1.0 - _inertia(thickness) / joined)
     of_start, added = _half_squares(train, meeting / PIECES)
     start = ratio * added[-1] / (1.0 - ratio * of_start[-1])
     course = start * of_start + added
@@ -130,7 +132,7 @@ def stopping_distance(
         raise ValueError(
             f"speed {speed!r}, friction {friction!r}, gravity {gravity!r}, slope {slope!r}: out of range"
         )
-    slowing = gravity * (friction * math.cos(slope) - math.sin(slope))
+    slowing = gravity * (friction * elementary.cos(slope) - elementary.sin(slope))
     if slowing <= 0.0:
         return math.inf if speed > 0.0 or slowing < 0.0 else 0.0
     return speed * speed / (2.0 * slowing)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.rigid.free_top import elliptic_functions
 
 MOST_BOUNCES = 10_000  # looked at for one answer
@@ -18,7 +19,7 @@ Acceleration = Callable[[NDArray[np.float64], object, float], NDArray[np.float64
 
 def rod_pull(pull: float) -> Acceleration:
     """Angular acceleration (rad/s²) of a pendulum by its angle, for `integrate`; pull: g / l, 1/s²."""
-    return lambda angle, rate, time: -pull * np.sin(angle)
+    return lambda angle, rate, time: -pull * elementwise.sin(angle)
 
 
 def pendulum_angle(start: float, pull: float, time: float) -> float:
@@ -26,9 +27,9 @@ def pendulum_angle(start: float, pull: float, time: float) -> float:
 
     2 asin(k cd(√pull t)) with k = sin(start / 2) (Jacobi 1829).
     """
-    k = math.sin(0.5 * start)
+    k = elementary.sin(0.5 * start)
     _, cn, dn = elliptic_functions(math.sqrt(pull) * time, 1.0 - k * k)
-    return 2.0 * math.asin(min(max(k * cn / dn, -1.0), 1.0))
+    return 2.0 * elementary.asin(min(max(k * cn / dn, -1.0), 1.0))
 
 
 def fall(
@@ -97,8 +98,8 @@ def bead_positions(start: ArrayLike, frequency: float, time: float) -> NDArray[n
     start = np.asarray(start, dtype=np.float64)
     n = len(start)
     numbers = np.arange(1, n + 1)
-    shapes = np.sin(np.outer(numbers, numbers) * (math.pi / (n + 1)))
-    amplitudes = (2.0 / (n + 1)) * (shapes @ start)
-    swings = np.cos(2.0 * frequency * np.sin(numbers * (0.5 * math.pi / (n + 1))) * time)
-    result: NDArray[np.float64] = shapes @ (amplitudes * swings)
+    shapes = elementwise.sin(np.outer(numbers, numbers) * (math.pi / (n + 1)))
+    amplitudes = (2.0 / (n + 1)) * (linear.product(shapes, start))
+    swings = elementwise.cos(2.0 * frequency * elementwise.sin(numbers * (0.5 * math.pi / (n + 1))) * time)
+    result: NDArray[np.float64] = linear.product(shapes, amplitudes * swings)
     return result

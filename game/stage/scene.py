@@ -140,6 +140,10 @@ class Scene(SceneDeclaration):
                         + (", ".join(measured) or "nothing")
                     )
 
+    def content_of(self, level: Level | None) -> Any:
+        """What is in a level; ``default_content`` if it says nothing."""
+        return level.content if level is not None and level.content is not None else self.default_content
+
     # -- to override --------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:

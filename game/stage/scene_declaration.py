@@ -34,6 +34,7 @@ class SceneDeclaration:
     covers: ClassVar[bool] = False  # its picture covers the whole canvas, so that no ground is laid
     quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
     content_type: ClassVar[type[msgspec.Struct] | None] = None  # the [content] of its level files
+    default_content: ClassVar[Any] = None  # without one
     study: ClassVar[Study | None] = None
     takes: ClassVar[frozenset[str]] = frozenset()  # of "wheel", "middle", "right": not for zoom and pan
     strips: ClassVar[tuple[Strip, ...]] = ()

@@ -7,7 +7,7 @@ import pytest
 
 from game.billiards import ShotError, Table, eight_ball_rack, make_shot, simulate
 from game.billiards.growing import GRID_HZ, grow_lecture, grow_stepped, next_stop
-from game.billiards.shot.shot import FRICTIONLESS
+from game.billiards.shot.physics import FRICTIONLESS
 
 POOL = Table.pool()
 

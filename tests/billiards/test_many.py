@@ -7,7 +7,7 @@ import pytest
 
 from game.billiards import Physics, SimulationError, Table, make_shot, simulate, simulate_many
 from game.billiards.many import CHUNK
-from game.billiards.shot.shot import FRICTIONLESS
+from game.billiards.shot.physics import FRICTIONLESS
 
 POOL = Table.pool()
 

@@ -71,7 +71,7 @@ def _read_start(options: argparse.Namespace, size: Any) -> tuple[FittedTable, li
     """The table to begin with, and what of it is known. MistakeError names what is wrong."""
     from game.billiards.fitting.tables import START_OF_CAROM, FittedTable, free_names
     from game.billiards.laws.contacts import BALL_MODELS, CUSHION_MODELS
-    from game.billiards.shot.shot import ShotError, check_physics
+    from game.billiards.shot.physics import ShotError, check_physics
 
     for option, known in (("cushion", CUSHION_MODELS), ("balls", BALL_MODELS)):
         name = getattr(options, option)

@@ -7,7 +7,6 @@ Velocity and spin are those of `game.billiards.shot.cue.strike` without squirt.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -37,6 +36,7 @@ from game.billiards.laws.state import (
     SEGMENT_COLUMNS,
     SLIDING,
 )
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -104,8 +104,8 @@ def scratch_for(n: int) -> Scratch:
 def strike_ball(balls, stroke):
     """Give the first ball the velocity and the spin of a stroke."""
     speed = stroke[SPEED]
-    dx = math.cos(stroke[DIRECTION])
-    dy = math.sin(stroke[DIRECTION])
+    dx = elementary.cos(stroke[DIRECTION])
+    dy = elementary.sin(stroke[DIRECTION])
     turn = 2.5 * speed / balls[0, IN_RADIUS]
     balls[0, IN_VX] = speed * dx
     balls[0, IN_VY] = speed * dy
@@ -146,7 +146,7 @@ def compare_ball(target, segments, end, ball, start, goal, sums):
         y -= target.samples[s, 2]
         square = x * x + y * y
         squares += square
-        robust += scale * math.log1p(square / scale)
+        robust += scale * elementary.log1p(square / scale)
         count += 1
     sums[ball, SQUARES] = squares
     sums[ball, ROBUST] = robust

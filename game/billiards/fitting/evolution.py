@@ -12,13 +12,15 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise, linear
+
 Array = NDArray[np.float64]
 
 LAMBDA = 10
 MU = LAMBDA // 2
-WEIGHTS = np.log(MU + 0.5) - np.log(np.arange(1, MU + 1))
+WEIGHTS = elementwise.log(MU + 0.5) - elementwise.log(np.arange(1, MU + 1))
 WEIGHTS /= WEIGHTS.sum()
-MU_EFF = 1.0 / float((WEIGHTS**2).sum())
+MU_EFF = 1.0 / float((WEIGHTS * WEIGHTS).sum())
 
 
 class Evolution:
@@ -40,9 +42,9 @@ class Evolution:
 
     def turn(self, value: Callable[[Array], float]) -> float:
         """One generation: asks for LAMBDA values, moves the mean. Returns the least of them."""
-        lengths, axes = np.linalg.eigh(self._covariance)
+        lengths, axes = linear.eigenvectors(self._covariance)
         lengths = np.sqrt(np.maximum(lengths, 1e-20))
-        steps = self._chance.standard_normal((LAMBDA, len(self.mean))) * lengths @ axes.T
+        steps = linear.product(self._chance.standard_normal((LAMBDA, len(self.mean))) * lengths, axes.T)
         values = [value(self.mean + self._units * self._size * step) for step in steps]
         order = np.argsort(values, kind="stable")[:MU]
         self._turns += 1
@@ -54,21 +56,23 @@ class Evolution:
         n = len(self.mean)
         for_path = (4.0 + MU_EFF / n) / (n + 4.0 + 2.0 * MU_EFF / n)
         for_size = (MU_EFF + 2.0) / (n + MU_EFF + 5.0)
-        rank_one = 2.0 / ((n + 1.3) ** 2 + MU_EFF)
-        rank_mu = min(1.0 - rank_one, 2.0 * (MU_EFF - 2.0 + 1.0 / MU_EFF) / ((n + 2.0) ** 2 + MU_EFF))
+        rank_one = 2.0 / (elementary.square(n + 1.3) + MU_EFF)
+        rank_mu = min(
+            1.0 - rank_one, 2.0 * (MU_EFF - 2.0 + 1.0 / MU_EFF) / (elementary.square(n + 2.0) + MU_EFF)
+        )
         damping = 1.0 + 2.0 * max(0.0, math.sqrt((MU_EFF - 1.0) / (n + 1.0)) - 1.0) + for_size
         expected = math.sqrt(n) * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n))
-        step = WEIGHTS @ steps
+        step = linear.product(WEIGHTS, steps)
         self.mean = self.mean + self._units * self._size * step
-        white = axes @ ((axes.T @ step) / lengths)
+        white = linear.product(axes, (linear.product(axes.T, step)) / lengths)
         self._size_path *= 1.0 - for_size
         self._size_path += math.sqrt(for_size * (2.0 - for_size) * MU_EFF) * white
-        length = float(np.sqrt((self._size_path**2).sum()))
-        settled = math.sqrt(1.0 - (1.0 - for_size) ** (2 * self._turns))
+        length = float(np.sqrt((self._size_path * self._size_path).sum()))
+        settled = math.sqrt(1.0 - elementary.pow(1.0 - for_size, 2 * self._turns))
         goes_on = 1.0 if length / settled < (1.4 + 2.0 / (n + 1.0)) * expected else 0.0
         self._path *= 1.0 - for_path
         self._path += goes_on * math.sqrt(for_path * (2.0 - for_path) * MU_EFF) * step
         self._covariance *= 1.0 - rank_one - rank_mu
         self._covariance += rank_one * np.outer(self._path, self._path)
-        self._covariance += rank_mu * (steps.T * WEIGHTS) @ steps
-        self._size *= math.exp(for_size / damping * (length / expected - 1.0))
+        self._covariance += linear.product(rank_mu * (steps.T * WEIGHTS), steps)
+        self._size *= elementary.exp(for_size / damping * (length / expected - 1.0))

@@ -31,7 +31,7 @@ class FittedStroke(NamedTuple):
     @property
     def cue_speed(self) -> float:
         """Speed of a cue of usual mass that gives the ball its speed, m/s."""
-        off = 2.5 * (self.tip_left**2 + self.tip_up**2)
+        off = 2.5 * (self.tip_left * self.tip_left + self.tip_up * self.tip_up)
         return 0.5 * self.speed * (1.0 + CAROM_MASS / CUE_MASS + off)
 
     def strike(self, radius: float) -> Strike:

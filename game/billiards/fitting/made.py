@@ -16,6 +16,7 @@ from game.billiards.fitting.tables import CAROM_MASS, FittedTable
 from game.billiards.fitting.tracks import Track, TrackedShot
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.simulation import simulate_exact
+from game.physics.kernels import elementary, linear
 
 Array = NDArray[np.float64]
 
@@ -50,11 +51,15 @@ def _make_shot(table: FittedTable, name: str, chance: np.random.Generator, noise
     places = _scattered(table, chance)
     towards = places[1] - places[0]
     # at most three quarters of the way to a miss, so that the balls meet
-    reach = math.asin(min(1.0, 1.5 * table.radius / math.hypot(*towards.tolist())))
-    aim = math.atan2(towards[1], towards[0]) + chance.uniform(-reach, reach)
-    off, way = TIP * math.sqrt(chance.uniform()), chance.uniform(-math.pi, math.pi)
+    reach = elementary.asin(min(1.0, 1.5 * table.radius / elementary.length(*towards.tolist())))
+    aim = elementary.atan2(towards[1], towards[0]) + linear.uniform(chance, -reach, reach)
+    off, way = TIP * math.sqrt(linear.uniform(chance)), linear.uniform(chance, -math.pi, math.pi)
     stroke = FittedStroke(
-        aim, chance.uniform(*SPEEDS), off * math.cos(way), off * math.sin(way), chance.uniform(0.0, 0.02)
+        aim,
+        linear.uniform(chance, *SPEEDS),
+        off * elementary.cos(way),
+        off * elementary.sin(way),
+        linear.uniform(chance, 0.0, 0.02),
     )
     ready = make_shot(
         table.table, places, radii=table.radius, masses=CAROM_MASS, physics=table.physics, ids=("0", "1", "2")
@@ -69,8 +74,8 @@ def _scattered(table: FittedTable, chance: np.random.Generator) -> Array:
     low = table.radius + AT_CUSHION
     high = np.array([table.size.width, table.size.length]) - low
     while True:
-        places = chance.uniform(low, high, (3, 2))
-        gaps = [math.hypot(*(places[i] - places[j]).tolist()) for i in range(3) for j in range(i)]
+        places = linear.uniform(chance, low, high, (3, 2))
+        gaps = [elementary.length(*(places[i] - places[j]).tolist()) for i in range(3) for j in range(i)]
         if min(gaps) >= APART:
             return places
 
@@ -95,7 +100,7 @@ def _noted(places: Array) -> list[int]:
     it has moved."""
     rows = [0]
     for k in range(1, len(places)):
-        if math.hypot(*(places[k] - places[rows[-1]]).tolist()) > STILL:
+        if elementary.length(*(places[k] - places[rows[-1]]).tolist()) > STILL:
             rows.append(k)
     if rows[-1] != len(places) - 1:
         rows.append(len(places) - 1)

@@ -30,6 +30,7 @@ from game.billiards.fitting.errors import (
     errors_of,
     scratch_for,
 )
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 
@@ -96,21 +97,21 @@ def first_guess(target: Target) -> Array:
     first, end = (int(row) for row in target.ranges[0])
     samples = target.samples[first : min(end, first + FIRST_SAMPLES + 1)]
     steps = np.diff(samples, axis=0)
-    lengths = np.hypot(steps[:, 1], steps[:, 2])
+    lengths = elementwise.hypot(steps[:, 1], steps[:, 2])
     # from where it lay to the second sample the ball may have waited; a clock in coarse ticks may stand still
     speed = float((lengths[1:] / np.maximum(steps[1:, 0], 0.01)).max())
     towards = samples[min(2, len(samples) - 1), 1:] - samples[0, 1:]
     speed = max(speed, 0.05)
     seen = float(samples[1, 0])
     start = min(max(seen - float(lengths[0]) / speed, seen - 0.04), seen)
-    return np.array([math.atan2(towards[1], towards[0]), speed, 0.0, 0.0, start])
+    return np.array([elementary.atan2(towards[1], towards[0]), speed, 0.0, 0.0, start])
 
 
 def grid_about(first: Array) -> Array:
     """Strokes (k, 5) about the first guess, with the tip anywhere it may be."""
     axes = np.meshgrid(first[0] + TURNS, first[1] * SPEEDS, TIPS, TIPS, indexing="ij")
     grid = np.stack([axis.ravel() for axis in axes], axis=1)
-    grid = grid[grid[:, LEFT] ** 2 + grid[:, UP] ** 2 < LARGEST_TIP**2]
+    grid = grid[grid[:, LEFT] * grid[:, LEFT] + grid[:, UP] * grid[:, UP] < LARGEST_TIP * LARGEST_TIP]
     return np.column_stack([grid, np.full(len(grid), first[START])])
 
 

@@ -7,7 +7,6 @@ how far off they are, so that one shot that goes wrong early does not outweigh t
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
@@ -26,8 +25,10 @@ from game.billiards.fitting.strokes import (
     root_mean_squares,
 )
 from game.billiards.fitting.tracks import TableSize, TrackedShot
-from game.billiards.shot.shot import Physics, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import make_shot
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -125,7 +126,7 @@ def resting_places(places: Array, table: FittedTable) -> Array:
         for i in range(len(places)):
             for j in range(i):
                 apart = places[i] - places[j]
-                distance = math.hypot(*apart.tolist())
+                distance = elementary.length(*apart.tolist())
                 if distance < 2.0 * radius:
                     way = apart / distance if distance > 0.0 else np.array([1.0, 0.0])
                     push = 0.5 * (2.0 * radius - distance) + 1e-9
@@ -171,7 +172,7 @@ class TableSearch:
                 self._keep()
                 self.progress(
                     f"round {number + 1} of {len(rounds)}: table, generation {turn + 1} of {turns},"
-                    f" {100.0 * math.exp(least):.1f} cm"
+                    f" {100.0 * elementary.exp(least):.1f} cm"
                 )
         return self.table
 
@@ -213,4 +214,4 @@ class TableSearch:
 def score_of(fit: Fit) -> float:
     """Logarithm of how far off a shot is (log of m), of cue ball and of all balls alike."""
     cue, every = root_mean_squares(fit.sums)
-    return 0.25 * (math.log(cue * cue + BLUR * BLUR) + math.log(every * every + BLUR * BLUR))
+    return 0.25 * (elementary.log(cue * cue + BLUR * BLUR) + elementary.log(every * every + BLUR * BLUR))

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from game.billiards.game.rules import CUE_BALL, Hand, ShotSummary
 from game.billiards.laws.layout import layout_of
 from game.billiards.shot.cue import strike
-from game.billiards.shot.shot import Physics, Shot, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.table.rack import (
     BALL_MASS,
     BALL_RADIUS,
@@ -22,6 +23,7 @@ from game.billiards.table.rack import (
     ten_ball_rack,
 )
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 Places = tuple[tuple[int, float, float], ...]  # ball, x, y m; ascending
@@ -190,8 +192,8 @@ def nearest_free(
         spokes = max(1, 4 * ring)
         for spoke in range(spokes):
             angle = 2.0 * math.pi * spoke / spokes
-            px = min(max(x + distance * math.cos(angle), left), right)
-            py = min(max(y + distance * math.sin(angle), lower), upper)
+            px = min(max(x + distance * elementary.cos(angle), left), right)
+            py = min(max(y + distance * elementary.sin(angle), lower), upper)
             if is_free(layout, table, number, px, py, hand):
                 return px, py
     raise ValueError(f"ball {number}: there is no free place near ({x:.3f}, {y:.3f}) m")

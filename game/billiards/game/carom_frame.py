@@ -13,7 +13,8 @@ from game.billiards.game.carom_summary import CaromSummary, summarize_carom
 from game.billiards.game.games.carom import Carom, CaromVerdict
 from game.billiards.shot.cloths import CLOTHS, HEATED
 from game.billiards.shot.cue import strike
-from game.billiards.shot.shot import Physics, Shot, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import SimulationError, simulate
 from game.billiards.table.carom import BALL_MASS, BALL_NAMES, BALL_RADIUS, RED

@@ -26,7 +26,8 @@ from game.billiards.game.rules import CUE_BALL, Call, Game, Hand, ShotSummary, V
 from game.billiards.game.summary import summarize
 from game.billiards.game.tally import Tally, merit
 from game.billiards.shot.cue import strike as struck_ball
-from game.billiards.shot.shot import Physics, Shot, ShotError
+from game.billiards.shot.physics import Physics, ShotError
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import SimulationError, simulate
 from game.billiards.table.rack import HEAD_SPOT

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 import msgspec
@@ -116,7 +117,7 @@ def _zone_missed(zone: Zone, shot: ShotSummary) -> str:
     for ball, x, y in shot.rest:
         if ball == zone.ball:
             dx, dy = x - zone.x, y - zone.y
-            far = (dx * dx + dy * dy) ** 0.5
+            far = math.sqrt(dx * dx + dy * dy)
             if far <= zone.radius:
                 return ""
             return f"The {named(ball)} stopped {100.0 * (far - zone.radius):.0f} cm outside of its ring."

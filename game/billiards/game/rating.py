@@ -14,6 +14,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.physics.kernels import elementary
+
 POINTS = 100.0  # that double the odds
 HALF = 0.5
 
@@ -31,5 +33,6 @@ def rating_of(won: int, lost: int) -> Rating:
         raise ValueError(f"rating: {won} won, {lost} lost: expected 0 or more")
     mine, theirs = won + HALF, lost + HALF
     return Rating(
-        POINTS * math.log2(mine / theirs), POINTS / math.log(2.0) * math.sqrt(1.0 / mine + 1.0 / theirs)
+        POINTS * elementary.log2(mine / theirs),
+        POINTS / elementary.log(2.0) * math.sqrt(1.0 / mine + 1.0 / theirs),
     )

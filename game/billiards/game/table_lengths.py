@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import lru_cache
 
 from game.billiards.laws.state import BALL_CUSHION
-from game.billiards.shot.shot import Physics, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import make_shot
 from game.billiards.simulation import SimulationError, simulate
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table

@@ -26,6 +26,7 @@ from game.billiards.laws.state import (
     SEG_WZ,
     SLIDING,
 )
+from game.physics.kernels import elementary
 
 STEP = 0.02  # s
 GAUSS = 0.5 - math.sqrt(3.0) / 6.0
@@ -54,8 +55,8 @@ def turn(q, tx, ty, tz):
     angle = math.sqrt(tx * tx + ty * ty + tz * tz)
     if angle == 0.0:
         return
-    s = math.sin(0.5 * angle) / angle
-    w = math.cos(0.5 * angle)
+    s = elementary.sin(0.5 * angle) / angle
+    w = elementary.cos(0.5 * angle)
     x = s * tx
     y = s * ty
     z = s * tz

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple, Protocol
 from game.billiards.lecture.ball_collision import Collision, Parts, in_collision_frame, sum_of
 from game.billiards.lecture.contacts import exchange_as_lectured
 from game.billiards.lecture.settings import RULES
+from game.physics.kernels import elementary
 
 
 class Bounds(NamedTuple):
@@ -109,13 +110,13 @@ class Ball:
     @property
     def angle(self) -> float:
         """Direction of the velocity, rad from the x axis; 0 at rest."""
-        return math.atan2(self._vy, self._vx)
+        return elementary.atan2(self._vy, self._vx)
 
     def set_speed_and_angle(self, speed: float, angle: float) -> None:
         """Velocity by magnitude and direction (rad): components speed cos(angle), speed sin(angle)."""
         speed = _in_range("speed", speed, 0.0, math.inf)
         (angle, _) = _finite("angle", angle, 0.0)
-        self.velocity = speed * math.cos(angle), speed * math.sin(angle)
+        self.velocity = speed * elementary.cos(angle), speed * elementary.sin(angle)
 
     @property
     def momentum(self) -> tuple[float, float]:
@@ -206,7 +207,7 @@ class Ball:
         overlap = self.radius + other.radius - distance
         if not overlap > 0.0:
             return None
-        angle = math.atan2(dy, dx)
+        angle = elementary.atan2(dy, dx)
         cosa = dx / distance if distance > 0.0 else 1.0
         sina = dy / distance if distance > 0.0 else 0.0
         places, velocities = (self.position, other.position), (self.velocity, other.velocity)

@@ -42,6 +42,7 @@ from game.billiards.lecture.state import (
     WALLS,
 )
 from game.billiards.lecture.table import LectureTable
+from game.billiards.shot.physics import ShotError
 from game.billiards.shot.sampled import (
     SAMPLE_COLUMNS,
     SAMPLE_MOTION,
@@ -57,8 +58,9 @@ from game.billiards.shot.sampled import (
     sampled_trajectory,
     samples_for,
 )
-from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.shot.shot import Shot
 from game.billiards.table.table import Table, checked_table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -73,7 +75,7 @@ def friction_factor(rolling: float, gravity: float) -> float:
 
     With the factor f the speed falls as f^(60 t), so f = (v_min/v)^(1/(60 t)) where t = v/(mu_r g).
     """
-    return (MINIMUM / REFERENCE_SPEED) ** (rolling * gravity / (FRAME_RATE * REFERENCE_SPEED))
+    return elementary.pow(MINIMUM / REFERENCE_SPEED, rolling * gravity / (FRAME_RATE * REFERENCE_SPEED))
 
 
 def lecture_settings_for(

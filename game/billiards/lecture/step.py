@@ -42,6 +42,7 @@ from game.billiards.lecture.state import (
     LectureState,
 )
 from game.billiards.lecture.walls import bounce_off_walls, swallow
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 _WALLS, _BALLS, _FRICTION = (LECTURE.bit(effect) for effect in (WALLS, BALL_COLLISIONS, FRICTION))
@@ -74,8 +75,8 @@ def roll(orientations, radii, rolled):
         distance = math.sqrt(rolled[i, 0] * rolled[i, 0] + rolled[i, 1] * rolled[i, 1])
         if distance > 0.0:
             half = 0.5 * distance / radii[i]
-            w = math.cos(half)
-            s = math.sin(half) / distance
+            w = elementary.cos(half)
+            s = elementary.sin(half) / distance
             x = -s * rolled[i, 1]  # axis = z cross displacement
             y = s * rolled[i, 0]
             q = orientations[i]
@@ -140,7 +141,7 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
         factor = 1.0
         if mask & _FRICTION:
             consistent = settings.friction_law == CONSISTENT
-            factor = settings.friction ** (FRAME_RATE * dt) if consistent else settings.friction
+            factor = elementary.pow(settings.friction, FRAME_RATE * dt) if consistent else settings.friction
         for number in range(steps):
             substeps = count_substeps(state, settings, dt)
             counters[SUBSTEPS] += substeps

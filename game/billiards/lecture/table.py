@@ -182,7 +182,7 @@ class LectureTable:
             return False
         apart = self.positions - wish
         reach = self.state.radii + r
-        near = (apart[:, 0] ** 2 + apart[:, 1] ** 2 <= reach * reach) & self.state.in_play
+        near = (apart[:, 0] * apart[:, 0] + apart[:, 1] * apart[:, 1] <= reach * reach) & self.state.in_play
         near[row] = False
         return not near.any()
 
@@ -257,7 +257,9 @@ class LectureTable:
         rows = np.flatnonzero(self.state.in_play)
         p, r = self.state.offsets[rows], self.state.radii[rows]
         apart = p[:, None, :] - p[None, :, :]
-        depth = r[:, None] + r[None, :] - np.sqrt(apart[..., 0] ** 2 + apart[..., 1] ** 2)
+        depth = (
+            r[:, None] + r[None, :] - np.sqrt(apart[..., 0] * apart[..., 0] + apart[..., 1] * apart[..., 1])
+        )
         np.fill_diagonal(depth, 0.0)
         return max(0.0, float(depth.max(initial=0.0)))
 

@@ -26,9 +26,10 @@ from game.billiards.search.strokes import (
     draw_noise,
     with_noise,
 )
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions, touching
 from game.billiards.table.table import Table
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -240,7 +241,7 @@ class _Close:
         moves = random.normal(0.0, 0.4, (search.moves, 5)) * steps
         moves[0] = 0.0
         near = (best[:, None] + moves).reshape(-1, 5)
-        tips = np.hypot(near[:, TIP_LEFT], near[:, TIP_UP])
+        tips = elementwise.hypot(near[:, TIP_LEFT], near[:, TIP_UP])
         near[:, [TIP_LEFT, TIP_UP]] *= np.minimum(LARGEST_TIP / np.maximum(tips, LARGEST_TIP), 1.0)[:, None]
         near[:, SPEED] = np.maximum(near[:, SPEED], 0.2)
         owner = np.repeat(np.arange(len(groups)), search.moves)

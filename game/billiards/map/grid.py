@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.search.strokes import AZIMUTH, SPEED, TIP_LEFT, TIP_UP
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 
@@ -50,10 +51,10 @@ def aims_of(places: Array, radii: Array, cue: int, count: int) -> Array:
     aims = [-math.pi + math.tau * (np.arange(round_about) + 0.5) / round_about]
     for row in targets:
         dx, dy = (places[row] - places[cue]).tolist()
-        distance = max(math.hypot(dx, dy), radii[row] + radii[cue])
+        distance = max(elementary.hypot(dx, dy), radii[row] + radii[cue])
         reach = (radii[row] + radii[cue]) / distance
-        off = np.arcsin(np.clip(THINNEST * reach * np.linspace(-1.0, 1.0, each), -1.0, 1.0))
-        aims.append(math.atan2(dy, dx) + off)
+        off = elementwise.arcsin(np.clip(THINNEST * reach * np.linspace(-1.0, 1.0, each), -1.0, 1.0))
+        aims.append(elementary.atan2(dy, dx) + off)
     wrapped = np.concatenate(aims)
     return np.sort((wrapped + math.pi) % math.tau - math.pi)
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.search.strokes import Noise
+from game.physics.kernels import elementwise
 
 FEWEST = 5  # strokes, from which a hand can be told
 
@@ -24,4 +25,4 @@ def noise_of(pairs: Sequence[tuple[Stroke, Stroke]], radius: float) -> Noise | N
     off = np.array([np.subtract(made, meant) for meant, made in pairs])
     off[:, 1] = (off[:, 1] + np.pi) % (2.0 * np.pi) - np.pi
     speed, azimuth, elevation, left, up = np.sqrt((off * off).mean(axis=0)).tolist()
-    return Noise(radius * float(np.hypot(left, up)) / np.sqrt(2.0), elevation, azimuth, speed)
+    return Noise(radius * float(elementwise.hypot(left, up)) / np.sqrt(2.0), elevation, azimuth, speed)

@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.map.carom import Position
 from game.billiards.search.strokes import AZIMUTH, LEAST_SPEED, SPEED, TIP_LEFT, TIP_UP
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
-OFFSETS: Array = np.power(1.28, np.arange(24.0)) / np.power(
+OFFSETS: Array = elementwise.power(1.28, np.arange(24.0)) / elementwise.power(
     1.28, 23.0
 )  # of the farthest, from the middle out
 FARTHEST_AIM = np.radians(6.0)  # rad
@@ -48,7 +49,7 @@ def tolerance_of(position: Position, stroke: Stroke) -> Tolerance:
             strokes.append(tried)
     every = np.concatenate(strokes)
     every[:, SPEED] = np.maximum(every[:, SPEED], LEAST_SPEED)
-    off_ball = np.hypot(every[:, TIP_LEFT], every[:, TIP_UP]) > 0.99
+    off_ball = elementwise.hypot(every[:, TIP_LEFT], every[:, TIP_UP]) > 0.99
     every[off_ball, TIP_LEFT : TIP_UP + 1] = 0.0
     scores = position.wanted.scores(position.play(every)) & ~off_ball
     if not scores[0]:
@@ -69,7 +70,7 @@ def tip_map(position: Position, stroke: Stroke, cells: int = TIP_CELLS) -> NDArr
     """
     axis = np.linspace(-TIP_REACH, TIP_REACH, cells)
     ups, rights = np.meshgrid(-axis, axis, indexing="ij")
-    inside = np.hypot(ups, rights) <= TIP_REACH * (1.0 + 1e-9)
+    inside = elementwise.hypot(ups, rights) <= TIP_REACH * (1.0 + 1e-9)
     strokes = np.repeat(np.array([stroke], dtype=np.float64), int(inside.sum()) + 1, axis=0)
     strokes[1:, TIP_LEFT] = -rights[inside]
     strokes[1:, TIP_UP] = ups[inside]

@@ -9,6 +9,7 @@ from game.billiards.map.carom import Group, Position
 from game.billiards.map.routes import BALL_DIGIT, touches
 from game.billiards.map.tolerance import Tolerance
 from game.billiards.table.carom import BALL_NAMES, BALL_RADIUS
+from game.physics.kernels import elementary
 
 RAILS = ("left", "right", "lower", "upper")
 FULLNESS = ((0.92, "full"), (0.68, "three quarters full"), (0.42, "half full"), (0.18, "a quarter full"))
@@ -44,7 +45,7 @@ def hit_words(position: Position, group: Group) -> str:
     places = position.places[position.order]
     dx, dy = (places[row] - places[0]).tolist()
     aim = group.stroke.azimuth
-    aside = (dy * math.cos(aim) - dx * math.sin(aim)) / (2.0 * BALL_RADIUS)
+    aside = (dy * elementary.cos(aim) - dx * elementary.sin(aim)) / (2.0 * BALL_RADIUS)
     full = 1.0 - min(abs(aside), 1.0)
     words = next((words for least, words in FULLNESS if full >= least), "thinly")
     name = f"the {ball_names(position.cue)[row]} ball {words}"

@@ -15,6 +15,7 @@ from game.billiards.map.leaving import leaving
 from game.billiards.map.routes import Wanted
 from game.billiards.search.strokes import Noise, draw_noise, with_noise
 from game.billiards.table.carom import BALL_RADIUS, RED
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -119,4 +120,4 @@ def hand_of(stroke: Stroke, grade: CaromGrade, seed: int) -> Stroke:
 def _straight_at_red(position: Position) -> Stroke:
     """Where nothing scores: at the red ball, so that it is touched at least."""
     dx, dy = (position.places[RED] - position.places[position.cue]).tolist()
-    return Stroke(2.5, float(np.arctan2(dy, dx)))
+    return Stroke(2.5, float(elementwise.arctan2(dy, dx)))

@@ -25,13 +25,15 @@ from game.billiards.search.breaking import apex_of
 from game.billiards.search.finding import processors, thread_pool
 from game.billiards.search.strokes import Board, Noise
 from game.billiards.search.view import View
-from game.billiards.shot.shot import Physics, Shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.shot_file import parse_shot
 from game.billiards.shot.shot_writing import shot_data
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import POCKET_NAMES, Table
+from game.physics.kernels import elementary, linear
 
 Array = NDArray[np.float64]
 
@@ -80,10 +82,10 @@ class Match(NamedTuple):
 def unlike_balls(seed: int) -> BallSet:
     """Balls of different radius and mass: up to 6 % and some 30 % from the usual; the cue ball is usual."""
     rng = np.random.default_rng([seed, 1])
-    scale = rng.uniform(1.0 - LARGEST_CHANGE, 1.0 + LARGEST_CHANGE, 16)
-    density = rng.uniform(1.0 - DENSITY_CHANGE, 1.0 + DENSITY_CHANGE, 16)
+    scale = linear.uniform(rng, 1.0 - LARGEST_CHANGE, 1.0 + LARGEST_CHANGE, 16)
+    density = linear.uniform(rng, 1.0 - DENSITY_CHANGE, 1.0 + DENSITY_CHANGE, 16)
     scale[CUE_BALL] = density[CUE_BALL] = 1.0
-    return BallSet(BALL_RADIUS * scale, BALL_MASS * density * scale**3)
+    return BallSet(BALL_RADIUS * scale, BALL_MASS * density * (scale * scale * scale))
 
 
 def play_match(
@@ -150,12 +152,12 @@ class _Finder:
         cue_ball = layout.place_of(CUE_BALL)
         assert cue_ball is not None
         board = Board(layout, self.table, self.physics)
-        azimuth = math.atan2(y - cue_ball[1], x - cue_ball[0])
+        azimuth = elementary.atan2(y - cue_ball[1], x - cue_ball[0])
         for _ in range(MOST_BREAKS):
             strokes = np.zeros((BREAKS, 5))
-            strokes[:, 0] = rng.uniform(4.0, 6.0, BREAKS)
-            strokes[:, 1] = azimuth + rng.uniform(-0.03, 0.03, BREAKS)
-            strokes[:, 4] = rng.uniform(-0.1, 0.15, BREAKS)
+            strokes[:, 0] = linear.uniform(rng, 4.0, 6.0, BREAKS)
+            strokes[:, 1] = azimuth + linear.uniform(rng, -0.03, 0.03, BREAKS)
+            strokes[:, 4] = linear.uniform(rng, -0.1, 0.15, BREAKS)
             outcomes = board.play(strokes, self.pool)
             for row in np.flatnonzero(is_clean(outcomes, SHORTEST_CHAIN, once=False)).tolist():
                 yield Option(Stroke(*strokes[row].tolist()), 1.0)

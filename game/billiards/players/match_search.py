@@ -30,6 +30,7 @@ from game.billiards.search.outcomes import (
 from game.billiards.search.rating import Aims
 from game.billiards.search.view import View
 from game.billiards.shot.cue import CUE_END_MASS
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -138,7 +139,7 @@ def is_clean(outcomes: Outcomes, chain: int, once: bool = True) -> NDArray[np.bo
     single = (down != 0) & (down & (down - 1) == 0)
     good = single & (facts[:, SCRATCH] == 0) & (facts[:, GIVEN_UP] == 0) & (facts[:, FIRST_BALLS] != 0)
     rows = np.flatnonzero(good)
-    ball = np.log2(down[rows]).astype(np.intp)
+    ball = elementwise.log2(down[rows]).astype(np.intp)
     history = histories[rows, ball]
     length = np.zeros(len(rows), np.int64)
     for bit in range(histories.shape[1]):

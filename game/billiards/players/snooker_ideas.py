@@ -15,6 +15,7 @@ from game.billiards.search.outcomes import DOWN, FIRST_BALLS, GIVEN_UP, SCRATCH,
 from game.billiards.search.rating import FOULED, MISSED, SCORED, Aims
 from game.billiards.search.view import View
 from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE, touching, value_of
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 
@@ -93,7 +94,7 @@ def places_in_hand(frame: SnookerFrame) -> list[tuple[tuple[float, float], Snook
         asked = [(x * frame.table.width, y * frame.table.length)
                  for x in (0.2, 0.35, 0.5, 0.65, 0.8) for y in (0.3, 0.5, 0.62, 0.7, 0.8, 0.88)]  # fmt: skip
     else:
-        asked = [(MIDDLE + D_RADIUS * r * math.cos(a), BAULK + D_RADIUS * r * math.sin(a))
+        asked = [(MIDDLE + D_RADIUS * r * elementary.cos(a), BAULK + D_RADIUS * r * elementary.sin(a))
                  for r in (0.35, 0.75, 1.0)
                  for a in np.linspace(math.pi, 2.0 * math.pi, 7).tolist()]  # fmt: skip
     found = []
@@ -113,7 +114,9 @@ def idea_for_safety(frame: SnookerFrame, view: View) -> Idea:
 
     def far(idea: Idea) -> float:
         ball = idea.call.ball
-        return math.inf if ball is None else float(np.hypot(*(view.places[numbers.index(ball)] - cue)))
+        return (
+            math.inf if ball is None else float(elementwise.hypot(*(view.places[numbers.index(ball)] - cue)))
+        )
 
     return min(ideas, key=far)
 
@@ -122,12 +125,12 @@ def safe_strokes(view: View, first: int, speeds: tuple[float, ...]) -> Array:
     """Strokes (m, 5) at the nearest balls on, and the last ones, thick and thin. first: of `Aims`."""
     cue_ball = view.places[view.board.cue]
     rows = [ball for ball in range(view.board.count) if first >> ball & 1]
-    rows.sort(key=lambda ball: float(np.hypot(*(view.places[ball] - cue_ball))))
+    rows.sort(key=lambda ball: float(elementwise.hypot(*(view.places[ball] - cue_ball))))
     thin: list[float] = []
     for ball in rows[:SAFE_BALLS] + rows[SAFE_BALLS:][-2:]:
         dx, dy = view.places[ball] - cue_ball
-        half = math.asin(min(1.0, 2.0 * BALL_RADIUS / math.hypot(dx, dy)))
-        thin += (math.atan2(dy, dx) + half * SAFE_OFFSETS).tolist()
+        half = elementary.asin(min(1.0, 2.0 * BALL_RADIUS / elementary.hypot(dx, dy)))
+        thin += (elementary.atan2(dy, dx) + half * SAFE_OFFSETS).tolist()
     strokes = [(v, a, 0.0, left, 0.0) for a in thin for v in speeds for left in SAFE_LEFTS]
     return np.array(strokes).reshape(-1, 5)
 

@@ -29,9 +29,11 @@ from game.billiards.laws.state import (
 from game.billiards.rhythm.hearing import TOGETHER
 from game.billiards.search.strokes import LARGEST_TIP, SPEED, strike_all
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
-from game.billiards.shot.shot import Physics, Shot, batch_of, make_shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot, batch_of, make_shot
 from game.billiards.simulation import log_for, workspace_for
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 
@@ -85,7 +87,9 @@ class Candidates:
         m, one = len(rows), self._one
         balls, strokes = np.empty((m, *one.balls.shape[1:])), np.zeros((m, 5))
         strokes[:, SPEED], strokes[:, 1], strokes[:, 3:] = rows[:, 0], rows[:, 1], rows[:, 2:STROKE]
-        strokes[:, 3:] *= (LARGEST_TIP / np.maximum(np.hypot(rows[:, 2], rows[:, 3]), LARGEST_TIP))[:, None]
+        strokes[:, 3:] *= (LARGEST_TIP / np.maximum(elementwise.hypot(rows[:, 2], rows[:, 3]), LARGEST_TIP))[
+            :, None
+        ]
         strike_all(strokes, one.balls[0], 0, CUE_END_MASS, CUE_MASS, balls)
         balls[:, :, IN_X : IN_Y + 1] = rows[:, STROKE:].reshape(m, self.balls, 2) + self._to_kernel
         balls[:, :, IN_CLEAR] = 0.0
@@ -95,7 +99,9 @@ class Candidates:
 
 def are_apart(x: Array, y: Array, least: float) -> NDArray[np.bool_]:
     """Which of some layouts (m, n) m have all their balls at least so far (m) from one another."""
-    squared = (x[:, :, None] - x[:, None, :]) ** 2 + (y[:, :, None] - y[:, None, :]) ** 2
+    squared = elementary.square(x[:, :, None] - x[:, None, :]) + elementary.square(
+        y[:, :, None] - y[:, None, :]
+    )
     own = np.arange(x.shape[1])
     squared[:, own, own] = math.inf
     found: NDArray[np.bool_] = np.min(squared, axis=(1, 2), initial=math.inf) > least * least

@@ -21,10 +21,12 @@ from numpy.typing import NDArray
 
 from game.billiards.rhythm.candidates import EXTRA, FARTHEST_MISS, STROKE, Candidates
 from game.billiards.rhythm.hearing import TOGETHER, clicks_of
-from game.billiards.shot.shot import Physics, Shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary, elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -64,7 +66,7 @@ class Rhythm(NamedTuple):
 
     def promise(self, beats_left: int) -> float:
         """The cost, and what is to be feared of balls too slow for so many beats more."""
-        lack = max(math.log(LIVELY / max(self.speed, 1e-3)), 0.0)
+        lack = max(elementary.log(LIVELY / max(self.speed, 1e-3)), 0.0)
         return self.cost + EXTRA * lack * min(beats_left, MOST_FEARED)
 
     @property
@@ -78,7 +80,7 @@ def rhythm_of(trajectory: Trajectory, beats: tuple[float, ...], candidate: Array
     """How a candidate that was played meets some beats (s)."""
     times = tuple(time for time in clicks_of(trajectory) if time <= beats[-1] + TOGETHER)
     misses = tuple(min((time - beat for time in times), key=abs) for beat in beats)
-    speed = float(np.max(np.hypot(*trajectory.state_at(beats[-1]).velocities.T)))
+    speed = float(np.max(elementwise.hypot(*trajectory.state_at(beats[-1]).velocities.T)))
     return Rhythm(trajectory.shot, beats, times, misses, tuple(candidate.tolist()), speed)
 
 
@@ -173,11 +175,13 @@ class RhythmSearch:
         state = trajectory.state_at(beat)
         found = []
         for position, velocity in zip(state.positions, state.velocities, strict=True):
-            if math.hypot(*velocity) > LEAST_MOVING:
-                path = math.atan2(velocity[1], velocity[0])
-                for turn in self._rng.uniform(-WIDEST, WIDEST, DIRECTIONS):
+            if elementary.length(*velocity) > LEAST_MOVING:
+                path = elementary.atan2(velocity[1], velocity[0])
+                for turn in linear.uniform(self._rng, -WIDEST, WIDEST, DIRECTIONS):
                     away = 2.0 * self._candidates.radius
-                    place = position + away * np.array([math.cos(path + turn), math.sin(path + turn)])
+                    place = position + away * np.array(
+                        [elementary.cos(path + turn), elementary.sin(path + turn)]
+                    )
                     found.append(np.concatenate([row, place]))
         return found
 
@@ -217,7 +221,7 @@ class RhythmSearch:
         """CHILDREN of each layout: all numbers varied, a few, or one ball alone; by much and by little."""
         count, width = len(self._rows) * CHILDREN, self._rows.shape[1]
         size = np.array([2.0, math.pi, 0.5, 0.5] + [self._table.width, self._table.length] * len(self.beats))
-        spread = size * 10.0 ** self._rng.uniform(-6.0, -0.5, (count, 1))
+        spread = size * elementwise.power(10.0, linear.uniform(self._rng, -6.0, -0.5, (count, 1)))
         touched = self._rng.random((count, width)) < self._rng.choice([0.15, 0.5, 1.0], (count, 1))
         ball = self._rng.integers(-STROKE // 2, len(self.beats), count)
         only = np.arange(width)[None, :] // 2 == (ball + STROKE // 2)[:, None]

@@ -6,7 +6,6 @@ fewer balls reach a cushion.
 
 from __future__ import annotations
 
-import math
 from concurrent.futures import ThreadPoolExecutor
 from itertools import groupby
 from typing import NamedTuple
@@ -20,9 +19,10 @@ from game.billiards.search.outcomes import CUSHIONS, DOWN, Outcomes
 from game.billiards.search.rating import FOULED, LOST, SCORED, WON, Aims
 from game.billiards.search.strokes import Board, Noise, with_noise
 from game.billiards.search.view import View
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import FOOT_SPOT, HEAD_SPOT
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -58,7 +58,7 @@ def list_breaks(layout: Arrangement, table: Table, speed: float) -> list[Break]:
     breaks = []
     for x in (left + share * (right - left) for share in PLACES):
         if is_free(without, table, CUE_BALL, x, y, "behind the line"):
-            azimuth = math.atan2(target[1] - y, target[0] - x)
+            azimuth = elementary.atan2(target[1] - y, target[0] - x)
             breaks += [
                 Break((x, y), Stroke(v, azimuth, tip_up=up)) for v in (speed, SLOWER * speed) for up in UPS
             ]

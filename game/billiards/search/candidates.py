@@ -23,6 +23,7 @@ from game.billiards.search.lanes import (
     lane_is_free,
     pocket_window,
 )
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -89,8 +90,8 @@ def _aim_at_ghost(places, geometry, first, from_x, from_y, ball, direction):
     """
     radii, bed = geometry.radii, geometry.bed
     reach = 2.0 * math.sqrt(radii[first] * radii[ball])
-    ux = math.cos(direction)
-    uy = math.sin(direction)
+    ux = elementary.cos(direction)
+    uy = elementary.sin(direction)
     ghost_x = places[ball, 0] - reach * ux
     ghost_y = places[ball, 1] - reach * uy
     margin = radii[first] - 0.002
@@ -104,7 +105,7 @@ def _aim_at_ghost(places, geometry, first, from_x, from_y, ball, direction):
     cosine = (dx * ux + dy * uy) / distance
     if cosine < LEAST_COSINE:
         return 0.0, 0.0, ghost_x, ghost_y
-    return math.atan2(dy, dx), distance / (reach * cosine) + 1.0, ghost_x, ghost_y
+    return elementary.atan2(dy, dx), distance / (reach * cosine) + 1.0, ghost_x, ghost_y
 
 
 @inner_kernel
@@ -176,7 +177,7 @@ def _list_bank(places, geometry, ball, p, side, found, count):
     if _in_mouth(gates, bounce_x, bounce_y):
         return count
     aim, gain, ghost_x, ghost_y = _aim_at_ghost(
-        places, geometry, cue, places[cue, 0], places[cue, 1], ball, math.atan2(dy, dx)
+        places, geometry, cue, places[cue, 0], places[cue, 1], ball, elementary.atan2(dy, dx)
     )
     if gain == 0.0 or not _reaches(places, geometry, ghost_x, ghost_y, ball):
         return count

@@ -15,6 +15,7 @@ from game.billiards.laws.lean import lean_kernel
 from game.billiards.search.candidates import AIM, SPREAD, WINDOW
 from game.billiards.search.rating import SCORED, WON
 from game.billiards.search.strokes import AZIMUTH, ELEVATION, SPEED, TIP_LEFT, TIP_UP
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 
@@ -75,7 +76,7 @@ def squirt_of(styles: Array, ball_mass: float, end_mass: float) -> Array:
     """By how much a tip off the centre turns the ball's path (s,), rad: `cue.strike`."""
     a = styles[:, 1]
     rest = 1.0 - a * a
-    return -np.arctan2(2.5 * a * np.sqrt(rest), 1.0 + ball_mass / end_mass + 2.5 * rest)
+    return -elementwise.arctan2(2.5 * a * np.sqrt(rest), 1.0 + ball_mass / end_mass + 2.5 * rest)
 
 
 def make_styles(
@@ -88,4 +89,4 @@ def make_styles(
 
 def chance_of_run(half: Array, sigma: float) -> Array:
     """Chances (n,) that an azimuth of deviation sigma (rad) stays within `half` (n,) rad of its aim."""
-    return np.array([math.erf(value / (math.sqrt(2.0) * sigma)) for value in half.tolist()])
+    return np.array([elementary.erf(value / (math.sqrt(2.0) * sigma)) for value in half.tolist()])

@@ -19,8 +19,9 @@ from game.billiards.search.looking import Effort, Looked, look
 from game.billiards.search.rating import Aims
 from game.billiards.search.strokes import Board, Noise, draw_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.table import Table
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -165,5 +166,5 @@ def _kind_name(view: View, candidate: Array) -> str:
         return KINDS[int(candidate[KIND])]
     ball, pocket = int(candidate[BALL]), int(candidate[INTO])
     line = view.geometry.gates[pocket, :2] - view.places[ball]
-    away = float(candidate[AIM]) - float(np.arctan2(line[1], line[0]))
-    return "cut" if np.cos(away) < np.cos(CUT_FROM) else "direct"
+    away = float(candidate[AIM]) - float(elementwise.arctan2(line[1], line[0]))
+    return "cut" if elementwise.cos(away) < elementwise.cos(CUT_FROM) else "direct"

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary, linear
 
 Array = NDArray[np.float64]
 
@@ -68,7 +69,7 @@ def gates_of(table: Table) -> Array:
         gates[k, :3] = x, y, radius
         if len(table.jaws) < 2:
             continue
-        away = np.sqrt(((table.jaws[:, :2] - (x, y)) ** 2).sum(axis=1))
+        away = np.sqrt((elementary.square(table.jaws[:, :2] - (x, y))).sum(axis=1))
         a, b = np.argsort(away, kind="stable")[:2]
         if away[b] > 4.0 * radius:
             continue
@@ -79,7 +80,7 @@ def gates_of(table: Table) -> Array:
         gates[k, RIGHT_X : RIGHT_Y + 1] = table.jaws[right, :2]
         gates[k, JAW_RADIUS] = table.jaws[left, 2]
         across = table.jaws[left, :2] - table.jaws[right, :2]
-        axis = np.array([across[1], -across[0]]) / np.sqrt(across @ across)
+        axis = np.array([across[1], -across[0]]) / np.sqrt(linear.product(across, across))
         gates[k, AXIS_X : AXIS_Y + 1] = axis
         gates[k, CORNER] = float(abs(axis[0] * axis[1]) > 0.1)
     return gates
@@ -89,7 +90,7 @@ def gates_of(table: Table) -> Array:
 def _widening(gates, p, dx, dy):
     """By how much the far and the near jaw yield to a ball that comes along (dx, dy), m."""
     along = dx * gates[p, AXIS_X] + dy * gates[p, AXIS_Y]
-    off = abs(math.atan2(dx * gates[p, AXIS_Y] - dy * gates[p, AXIS_X], along))
+    off = abs(elementary.atan2(dx * gates[p, AXIS_Y] - dy * gates[p, AXIS_X], along))
     if gates[p, CORNER] == 0.0:
         return SIDE_FAR + SIDE_FAR_SLOPE * off, max(SIDE_NEAR + SIDE_NEAR_SLOPE * off, 0.0)
     near = max(CORNER_NEAR + CORNER_NEAR_SLOPE * off, 0.0) + RAIL_SLOPE * max(off - RAIL_FROM, 0.0)
@@ -105,11 +106,11 @@ def pocket_window(gates, p, x, y, radius):
     dx = gates[p, GATE_X] - x
     dy = gates[p, GATE_Y] - y
     away = math.sqrt(dx * dx + dy * dy)
-    towards = math.atan2(dy, dx)
+    towards = elementary.atan2(dy, dx)
     if away <= gates[p, GATE_RADIUS]:
         return towards, 1.0
     if gates[p, JAW_RADIUS] == 0.0:
-        return towards, math.asin(gates[p, GATE_RADIUS] / away)
+        return towards, elementary.asin(gates[p, GATE_RADIUS] / away)
     reach = gates[p, JAW_RADIUS] + radius
     far_yields, near_yields = _widening(gates, p, dx, dy)
     low = -WIDEST
@@ -122,13 +123,13 @@ def pocket_window(gates, p, x, y, radius):
         if far <= reach:
             continue
         # angle from the pocket's middle to the jaw, without a branch cut
-        turn = math.atan2(dx * jaw_y - dy * jaw_x, dx * jaw_x + dy * jaw_y)
+        turn = elementary.atan2(dx * jaw_y - dy * jaw_x, dx * jaw_x + dy * jaw_y)
         if side == 0:
             nearest = far
-            high = turn - math.asin(reach / far)
+            high = turn - elementary.asin(reach / far)
         else:
             nearest = nearest - far
-            low = turn + math.asin(reach / far)
+            low = turn + elementary.asin(reach / far)
     left_yields = near_yields if nearest < 0.0 else far_yields
     right_yields = far_yields if nearest < 0.0 else near_yields
     high = min(high + left_yields / away, WIDEST)
@@ -170,7 +171,7 @@ def lane_is_free(places, radii, from_x, from_y, to_x, to_y, radius, skip, skip_t
 @inner_kernel(inline="always")
 def chance_within(half, sigma):
     """Share of a normal distribution within +-half."""
-    return math.erf(half / (1.4142135623730951 * sigma))
+    return elementary.erf(half / (1.4142135623730951 * sigma))
 
 
 @inner_kernel
@@ -183,8 +184,8 @@ def pot_chance(places, geometry, ball, p):
     if half <= 0.0:
         return 0.0
     reach = 2.0 * math.sqrt(radii[cue] * radii[ball])
-    ux = math.cos(direction)
-    uy = math.sin(direction)
+    ux = elementary.cos(direction)
+    uy = elementary.sin(direction)
     ghost_x = x - reach * ux
     ghost_y = y - reach * uy
     margin = radii[cue] - 0.002

@@ -21,9 +21,10 @@ from game.billiards.search.outcomes import NOWHERE
 from game.billiards.search.rating import BLOCKED, Aims
 from game.billiards.search.strokes import Board, Noise, in_threads
 from game.billiards.search.view import UNLIMITED, Clock, View
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import HEAD_SPOT
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -80,8 +81,16 @@ def list_places(places, geometry, region, playable, needed, cuts, distances, ope
             for c in range(cuts.shape[0]):
                 for d in range(distances.shape[0]):
                     back = direction + math.pi + cuts[c]
-                    x = places[ball, 0] - reach * math.cos(direction) + distances[d] * math.cos(back)
-                    y = places[ball, 1] - reach * math.sin(direction) + distances[d] * math.sin(back)
+                    x = (
+                        places[ball, 0]
+                        - reach * elementary.cos(direction)
+                        + distances[d] * elementary.cos(back)
+                    )
+                    y = (
+                        places[ball, 1]
+                        - reach * elementary.sin(direction)
+                        + distances[d] * elementary.sin(back)
+                    )
                     inside = region[0] <= x <= region[1] and region[2] <= y <= region[3]
                     if not (inside and _is_clear(places, geometry, x, y)):
                         continue

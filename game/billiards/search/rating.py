@@ -7,7 +7,6 @@ says who wins it.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -25,6 +24,7 @@ from game.billiards.search.outcomes import (
     POCKET,
     SCRATCH,
 )
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -194,8 +194,8 @@ def _win_chance(run, mine, other):
 
     run: chance to clear it. mine, other: how open the balls of both are, with the next pot in it.
     """
-    ahead = RACE * (math.log(max(mine, 1e-9)) - math.log(max(other, 1e-9))) + TURN
-    return run + (1.0 - run) / (1.0 + math.exp(-ahead))
+    ahead = RACE * (elementary.log(max(mine, 1e-9)) - elementary.log(max(other, 1e-9))) + TURN
+    return run + (1.0 - run) / (1.0 + elementary.exp(-ahead))
 
 
 @inner_kernel

@@ -11,6 +11,7 @@ from game.billiards.search.candidates import BALL, COLUMNS, INTO, KIND, NO_POT, 
 from game.billiards.search.looking import Looked, sample
 from game.billiards.search.rating import FOULED, LOST, SCORED, Aims
 from game.billiards.search.view import View
+from game.physics.kernels import elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -28,8 +29,8 @@ def _strokes_at(view: View, first: int) -> Array:
         if first >> ball & 1:
             dx, dy = view.places[ball] - cue_ball
             reach = view.board.radii[ball] + view.board.radius
-            half = float(np.arcsin(min(1.0, reach / np.hypot(dx, dy))))
-            directions += (np.arctan2(dy, dx) + half * OFFSETS).tolist()
+            half = float(elementwise.arcsin(min(1.0, reach / elementwise.hypot(dx, dy))))
+            directions += (elementwise.arctan2(dy, dx) + half * OFFSETS).tolist()
     directions += np.linspace(0.0, 2.0 * np.pi, ROUND, endpoint=False).tolist()
     return np.array([(v, a, 0.0, 0.0, up) for a in directions for v in SPEEDS for up in UPS])
 
@@ -59,8 +60,8 @@ def look_for_push_out(view: View, aims: Aims, seed: int, pool: ThreadPoolExecuto
     """A stroke (5,) after which it matters least who plays: the other player will choose."""
     rng = np.random.default_rng(seed)
     strokes = np.zeros((600, 5))
-    strokes[:, 0] = rng.uniform(0.3, 2.0, len(strokes))
-    strokes[:, 1] = rng.uniform(0.0, 2.0 * np.pi, len(strokes))
+    strokes[:, 0] = linear.uniform(rng, 0.3, 2.0, len(strokes))
+    strokes[:, 1] = linear.uniform(rng, 0.0, 2.0 * np.pi, len(strokes))
     outcomes = view.board.play(strokes, pool)
     nothing = np.full((len(strokes), 2), -1, np.int64)
     free = aims._replace(first=(1 << view.board.count) - 1, win=0, lose=0)

@@ -38,9 +38,10 @@ from game.billiards.laws.state import (
 )
 from game.billiards.search.outcomes import Outcomes, sum_up
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.simulation import log_for, play_into
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 
@@ -82,8 +83,8 @@ def strike_ball(stroke, ball, end_mass, cue_mass):
     b = stroke[TIP_UP]
     radius = ball[IN_RADIUS]
     mass = ball[IN_MASS]
-    cosine = math.cos(stroke[ELEVATION])
-    sine = math.sin(stroke[ELEVATION])
+    cosine = elementary.cos(stroke[ELEVATION])
+    sine = elementary.sin(stroke[ELEVATION])
     c = math.sqrt(1.0 - a * a - b * b)
     k = 0.4 * radius * radius
     side = radius * a
@@ -91,13 +92,13 @@ def strike_ball(stroke, ball, end_mass, cue_mass):
     speed = 2.0 * stroke[SPEED] / (1.0 + mass / cue_mass + (side * side + lever * lever) / k)
     turn = stroke[AZIMUTH] + 0.5 * math.pi
     rest = 1.0 - a * a
-    aside = turn - math.atan2(2.5 * a * math.sqrt(rest), 1.0 + mass / end_mass + 2.5 * rest)
-    ball[IN_VX] = math.sin(aside) * speed * cosine
-    ball[IN_VY] = -math.cos(aside) * speed * cosine
+    aside = turn - elementary.atan2(2.5 * a * math.sqrt(rest), 1.0 + mass / end_mass + 2.5 * rest)
+    ball[IN_VX] = elementary.sin(aside) * speed * cosine
+    ball[IN_VY] = -elementary.cos(aside) * speed * cosine
     roll = speed / k * lever
     swerve = speed / k * side * sine
-    ball[IN_WX] = math.cos(turn) * roll - math.sin(turn) * swerve
-    ball[IN_WY] = math.sin(turn) * roll + math.cos(turn) * swerve
+    ball[IN_WX] = elementary.cos(turn) * roll - elementary.sin(turn) * swerve
+    ball[IN_WY] = elementary.sin(turn) * roll + elementary.cos(turn) * swerve
     ball[IN_WZ] = -speed / k * side * cosine
     ball[IN_MOTION] = SLIDING
     if ball.shape[0] > IN_VZ:
@@ -220,7 +221,7 @@ class Board:
         physics = self.physics
         if not physics.airborne:
             return False
-        down = SLATE_PUSH * strokes[:, SPEED] * np.sin(strokes[:, ELEVATION])
+        down = SLATE_PUSH * strokes[:, SPEED] * elementwise.sin(strokes[:, ELEVATION])
         return physics.cushion_hop > 0.0 or bool((physics.slate_restitution * down > LANDING_SPEED).any())
 
     def played(self, strokes: Array) -> Iterator[tuple[Log, int, int]]:

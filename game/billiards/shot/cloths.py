@@ -14,7 +14,7 @@ memory.
 
 from __future__ import annotations
 
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 
 HEATED = "heated"
 CLUB = "club"

@@ -15,6 +15,7 @@ import math
 from typing import NamedTuple
 
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
+from game.physics.kernels import elementary
 
 CUE_MASS = 0.567  # kg; 20 ounces
 CUE_END_MASS = BALL_MASS / 30.0  # kg; what the end of the cue moves aside, a usual cue
@@ -29,7 +30,7 @@ class Strike(NamedTuple):
     def pressed(self, elevation: float) -> tuple[float, float, float]:
         """The velocity with its part into the slate: the ball is pushed along the cue, raised by rad."""
         x, y, _ = self.velocity
-        return x, y, -math.sqrt(x * x + y * y) * math.tan(elevation)
+        return x, y, -math.sqrt(x * x + y * y) * elementary.tan(elevation)
 
 
 def strike(
@@ -51,7 +52,7 @@ def strike(
     the cue. Masses kg, radius m. cue_end_mass None: no squirt. ValueError names an absurd argument.
     """
     _check(cue_speed, azimuth, elevation, tip_left, tip_up, ball_mass, ball_radius, cue_mass, cue_end_mass)
-    cosine, sine = math.cos(elevation), math.sin(elevation)
+    cosine, sine = elementary.cos(elevation), elementary.sin(elevation)
     a, b = tip_left, tip_up
     c = math.sqrt(1.0 - a * a - b * b)
     k = 0.4 * ball_radius * ball_radius
@@ -66,7 +67,7 @@ def strike(
     squirt = 0.0
     if cue_end_mass is not None:
         rest = 1.0 - a * a
-        squirt = -math.atan2(2.5 * a * math.sqrt(rest), 1.0 + ball_mass / cue_end_mass + 2.5 * rest)
+        squirt = -elementary.atan2(2.5 * a * math.sqrt(rest), 1.0 + ball_mass / cue_end_mass + 2.5 * rest)
     velocity_x, velocity_y = _turned(0.0, -speed * cosine, turn + squirt)
     spin_x, spin_y = _turned(spin[0], spin[1], turn)
     return Strike((velocity_x, velocity_y, 0.0), (spin_x, spin_y, spin[2]))
@@ -79,7 +80,7 @@ def speed_ratio(ball_mass: float = BALL_MASS, cue_mass: float = CUE_MASS) -> flo
 
 
 def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
-    cosine, sine = math.cos(angle), math.sin(angle)
+    cosine, sine = elementary.cos(angle), elementary.sin(angle)
     return cosine * x - sine * y, sine * x + cosine * y
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -51,14 +52,14 @@ def heard_impacts(trajectory: Trajectory) -> Iterator[Impact]:
         if code == BALL_BALL:
             (ox, oy), (wx, wy) = paths.arriving(int(j), time)
             dx, dy = ox - x, oy - y
-            speed = ((vx - wx) * dx + (vy - wy) * dy) / max((dx * dx + dy * dy) ** 0.5, 1e-9)
+            speed = ((vx - wx) * dx + (vy - wy) * dy) / max(math.sqrt(dx * dx + dy * dy), 1e-9)
         elif code == BALL_CUSHION:
             nx, ny = trajectory.shot.table.cushions[int(j), 4:6].tolist()
             speed = -(vx * nx + vy * ny)
         elif code in LANDINGS:
             speed = -arriving_falls(trajectory, paths, int(i), time)
         else:
-            speed = (vx * vx + vy * vy) ** 0.5
+            speed = math.sqrt(vx * vx + vy * vy)
         if code == BALL_POCKET:
             speed = max(speed, FALL)
         if speed > QUIETEST:

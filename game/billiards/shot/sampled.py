@@ -10,8 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.orientation import turn
 from game.billiards.laws.state import IN_COLUMNS, IN_MOTION, IN_WZ, SEGMENT_COLUMNS
-from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.shot.physics import ShotError
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.trajectory import TableState, Trajectory, rotation_matrices
+from game.physics.kernels import linear
 
 Array = NDArray[np.float64]
 
@@ -100,7 +102,9 @@ class SampledTrajectory(Trajectory):
         turns = self._turns[k].copy()
         turn_between(self.samples[k], now, time - float(self.sample_times[k]), turns)
         matrices = rotation_matrices(turns)
-        return matrices if starting is None else matrices @ np.asarray(starting, dtype=np.float64)
+        return (
+            matrices if starting is None else linear.product(matrices, np.asarray(starting, dtype=np.float64))
+        )
 
     def _between(self, time: float) -> tuple[int, Array]:
         """The sample at or before a time, and the columns of samples (n, 8) at that time."""

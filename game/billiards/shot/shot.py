@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,7 +15,6 @@ from game.billiards.laws.contacts import (
     CONSTANT_FRICTION,
     CUSHION_MODELS,
     NO_FRICTION,
-    RESTITUTION,
 )
 from game.billiards.laws.layout import Layout, is_clear, layout_of
 from game.billiards.laws.state import (
@@ -27,71 +25,17 @@ from game.billiards.laws.state import (
     MOTIONS,
     PHYSICS_COLUMNS,
     POCKETED,
-    ROLLING,
     SLIDING,
     SPINNING,
     STATIONARY,
 )
+from game.billiards.shot.balls import LARGEST, check_balls
+from game.billiards.shot.physics import Physics, ShotError, check_physics
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
-
-OVERLAP = 1e-6  # m; balls that overlap more than this are refused
-LARGEST = {"position": 1e4, "velocity": 1e4, "spin": 1e6, "radius": 1e2, "mass": 1e6}  # SI
 HIGHEST = 10.0  # m
-SMALLEST = {"radius": 1e-5, "mass": 1e-9}  # SI
-
-
-OPTIONAL = ("cushion_restitution_fall", "cushion_compliance", "slate_restitution", "cushion_hop")
-
-
-class ShotError(ValueError):
-    """A shot that cannot be played; the message names the field and the reason."""
-
-
-class Physics(NamedTuple):
-    """Cloth, balls and cushions of a table. Frictions and restitutions have no unit; gravity is in m/s^2.
-
-    cushion_restitution_fall: by how much the restitution of cushions falls with the closing speed, s/m.
-    cushion_compliance: tangential over normal, of `stronge-2000`; for rubber (2 - nu)/(2 - 2 nu) = 1.5.
-    slate_restitution: of a ball that falls on the bed (Alciatore, physical properties of pool balls and
-    tables: 0.5). cushion_hop: share of it that is left when a cushion presses a ball down, 0 to 1, see
-    `flight.nose`. airborne: balls may leave the slate; else vertical speed is left out.
-    Defaults are those of a pool table in play. A friction of 0 takes the effect away.
-    """
-
-    ball_ball: str = "alciatore-2006"
-    cushion: str = "han-2005"
-    gravity: float = 9.81
-    sliding: float = 0.2
-    rolling: float = 0.01
-    spinning: float = 0.0127
-    ball_friction: float = 0.05
-    cushion_friction: float = 0.2
-    ball_restitution: float = 0.95
-    cushion_restitution: float = 0.85
-    cushion_restitution_fall: float = 0.0
-    cushion_compliance: float = 1.5
-    slate_restitution: float = 0.5
-    cushion_hop: float = 0.0
-    airborne: bool = True
-
-    def __repr__(self) -> str:
-        """All numbers; those that not every table has only where they are not the default.
-
-        Words that stand for a table stay what they were before it could have these numbers. Whether balls may
-        leave the slate is not said: it changes nothing about the table.
-        """
-        said = [f"{name}={value!r}" for name, value in self._asdict().items() if name != "airborne"
-                and (name not in OPTIONAL or value != self._field_defaults[name])]  # fmt: skip
-        return f"Physics({', '.join(said)})"
-
-
-FRICTIONLESS = Physics(
-    "elastic", "mirror", sliding=0.0, rolling=0.0, spinning=0.0, ball_friction=0.0, cushion_friction=0.0,
-    ball_restitution=1.0, cushion_restitution=1.0,
-)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -308,96 +252,3 @@ def _motion_numbers(motions: ArrayLike, n: int) -> Array:
     if numbers.shape != (n,) or numbers.min(initial=0) < 0 or numbers.max(initial=0) > POCKETED:
         raise ShotError(f"motions: need {n} of {', '.join(MOTIONS)}")
     return numbers.astype(np.float64)
-
-
-def check_physics(physics: Physics) -> None:
-    """ShotError if a model is unknown or a number absurd."""
-    if physics.ball_ball not in BALL_MODELS:
-        raise ShotError(f"models.ball_ball: {physics.ball_ball!r} is not one of {', '.join(BALL_MODELS)}")
-    if physics.cushion not in CUSHION_MODELS:
-        raise ShotError(f"models.cushion: {physics.cushion!r} is not one of {', '.join(CUSHION_MODELS)}")
-    if not (math.isfinite(physics.gravity) and 0.0 < physics.gravity <= 1e4):
-        raise ShotError(f"gravity: must be positive, at most 1e4 m/s^2, got {physics.gravity!r}")
-    names = {
-        "sliding": "friction.sliding",
-        "rolling": "friction.rolling",
-        "spinning": "friction.spinning",
-        "ball_friction": "friction.ball_ball",
-        "cushion_friction": "friction.cushion",
-    }
-    for field, name in names.items():
-        value = getattr(physics, field)
-        if not (math.isfinite(value) and (value == 0.0 or 1e-9 <= value <= 1e3)):
-            raise ShotError(f"{name}: must be 0, or between 1e-9 and 1e3, got {value!r}")
-    for field, name, least, most in (
-        ("cushion_restitution_fall", "restitution.cushion_fall", 0.0, 10.0),
-        ("cushion_compliance", "compliance.cushion", 0.01, 100.0),
-        ("cushion_hop", "restitution.cushion_hop", 0.0, 1.0),
-    ):
-        if not least <= getattr(physics, field) <= most:
-            raise ShotError(
-                f"{name}: must be between {least:g} and {most:g}, got {getattr(physics, field)!r}"
-            )
-    for field in ("ball_restitution", "cushion_restitution", "slate_restitution"):
-        value = getattr(physics, field)
-        if not 0.0 <= value <= 1.0:
-            raise ShotError(f"restitution.{field.split('_')[0]}: must be between 0 and 1, got {value!r}")
-
-
-def check_balls(balls: Array, table: Table, physics: Physics) -> None:
-    """ShotError if a ball's numbers are absurd, or contradict each other or the table.
-
-    balls (n, 11): columns as in `Shot`, places from a corner of the table as in a file.
-    """
-    for i, row in enumerate(balls.tolist()):
-        fields = {
-            "position": row[0:2],
-            "velocity": row[2:4],
-            "spin": row[4:7],
-            "radius": row[7:8],
-            "mass": row[8:9],
-        }
-        for name, values in fields.items():
-            for value in values:
-                if not math.isfinite(value) or abs(value) > LARGEST[name]:
-                    raise ShotError(
-                        f"balls[{i}].{name}: must be finite and at most {LARGEST[name]:g}, got {value!r}"
-                    )
-                if name in SMALLEST and value < SMALLEST[name]:
-                    raise ShotError(f"balls[{i}].{name}: must be at least {SMALLEST[name]:g}, got {value!r}")
-        _check_motion(i, row)
-        needs_height = CUSHION_MODELS[physics.cushion] != RESTITUTION and len(table.cushions) + len(
-            table.jaws
-        )
-        if needs_height and not abs(table.cushion_height / row[7] - 1.0) < 1.0:
-            raise ShotError(
-                f"table.cushion_height: {physics.cushion} needs it between 0 and twice the radius of"
-                f" balls[{i}], got {table.cushion_height!r}"
-            )
-    _check_overlap(balls)
-
-
-def _check_motion(i: int, row: list[float]) -> None:
-    """The stated motion must fit velocity and spin."""
-    motion = int(row[9])
-    vx, vy, wx, wy, wz, radius = row[2:8]
-    if motion in (STATIONARY, SPINNING) and (vx, vy, wx, wy) != (0.0, 0.0, 0.0, 0.0):
-        raise ShotError(f"balls[{i}].motion: {MOTIONS[motion]}, but it has velocity or spin about x or y")
-    if motion == STATIONARY and wz != 0.0:
-        raise ShotError(f"balls[{i}].motion: stationary, but it spins about z")
-    if motion == ROLLING:
-        slip = math.hypot(vx - radius * wy, vy + radius * wx)
-        if slip > 1e-6 * (1.0 + math.hypot(vx, vy)):
-            raise ShotError(
-                f"balls[{i}].spin: a rolling ball has spin (-vy/R, vx/R), this one slips at {slip:.3g} m/s"
-            )
-
-
-def _check_overlap(balls: Array) -> None:
-    present = [i for i in range(len(balls)) if int(balls[i, 9]) != POCKETED]
-    for place, i in enumerate(present):
-        for j in present[:place]:
-            reach = 2.0 * math.sqrt(balls[i, 7] * balls[j, 7])
-            gap = math.hypot(balls[i, 0] - balls[j, 0], balls[i, 1] - balls[j, 1]) - reach
-            if gap < -OVERLAP:
-                raise ShotError(f"balls[{j}] and balls[{i}] overlap by {-gap:.3g} m")

@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 
 from game.billiards.laws.contacts import BALL_MODELS, CUSHION_MODELS
 from game.billiards.laws.state import MOTIONS, POCKETED
-from game.billiards.shot.shot import Physics, Shot, ShotError, make_shot
+from game.billiards.shot.physics import Physics, ShotError
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.table.table import Table, checked_table
 
 Array = NDArray[np.float64]

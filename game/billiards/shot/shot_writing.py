@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from game.billiards.laws.state import IN_VZ, IN_Z, MOTIONS
-from game.billiards.shot.shot import Physics, Shot
+from game.billiards.shot.physics import Physics
+from game.billiards.shot.shot import Shot
 from game.billiards.shot.shot_file import OPTIONAL_FIELDS, PHYSICS_FIELDS
 
 

@@ -38,6 +38,7 @@ from game.billiards.laws.state import (
     SEG_Z,
 )
 from game.billiards.shot.shot import Shot
+from game.physics.kernels import linear
 
 Array = NDArray[np.float64]
 
@@ -191,7 +192,9 @@ class Trajectory:
         q = np.empty((len(rows), 4))
         turns_at(self.segments, rows, time, self._radii, self.shot.constants, self._starting_turns, q)
         matrices = rotation_matrices(q)
-        return matrices if starting is None else matrices @ np.asarray(starting, dtype=np.float64)
+        return (
+            matrices if starting is None else linear.product(matrices, np.asarray(starting, dtype=np.float64))
+        )
 
     def _within(self, time: float) -> float:
         if math.isnan(time):

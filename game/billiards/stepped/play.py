@@ -40,6 +40,7 @@ from game.billiards.laws.state import (
     X,
     Y,
 )
+from game.billiards.shot.physics import ShotError
 from game.billiards.shot.sampled import (
     SAMPLE_COLUMNS,
     SAMPLE_MOTION,
@@ -48,7 +49,7 @@ from game.billiards.shot.sampled import (
     sampled_trajectory,
     samples_for,
 )
-from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.shot.shot import Shot
 from game.billiards.stepped.cloth import step_on_cloth
 from game.billiards.stepped.contacts import (
     EVENTS,

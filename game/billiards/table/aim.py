@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -42,7 +43,7 @@ def first_contact(
     r1 + r2. Balls already in contact count only if the path leads into them.
     """
     x, y = float(positions[ball, 0]), float(positions[ball, 1])
-    ux, uy = math.cos(angle), math.sin(angle)
+    ux, uy = elementary.cos(angle), elementary.sin(angle)
     best = FirstContact("nothing", math.inf, (x, y), -1, (ux, uy), 0.0)
     for other in range(len(radii)):
         if other == ball or not in_play[other]:
@@ -54,7 +55,7 @@ def first_contact(
             ghost = (x + distance * ux, y + distance * uy)
             normal = ((positions[other, 0] - ghost[0]) / reach, (positions[other, 1] - ghost[1]) / reach)
             cosine = min(max(ux * normal[0] + uy * normal[1], -1.0), 1.0)
-            best = FirstContact("ball", distance, ghost, other, normal, math.acos(cosine))
+            best = FirstContact("ball", distance, ghost, other, normal, elementary.acos(cosine))
     for index, row in enumerate(table.pockets):
         distance = _circle_entry(float(row[0]) - x, float(row[1]) - y, ux, uy, float(row[2]))
         if distance < best.distance:

@@ -6,12 +6,11 @@ Mondiale de Billard, World rules of carom billiard.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]
@@ -52,7 +51,7 @@ def starting_position(cue: int, side: int = 1) -> Array:
 
 def touching(places: Array, ball: int) -> tuple[int, ...]:
     """Balls that a ball touches. places (3, 2) m."""
-    gaps = np.hypot(*(places - places[ball]).T) - 2.0 * BALL_RADIUS
+    gaps = elementwise.hypot(*(places - places[ball]).T) - 2.0 * BALL_RADIUS
     return tuple(other for other in range(3) if other != ball and gaps[other] <= FROZEN)
 
 
@@ -83,7 +82,7 @@ def respotted(places: Array, balls: tuple[int, ...], cue: int) -> Array:
     for ball in sorted(balls, key=(RED, cue, 1 - cue).index):
         spot = own[ball]
         for _ in range(3):
-            taker = next((k for k in lying if math.dist(now[k], spot) < 2.0 * BALL_RADIUS), None)
+            taker = next((k for k in lying if elementary.dist(now[k], spot) < 2.0 * BALL_RADIUS), None)
             if taker is None:
                 break
             spot = own[taker]
@@ -108,5 +107,5 @@ def fits(places: Array) -> bool:
         and (places[:, 0] <= CAROM_WIDTH - BALL_RADIUS).all()
         and (places[:, 1] <= CAROM_LENGTH - BALL_RADIUS).all()
     )
-    gaps = [math.dist(places[i], places[j]) for i in range(3) for j in range(i)]
+    gaps = [elementary.dist(places[i], places[j]) for i in range(3) for j in range(i)]
     return bool(inside) and min(gaps) >= 2.0 * BALL_RADIUS

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.table.table import Table
+from game.physics.kernels import elementwise, linear
 
 BALL_RADIUS = 0.028575  # m; 2 1/4 inches across (WPA equipment specification 16)
 BALL_MASS = 0.170097  # kg; 6 ounces
@@ -101,10 +102,10 @@ def _rack(
             positions[order[place]] = x, y
             place += 1
     if rng is not None and gap > 0.0:
-        angle = rng.uniform(0.0, 2.0 * math.pi, len(order))
+        angle = linear.uniform(rng, 0.0, 2.0 * math.pi, len(order))
         distance = 0.5 * gap * np.sqrt(rng.random(len(order)))
-        positions[1:, 0] += distance * np.cos(angle)
-        positions[1:, 1] += distance * np.sin(angle)
+        positions[1:, 0] += distance * elementwise.cos(angle)
+        positions[1:, 1] += distance * elementwise.sin(angle)
     return positions
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]
@@ -75,13 +76,15 @@ def opening_places(reds: int = 15) -> dict[int, Point]:
 
 def in_the_d(x: float, y: float) -> bool:
     """True if a ball at (x, y) m lies on or within the lines of the D (3.5(a))."""
-    return y <= BAULK + 1e-9 and (x - MIDDLE) ** 2 + (y - BAULK) ** 2 <= (D_RADIUS + 1e-9) ** 2
+    return y <= BAULK + 1e-9 and elementary.square(x - MIDDLE) + elementary.square(
+        y - BAULK
+    ) <= elementary.square(D_RADIUS + 1e-9)
 
 
 def nearest_in_the_d(x: float, y: float) -> Point:
     """The place of the D nearest to (x, y) m."""
     dx, dy = x - MIDDLE, min(y - BAULK, 0.0)
-    distance = math.hypot(dx, dy)
+    distance = elementary.hypot(dx, dy)
     if distance <= D_RADIUS:
         return x, BAULK + dy
     return MIDDLE + dx * D_RADIUS / distance, BAULK + dy * D_RADIUS / distance
@@ -94,13 +97,15 @@ def touching(places: dict[int, Point], ball: int = 0) -> tuple[int, ...]:
     x, y = places[ball]
     return tuple(
         other for other, (px, py) in sorted(places.items())
-        if other != ball and math.hypot(px - x, py - y) <= 2.0 * BALL_RADIUS + FROZEN
+        if other != ball and elementary.hypot(px - x, py - y) <= 2.0 * BALL_RADIUS + FROZEN
     )  # fmt: skip
 
 
 def is_occupied(places: dict[int, Point], spot: Point) -> bool:
     """True if a ball cannot be put on a spot without touching another (2.18)."""
-    return any(math.hypot(x - spot[0], y - spot[1]) < 2.0 * BALL_RADIUS + FROZEN for x, y in places.values())
+    return any(
+        elementary.hypot(x - spot[0], y - spot[1]) < 2.0 * BALL_RADIUS + FROZEN for x, y in places.values()
+    )
 
 
 def respotted(places: dict[int, Point], colours: tuple[int, ...]) -> dict[int, Point]:
@@ -129,7 +134,7 @@ def _beyond(places: dict[int, Point], spot: Point) -> Point:
     reach = 2.0 * BALL_RADIUS + APART
     up, down = [y], [y]
     for px, py in places.values():
-        under = reach * reach - (px - x) ** 2
+        under = reach * reach - elementary.square(px - x)
         if under > 0.0:
             up.append(py + math.sqrt(under))
             down.append(py - math.sqrt(under))

@@ -14,6 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
+
 Array = NDArray[np.float64]
 
 BED_WIDTH = 1.27  # m; nine-foot bed, WPA equipment specification 1
@@ -189,13 +191,17 @@ def _cushion_end(
     """
     turn = math.pi - cut.facing
     radius = cut.jaw_radius
-    set_back = radius * math.tan(0.5 * turn)
+    set_back = radius * elementary.tan(0.5 * turn)
     # the facing runs from the tip outwards, turned from the nose by `turn` away from the bed
-    facing = tuple(math.cos(turn) * a - math.sin(turn) * b for a, b in zip(along, inward, strict=True))
-    normal = tuple(math.sin(turn) * a + math.cos(turn) * b for a, b in zip(along, inward, strict=True))
+    facing = tuple(
+        elementary.cos(turn) * a - elementary.sin(turn) * b for a, b in zip(along, inward, strict=True)
+    )
+    normal = tuple(
+        elementary.sin(turn) * a + elementary.cos(turn) * b for a, b in zip(along, inward, strict=True)
+    )
     nose_end = (tip[0] - set_back * along[0], tip[1] - set_back * along[1])
     jaw = [nose_end[0] - radius * inward[0], nose_end[1] - radius * inward[1], radius]
-    reach = CUSHION_DEPTH / math.sin(turn)
+    reach = CUSHION_DEPTH / elementary.sin(turn)
     start = [tip[k] + set_back * facing[k] for k in (0, 1)]
     end = [tip[k] + reach * facing[k] for k in (0, 1)]
     return nose_end, [*start, *end, *normal], jaw

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.lab.studies.animation.skinning import by_numpy
 from game.physics.animation import Binding, Keyframes, Skeleton, Skinner, Solver, bind_weights, chain_skeleton
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -87,7 +88,7 @@ def reach(targets: int, farthest: float = 0.9) -> tuple[Solver, Array, Array]:
     start = rng.uniform(-0.3, 0.3, BONES)
     skeleton.pose(start)
     radii, turns = farthest * np.sqrt(rng.random(targets)), rng.uniform(-math.pi, math.pi, targets)
-    return solver, start, np.column_stack([radii * np.cos(turns), radii * np.sin(turns)])
+    return solver, start, np.column_stack([radii * elementwise.cos(turns), radii * elementwise.sin(turns)])
 
 
 def _reaching(method: str) -> Call:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import partial
 
 import numpy as np
@@ -10,10 +9,13 @@ from numpy.typing import NDArray
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.bounds import Query, build_tree, minimal_obb, nearest
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 SEGMENTS = 1024
-PLACES = [(1.9 + 0.2 * math.cos(0.02 * i), 0.2 * math.sin(0.02 * i)) for i in range(64)]  # m, of the second
+PLACES = [
+    (1.9 + 0.2 * elementary.cos(0.02 * i), 0.2 * elementary.sin(0.02 * i)) for i in range(64)
+]  # m, of the second
 APART = (3.0, 0.4)  # m, where it is clear of the first
 
 
@@ -23,8 +25,8 @@ def coast(seed: int, segments: int = SEGMENTS) -> Array:
     angle = 2 * np.pi * np.arange(segments) / segments
     radius = np.ones(segments)
     for k in range(2, 60):
-        radius += 0.25 / k * rng.uniform(0.3, 1) * np.sin(k * angle + rng.uniform(0, 7))
-    return radius[:, None] * np.column_stack((np.cos(angle), np.sin(angle)))
+        radius += 0.25 / k * rng.uniform(0.3, 1) * elementwise.sin(k * angle + rng.uniform(0, 7))
+    return radius[:, None] * np.column_stack((elementwise.cos(angle), elementwise.sin(angle)))
 
 
 def coast_query(kind: str, fit: str = "search") -> Query:

@@ -87,7 +87,7 @@ def str_tree(kind: str, count: int) -> Call:
 
 
 def pymunk_step(kind: str, count: int) -> Call:
-    """A step of pymunk with boxes that may pass through each other."""
+    """A step of pymunk with boxes that may pass through each other; the call returns their number."""
     import pymunk
 
     workload = Workload(kind, count)
@@ -98,7 +98,12 @@ def pymunk_step(kind: str, count: int) -> Call:
         space.add(body, pymunk.Poly.create_box(body, (high[0] - low[0], high[1] - low[1])))
     if hasattr(space, "on_collision"):
         space.on_collision(begin=lambda arbiter, space, data: setattr(arbiter, "process_collision", False))
-    return lambda: space.step(1e-9)
+
+    def step() -> int:
+        space.step(1e-9)
+        return len(space.shapes)
+
+    return step
 
 
 def _peers(kind: str, count: int) -> tuple[Peer, ...]:

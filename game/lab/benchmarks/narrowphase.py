@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.lab.studies.narrowphase.support import pebbles
+from game.physics.kernels import elementwise
 from game.physics.narrowphase import PolygonSet, Proximities, gjk_batch, vclip_batch
 
 Array = NDArray[np.float64]
@@ -28,7 +29,7 @@ class Workload:
         self.which = random.integers(0, SHAPES, (2, PAIRS))
         self.sets = [PolygonSet([self.points[k] for k in row]) for row in self.which.tolist()]
         far, around = random.uniform(2.05, 4.0, PAIRS), random.uniform(0.0, 2.0 * math.pi, PAIRS)
-        self.places = np.column_stack((far * np.cos(around), far * np.sin(around)))
+        self.places = np.column_stack((far * elementwise.cos(around), far * elementwise.sin(around)))
         self.angles = random.uniform(0.0, 2.0 * math.pi, (2, PAIRS))
         self.poses = [[self.pose(k, side) for side in (0, 1)] for k in range(ROUNDS)]
         self.round = 0
@@ -37,7 +38,7 @@ class Workload:
     def pose(self, k: int, side: int) -> Array:
         """Poses (PAIRS, 4) x, y, cos, sin of the first or second polygons in round k."""
         angles = self.angles[side] + (TURN if side else -TURN) * k
-        return np.column_stack((self.places * side, np.cos(angles), np.sin(angles)))
+        return np.column_stack((self.places * side, elementwise.cos(angles), elementwise.sin(angles)))
 
     def next_poses(self) -> list[Array]:
         """Those of the next round, there and back."""

@@ -11,6 +11,7 @@ from game.physics.effects import EffectSet
 from game.physics.fields import DRAG, GRAVITY, GROUND, WIND
 from game.physics.generations import CALM, Kind, StarSystem
 from game.physics.generations.step import BURNT, DIES, VX, VY, X, Y
+from game.physics.kernels import elementary, elementwise
 from game.physics.particles import OBSTACLES, Discs, Emitter, ParticleSystem
 
 SMALL_STEP = 1e-6  # s: the particles stay where they are, so that every repeat does the same work
@@ -23,10 +24,15 @@ def swarm(count: int, effects: EffectSet, method: str = "verlet", capacity: int 
     )
     rng = np.random.default_rng(1)
     age, angle = np.sort(rng.random(count))[::-1] * 1.8, (rng.random(count) - 0.5) * 0.5
-    x, y = 9 * np.sin(angle) * age, 9 * np.cos(angle) * age - 4.905 * age**2
+    x, y = 9 * elementwise.sin(angle) * age, 9 * elementwise.cos(angle) * age - 4.905 * (age * age)
     y = np.maximum(y, 0.0)
-    x = np.where((x - 0.2) ** 2 + (y - 2.4) ** 2 < 0.46**2, 5.0, x)  # nobody begins in the stone
-    system.add(np.stack([x, y], 1), np.stack([9 * np.sin(angle), 9 * np.cos(angle) - 9.81 * age], 1))
+    x = np.where(
+        elementary.square(x - 0.2) + elementary.square(y - 2.4) < elementary.square(0.46), 5.0, x
+    )  # nobody begins in the stone
+    system.add(
+        np.stack([x, y], 1),
+        np.stack([9 * elementwise.sin(angle), 9 * elementwise.cos(angle) - 9.81 * age], 1),
+    )
     return system
 
 

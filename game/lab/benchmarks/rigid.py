@@ -41,7 +41,7 @@ def heap(count: int, **settings: Any) -> CollidingSpheres:
     columns, _ = HEAPS[count]
     rows = -(-count // columns)
     bodies = SphereBodies(
-        places_of(count, columns), np.full(count, RADIUS), inertias=np.full(count, 0.5 * RADIUS**2)
+        places_of(count, columns), np.full(count, RADIUS), inertias=np.full(count, 0.5 * (RADIUS * RADIUS))
     )
     return CollidingSpheres(
         bodies,
@@ -75,7 +75,7 @@ def pymunk_heap(count: int) -> tuple[Any, list[Any]]:
         space.add(wall)
     bodies = []
     for place in places_of(count, columns).tolist():
-        body = pymunk.Body(1.0, 0.5 * RADIUS**2)
+        body = pymunk.Body(1.0, 0.5 * (RADIUS * RADIUS))
         body.position = tuple(place)
         disc = pymunk.Circle(body, RADIUS)
         disc.friction = 0.5

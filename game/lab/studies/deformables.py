@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.deformables import Mesh, MeshCollider, MeshStore, blob, mean_edge, store_of
+from game.physics.kernels import elementwise
 
 BLOBS, RINGS, RADIUS = 40, 4, 0.1  # 3,840 triangles
 PITCH = 0.95  # of a diameter: neighbours overlap a little
@@ -26,11 +28,16 @@ def pile_of(blobs: int, rings: int, seed: int = 4) -> tuple[MeshStore, NDArray[n
     """So many blobs in rows, each turned and moved a little by chance, and where their vertices are (m)."""
     generator = np.random.default_rng(seed)
     mesh = blob(RADIUS, rings)
-    across = round(blobs**0.5 * 1.3)
+    across = round(math.sqrt(blobs) * 1.3)
     meshes = []
     for k in range(blobs):
         angle, (dx, dy) = generator.uniform(0.0, 6.28), generator.uniform(-0.05, 0.05, 2) * RADIUS
-        turn = np.array(((np.cos(angle), -np.sin(angle)), (np.sin(angle), np.cos(angle))))
+        turn = np.array(
+            (
+                (elementwise.cos(angle), -elementwise.sin(angle)),
+                (elementwise.sin(angle), elementwise.cos(angle)),
+            )
+        )
         x = 2.0 * RADIUS * PITCH * (k % across + 0.5 * (k // across % 2))
         y = 2.0 * RADIUS * PITCH * 0.87 * (k // across)
         meshes.append(Mesh(mesh.points @ turn.T + (x + dx, y + dy), mesh.triangles))

@@ -162,7 +162,7 @@ def pile(correction: str, iterations: int) -> CollidingSpheres:
     shift = random.uniform(-0.05, 0.05, (len(i), 2))
     places = np.stack((0.5 + i % PILE_COLUMNS, 0.5 + i // PILE_COLUMNS), axis=1) + shift
     bodies = SphereBodies(
-        places, np.full(len(i), PILE_RADIUS), inertias=np.full(len(i), 0.5 * PILE_RADIUS**2)
+        places, np.full(len(i), PILE_RADIUS), inertias=np.full(len(i), 0.5 * (PILE_RADIUS * PILE_RADIUS))
     )
     return CollidingSpheres(
         bodies,

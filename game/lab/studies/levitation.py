@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.acoustics import Levitator, LevitatorSettings, facing_rows
+from game.physics.kernels import elementwise
 
 STEP, STEPS, SPEED, STRENGTH = 1.0 / 60.0, 12, 0.3, 10.0
 SUBSTEPS = (4, 8, 16, 32, 64, 128, 256)
@@ -54,7 +55,7 @@ class TrapTrial:
     def outcome(self) -> Outcome:
         """How far it is from where it should be."""
         away = self.levitator.positions[0] - _reference()
-        return Outcome(float(np.hypot(*away)), STEPS * self.substeps)
+        return Outcome(float(elementwise.hypot(*away)), STEPS * self.substeps)
 
 
 def _settings() -> list[Setting]:

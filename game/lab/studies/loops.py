@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.kernels import elementwise
 from game.physics.solids.tracks import DISC, Curve, TrackSettings, TrackWorld
 from game.physics.solids.tracks.motion import FREE, PIECE, X, Y
 
@@ -23,7 +24,7 @@ SUBSTEPS = (1, 2, 4, 8, 16)
 def comes_round(method: str, chords: int, substeps: int, drop: float) -> bool:
     """Whether a disc that rolls into the loop, after that drop (m), passes its top."""
     turn = np.linspace(-0.5 * math.pi, 1.5 * math.pi, chords + 1)
-    points = LOOP * np.stack([np.cos(turn), 1.0 + np.sin(turn)], axis=1)
+    points = LOOP * np.stack([elementwise.cos(turn), 1.0 + elementwise.sin(turn)], axis=1)
     curve = Curve(points, corner=35.0 if method == SMOOTH else 0.0)
     world = TrackWorld([curve], TrackSettings(substeps))
     speed = math.sqrt(2.0 * GRAVITY * drop / (1.0 + DISC))

@@ -10,6 +10,7 @@ import numpy as np
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.dominoes import STANDARD_GRAVITY
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids import TIERS
 from game.physics.solids.tracks import DISC, Curve, TrackSettings, TrackWorld, moved_aside
 from game.physics.solids.tracks.descent import (
@@ -46,16 +47,16 @@ def _time_to(curve: Curve, start: tuple[float, float], radius: float, goal: floa
 
 def incline_error(h: float) -> float:
     """Relative error of the acceleration of a disc down an incline."""
-    c, s = math.cos(SLOPE), math.sin(SLOPE)
+    c, s = elementary.cos(SLOPE), elementary.sin(SLOPE)
     curve = Curve(np.array([(-1.0 * c, 1.0 * s), (6.0 * c, -6.0 * s)]))
     took = _time_to(curve, (BALL * s, BALL * c), BALL, BALL * s + WAY * c, h)
-    return abs(2.0 * WAY / took**2 / rolling_acceleration(SLOPE, STANDARD_GRAVITY, DISC) - 1.0)
+    return abs(2.0 * WAY / (took * took) / rolling_acceleration(SLOPE, STANDARD_GRAVITY, DISC) - 1.0)
 
 
 def race_error(h: float) -> float:
     """Relative error of the time down a cycloid that the ball's centre follows."""
     turn = np.linspace(0.0, 1.2 * math.pi, POINTS)
-    way = np.stack([turn - np.sin(turn), np.cos(turn) - 1.0], axis=1)
+    way = np.stack([turn - elementwise.sin(turn), elementwise.cos(turn) - 1.0], axis=1)
     curve = Curve(moved_aside(way, -SMALL))
     took = _time_to(curve, (0.0, 0.0), SMALL, WIDTH, h)
     return abs(took / cycloid_time(WIDTH, DEPTH, STANDARD_GRAVITY, DISC) - 1.0)
@@ -73,7 +74,7 @@ def loop_error(h: float) -> float:
 
 def _comes_round(drop: float, h: float) -> bool:
     turn = np.linspace(-0.5 * math.pi, 1.5 * math.pi, CHORDS + 1)
-    curve = Curve(LOOP * np.stack([np.cos(turn), 1.0 + np.sin(turn)], axis=1))
+    curve = Curve(LOOP * np.stack([elementwise.cos(turn), 1.0 + elementwise.sin(turn)], axis=1))
     world = TrackWorld([curve], TrackSettings(1, (0.0, -STANDARD_GRAVITY)))
     speed = math.sqrt(2.0 * STANDARD_GRAVITY * drop / (1.0 + DISC))
     ball = world.add_ball((1e-3, BALL), BALL, (speed, 0.0), -speed / BALL, friction=NO_SLIP)

@@ -17,6 +17,7 @@ import numpy as np
 from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.fields import DRAG, GRAVITY
+from game.physics.kernels import elementary
 from game.physics.particles import CALM, CONTACTS, EVALUATIONS, METHODS, OBSTACLES, ORDERS, PARTICLES, Discs
 from game.physics.particles.contacts import Rules
 from game.physics.particles.shot import shoot
@@ -51,8 +52,8 @@ SHOWN = (
 def exact_flight(state: Sequence[float], t: float) -> np.ndarray:
     """State (4,) after t (s) of gravity and linear drag: the closed form."""
     x, y, vx, vy = state
-    reach, fall = -math.expm1(-DRAG_K * t) / DRAG_K, GRAVITY_G / DRAG_K
-    decay = math.exp(-DRAG_K * t)
+    reach, fall = -elementary.expm1(-DRAG_K * t) / DRAG_K, GRAVITY_G / DRAG_K
+    decay = elementary.exp(-DRAG_K * t)
     return np.array(
         [x + vx * reach, y + (vy + fall) * reach - fall * t, vx * decay, (vy + fall) * decay - fall]
     )
@@ -64,7 +65,7 @@ def exact_bounce() -> tuple[float, ...]:
 
     def gap(t: float) -> float:
         x, y, _, _ = exact_flight(START, t)
-        return math.dist((x, y), STONE) - RADIUS
+        return elementary.dist((x, y), STONE) - RADIUS
 
     low, high = 0.9, 1.2  # s: it falls on the stone from above between these
     while True:

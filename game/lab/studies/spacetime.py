@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.kernels import elementary
 from game.physics.spacetime.exact import exact_distance
 from game.physics.spacetime.motion import Laws
 from game.physics.spacetime.refine import refine_many
@@ -42,8 +43,13 @@ def pose_pairs(first: str, second: str, seed: int = 5) -> PosePairs:
     found = 0
     while found < POSES:
         far, heading, a, b = chance.uniform((0.5, 0.0, 0.0, 0.0), (2.6, math.tau, math.tau, math.tau))
-        poses[found, 0] = 0.0, 0.0, math.cos(a), math.sin(a)
-        poses[found, 1] = far * math.cos(heading), far * math.sin(heading), math.cos(b), math.sin(b)
+        poses[found, 0] = 0.0, 0.0, elementary.cos(a), elementary.sin(a)
+        poses[found, 1] = (
+            far * elementary.cos(heading),
+            far * elementary.sin(heading),
+            elementary.cos(b),
+            elementary.sin(b),
+        )
         exact[found] = exact_distance(world.outlines, world.spans, 0, 1, poses[found])
         found += exact[found] >= NEAREST
     return PosePairs(world, poses, exact)

@@ -15,6 +15,7 @@ from game.lab.studies.constraints import Run
 from game.lab.study import Knob, Method, Setting, Study, Workload
 from game.physics.constraints import LINKS, PositionBasedDynamics
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 
 SPRING_S, SPRING_K, SPRING_START = 1.0, 100.0, 0.1  # s, N/m, m out of rest
 SHARE_K = SPRING_K / (SPRING_K + 3600.0)  # k that is SPRING_K for 1 kg and one sweep of a step of 1/60 s
@@ -34,7 +35,7 @@ def spring_trial(setting: Setting) -> Run:
         [(0.0, 0.0), (1.0 + SPRING_START, 0.0)], [0.0, 1.0], [(0, 1)], SHARE_K, rest_lengths=[1.0],
         compliances=1.0 / SPRING_K, substeps=n, effects=EffectSet([LINKS]), **settings,
     )  # fmt: skip
-    exact = SPRING_START * math.cos(math.sqrt(SPRING_K) * SPRING_S)
+    exact = SPRING_START * elementary.cos(math.sqrt(SPRING_K) * SPRING_S)
     return Run(
         system,
         SPRING_S,

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.kernels import elementary
 from game.physics.solids import SOLVERS, TIERS, SolidSettings, SolidWorld, box
 from game.physics.solids.effects import USUAL
 
@@ -41,7 +42,7 @@ class StackTrial:
     def outcome(self) -> Outcome:
         """How far the top is from where rigid boxes would have it, and the substeps of a second."""
         x, y = self.world.bodies.positions[self.top].tolist()
-        sunk = float(((y - (BOXES - 0.5)) ** 2 + x * x) ** 0.5)
+        sunk = elementary.hypot(y - (BOXES - 0.5), x)
         failure = "it has fallen" if sunk > FALLEN else ""
         return Outcome(sunk, int(self.setting.knob) * round(1.0 / STEP), failure)
 

@@ -10,6 +10,7 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, QUADRATIC_DRAG
 from game.physics.generations import CALM, Kind, StarSystem
 from game.physics.generations.step import Y
+from game.physics.kernels import elementary
 
 SPEED, DRAG, SECONDS = 60.0, 0.01, 1.0  # m/s, 1/m, s; it still rises then
 ORDERS = {"split-drag": 2.0, "explicit-euler": 1.0, "semi-implicit-euler": 1.0, "midpoint": 2.0, "rk4": 4.0}
@@ -19,11 +20,11 @@ STAR = Kind("star", life_s=1000.0, drag_per_m=DRAG, grounded=False, capacity=1)
 def height_after(seconds: float, gravity: float = CALM.gravity) -> float:
     """Height (m) of a star thrown up with SPEED, while it rises: v_t²/g ln(cos(a - g t/v_t)/cos a)."""
     terminal = math.sqrt(gravity / DRAG)
-    begin = math.atan(SPEED / terminal)
+    begin = elementary.atan(SPEED / terminal)
     now = begin - gravity * seconds / terminal
     if now < 0.0:
         raise ValueError(f"seconds = {seconds!r}: it falls by then")
-    return terminal**2 / gravity * math.log(math.cos(now) / math.cos(begin))
+    return (terminal * terminal) / gravity * elementary.log(elementary.cos(now) / elementary.cos(begin))
 
 
 def throw(method: str, dt: float, steps: int) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.acoustics.field import COLUMNS, PHASE, STRENGTH, aim
+from game.physics.kernels import elementwise
 
 Floats = NDArray[np.float64]
 PATTERNS = ("focus", "plane")
@@ -25,7 +26,7 @@ class PhasedArray:
             raise ValueError(f"places: expected 1 to {MOST_TRANSDUCERS} points, not {where.shape}")
         if facing.shape != where.shape or self.rows.shape != (len(where),):
             raise ValueError("axes and rows: expected one for each place")
-        if not (np.isfinite(where).all() and np.allclose(np.hypot(*facing.T), 1.0)):
+        if not (np.isfinite(where).all() and np.allclose(elementwise.hypot(*facing.T), 1.0)):
             raise ValueError("places: expected finite numbers; axes: of length 1")
         self.sources: Floats = np.zeros((len(where), COLUMNS))
         self.sources[:, :2], self.sources[:, 2:4] = where, facing

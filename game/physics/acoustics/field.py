@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
@@ -49,7 +50,7 @@ def _directivity(w):
 
 
 TERMS = 14
-SERIES = tuple((-0.25) ** m / (math.factorial(m) * math.factorial(m + 1)) for m in range(TERMS))
+SERIES = tuple(elementary.pow(-0.25, m) / (math.factorial(m) * math.factorial(m + 1)) for m in range(TERMS))
 
 
 @inner_kernel
@@ -74,7 +75,7 @@ def pressure_at(sources, wave, x, y):
         f2 = 4.0 * spread * spread * c * c * bend - 2.0 * spread * slope
         qx, qy = (sources[j, AXIS_X] - c * ux) * near, (sources[j, AXIS_Y] - c * uy) * near
         turn = k * d + sources[j, PHASE]
-        g = sources[j, STRENGTH] * near * complex(math.cos(turn), math.sin(turn))
+        g = sources[j, STRENGTH] * near * complex(elementary.cos(turn), elementary.sin(turn))
         along = complex(-near, k)  # of exp(i k d) / d: first derivative, divided by itself
         twice = complex(2.0 * near * near - k * k, -2.0 * k * near)  # second
         p += g * f
@@ -130,7 +131,7 @@ def transfer(sources, wave, places):
     away = places[:, None, :] - sources[None, :, SX : SY + 1]
     distance = np.maximum(np.sqrt(np.sum(away * away, axis=2)), NEAREST)
     cosine = np.sum(away * sources[None, :, AXIS_X : AXIS_Y + 1], axis=2) / distance
-    w = wave.piston**2 * (1.0 - np.minimum(cosine * cosine, 1.0))
+    w = (wave.piston * wave.piston) * (1.0 - np.minimum(cosine * cosine, 1.0))
     shape = np.polynomial.polynomial.polyval(w, SERIES)
     heard = np.where(cosine > 0.0, sources[None, :, STRENGTH] * shape / distance, 0.0)
-    return (heard * np.exp(1j * wave.number * distance)).astype(np.complex64)
+    return (heard * elementwise.turned(wave.number * distance)).astype(np.complex64)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from game.physics.acoustics.effects import CONTACTS_BIT, DRAG_BIT, GRAVITY_BIT, GROUND_BIT, SOUND_BIT
 from game.physics.acoustics.field import Wave, aim, force_at
 from game.physics.acoustics.paths import place_at
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel
 
@@ -46,7 +47,7 @@ class Grain(NamedTuple):
     @property
     def volume(self) -> float:
         """m³."""
-        return 4.0 / 3.0 * math.pi * self.radius**3
+        return 4.0 / 3.0 * math.pi * (self.radius * self.radius * self.radius)
 
     @property
     def mass(self) -> float:
@@ -55,7 +56,7 @@ class Grain(NamedTuple):
 
     def contrast(self, air: Air) -> tuple[float, float]:
         """f1 and f2 of Gor'kov's potential, without unit."""
-        squeezed = air.density * air.sound**2 / (self.density * self.sound**2)
+        squeezed = air.density * (air.sound * air.sound) / (self.density * (self.sound * self.sound))
         heavier = self.density / air.density
         return 1.0 - squeezed, 2.0 * (heavier - 1.0) / (2.0 * heavier + 1.0)
 
@@ -95,8 +96,8 @@ class Flight(NamedTuple):
 def _drag(vx, vy, rate, reynolds, h):
     """The velocity after h (s) of drag, its rate taken at the speed half the way."""
     number = reynolds * math.sqrt(vx * vx + vy * vy)
-    number *= math.exp(-0.5 * rate * (1.0 + 0.15 * number**0.687) * h)
-    left = math.exp(-rate * (1.0 + 0.15 * number**0.687) * h)
+    number *= elementary.exp(-0.5 * rate * (1.0 + 0.15 * elementary.pow(number, 0.687)) * h)
+    left = elementary.exp(-rate * (1.0 + 0.15 * elementary.pow(number, 0.687)) * h)
     return vx * left, vy * left
 
 
@@ -191,8 +192,8 @@ def wave_of(grain: Grain, air: Air, frequency: float, piston: float) -> Wave:
     return Wave(
         omega / air.sound,
         omega / air.sound * piston,
-        grain.volume * f1 / (4.0 * air.density * air.sound**2),
-        3.0 * grain.volume * f2 / (8.0 * air.density * omega**2),
+        grain.volume * f1 / (4.0 * air.density * (air.sound * air.sound)),
+        3.0 * grain.volume * f2 / (8.0 * air.density * (omega * omega)),
     )
 
 
@@ -202,6 +203,13 @@ def escape_estimate(force: float, grain: Grain, air: Air) -> float:
     for _ in range(80):
         middle = 0.5 * (low + high)
         number = 2.0 * grain.radius * air.density * middle / air.viscosity
-        drag = 6.0 * math.pi * air.viscosity * grain.radius * middle * (1.0 + 0.15 * number**0.687)
+        drag = (
+            6.0
+            * math.pi
+            * air.viscosity
+            * grain.radius
+            * middle
+            * (1.0 + 0.15 * elementary.pow(number, 0.687))
+        )
         low, high = (middle, high) if drag < force else (low, middle)
     return low

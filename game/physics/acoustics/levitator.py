@@ -29,6 +29,7 @@ from game.physics.acoustics.grains import (
 )
 from game.physics.acoustics.paths import figure_path
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementwise
 
 Floats = NDArray[np.float64]
 FREQUENCY = 40_000.0  # Hz, of the usual transducers
@@ -177,7 +178,7 @@ class Levitator:
     def held(self) -> NDArray[np.bool_]:
         """(n,) whether each grain is carried: slower against the focus than it would fall in 20 ms, and off
         the rows."""
-        speed = np.hypot(*self.fields[VX : VX + 2])
+        speed = elementwise.hypot(*self.fields[VX : VX + 2])
         free = np.max(np.abs(self.fields[:2]), axis=0) < self.half - 1.5 * self.grain.radius
         return np.asarray(free & (speed < float(self.focus[1]) + 0.2))
 

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.kernels.lean import inner_kernel
 
 Floats = NDArray[np.float64]
@@ -16,25 +17,32 @@ PLACE_X, PLACE_Y, WAY = range(3)
 
 
 def _circle(t: Floats) -> tuple[Floats, Floats]:
-    return np.cos(t), np.sin(t)
+    return elementwise.cos(t), elementwise.sin(t)
 
 
 def _eight(t: Floats) -> tuple[Floats, Floats]:
-    return np.sin(t), np.sin(t) * np.cos(t)  # Gerono
+    return elementwise.sin(t), elementwise.sin(t) * elementwise.cos(t)  # Gerono
 
 
 def _heart(t: Floats) -> tuple[Floats, Floats]:
-    x = 16.0 * np.sin(t) ** 3
-    y = 13.0 * np.cos(t) - 5.0 * np.cos(2.0 * t) - 2.0 * np.cos(3.0 * t) - np.cos(4.0 * t)
+    x = 16.0 * elementary.cube(elementwise.sin(t))
+    y = (
+        13.0 * elementwise.cos(t)
+        - 5.0 * elementwise.cos(2.0 * t)
+        - 2.0 * elementwise.cos(3.0 * t)
+        - elementwise.cos(4.0 * t)
+    )
     return x / 17.0, (y + 2.5) / 17.0
 
 
 def _line(t: Floats) -> tuple[Floats, Floats]:
-    return np.cos(t), np.zeros_like(t)
+    return elementwise.cos(t), np.zeros_like(t)
 
 
 def _rose(t: Floats) -> tuple[Floats, Floats]:
-    return np.cos(1.5 * t) * np.cos(0.5 * t), np.cos(1.5 * t) * np.sin(0.5 * t)  # three leaves
+    return elementwise.cos(1.5 * t) * elementwise.cos(0.5 * t), elementwise.cos(1.5 * t) * elementwise.sin(
+        0.5 * t
+    )  # three leaves
 
 
 FIGURES: dict[str, Callable[[Floats], tuple[Floats, Floats]]] = {
@@ -54,7 +62,9 @@ def figure_path(figure: str, size: float) -> Floats:
     x, y = FIGURES[figure](np.linspace(0.0, 2.0 * math.pi, POINTS + 1))
     path = np.empty((POINTS + 1, 3))
     path[:, PLACE_X], path[:, PLACE_Y] = size * x, size * y
-    path[:, WAY] = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(path[:, 0]), np.diff(path[:, 1])))])
+    path[:, WAY] = np.concatenate(
+        [[0.0], np.cumsum(elementwise.hypot(np.diff(path[:, 0]), np.diff(path[:, 1])))]
+    )
     return path
 
 

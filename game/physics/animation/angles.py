@@ -7,6 +7,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementwise
+
 Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
 
@@ -23,7 +25,7 @@ def shortest_turn(difference: ArrayLike, turn: float = TURN) -> Array:
 def rotation(angle: ArrayLike) -> Array:
     """Rotation matrices (..., 2, 2) of angles (...,) rad."""
     plain = np.asarray(angle, dtype=np.float64)
-    cos, sin = np.cos(plain), np.sin(plain)
+    cos, sin = elementwise.cos(plain), elementwise.sin(plain)
     return np.stack((np.stack((cos, -sin), axis=-1), np.stack((sin, cos), axis=-1)), axis=-2)
 
 

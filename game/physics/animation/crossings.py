@@ -21,7 +21,7 @@ def crosses_itself(controls: Array) -> NDArray[np.bool_]:
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         total = -_cross(linear, cubic) / across
         along = np.sum(
-            (cubic * total[:, None] ** 2 + square * total[:, None] + linear) * cubic, axis=1
+            (cubic * (total[:, None] * total[:, None]) + square * total[:, None] + linear) * cubic, axis=1
         ) / np.sum(cubic * cubic, axis=1)
         apart = np.sqrt(total * total - 4.0 * along)  # product of the roots
         early, late = 0.5 * (total - apart), 0.5 * (total + apart)

@@ -62,12 +62,12 @@ def rounded(outline: ArrayLike, spacing: float) -> Array:
     if len(points) < 3 or not spacing > 0.0:
         raise WeightError("outline: expected at least three points and a spacing above 0 m")
     along = np.roll(points, -1, 0) - points
-    counts = np.clip(np.ceil(np.sqrt((along**2).sum(axis=1)) / spacing), 1.0, 1_000.0).astype(np.int64)
+    counts = np.clip(np.ceil(np.sqrt((along * along).sum(axis=1)) / spacing), 1.0, 1_000.0).astype(np.int64)
     segment = np.repeat(np.arange(len(points)), counts)
     t = ((np.arange(len(segment)) - (np.cumsum(counts) - counts)[segment]) / counts[segment])[:, None]
     p0, p1, p2, p3 = (np.roll(points, shift, 0)[segment] for shift in (1, 0, -1, -2))
     curve = 2.0 * p1 + (p2 - p0) * t + (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) * t * t
-    return 0.5 * (curve + (3.0 * (p1 - p2) + p3 - p0) * t**3)
+    return 0.5 * (curve + (3.0 * (p1 - p2) + p3 - p0) * (t * t * t))
 
 
 def points_inside(outline: ArrayLike, spacing: float) -> Array:

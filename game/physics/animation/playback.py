@@ -17,6 +17,7 @@ from game.physics.animation.effects import CONSTANT_SPEED, EASING, PLAYBACKS
 from game.physics.animation.keyframes import Keyframes
 from game.physics.animation.piecewise import PiecewiseCubic
 from game.physics.effects import Effect, EffectSet
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 NOTHING = EffectSet(())
@@ -89,4 +90,4 @@ class Playback:
         length = knots[piece + 1] - knots[piece]
         u = np.divide(times - knots[piece], length, out=np.zeros(times.shape), where=length > 0.0)
         way = self.path.direction(piece + np.clip(u, 0.0, 1.0))
-        return np.asarray(np.arctan2(way[..., 1], way[..., 0]))
+        return np.asarray(elementwise.arctan2(way[..., 1], way[..., 0]))

@@ -18,6 +18,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 Array = NDArray[np.float64]
@@ -37,7 +38,7 @@ def place_bones(order, parents, offsets, angles, world):
     for k in range(order.shape[0]):
         i = order[k]
         p = parents[i]
-        c, s = math.cos(angles[i]), math.sin(angles[i])
+        c, s = elementary.cos(angles[i]), elementary.sin(angles[i])
         x, y = offsets[i, 0], offsets[i, 1]
         if p < 0:
             world[i, 0, 0], world[i, 0, 1], world[i, 0, 2] = c, -s, x
@@ -148,7 +149,7 @@ class Skeleton:
     def world_angle(self, bone: int) -> float:
         """Direction of a bone in the world, rad in (-pi, pi]."""
         frame = self.world[self.bone(bone)]
-        return math.atan2(frame[1, 0], frame[0, 0])
+        return elementary.atan2(frame[1, 0], frame[0, 0])
 
     # -- the tree -----------------------------------------------------------------------------------
 
@@ -184,7 +185,7 @@ class Skeleton:
         if not np.array_equal(again.world, self.world):
             raise SkeletonError("world: not that of the present angles")
         turn = self.world[:, :2, :2]
-        off = np.abs(turn @ turn.transpose(0, 2, 1) - np.eye(2)).max()
+        off = np.abs((turn[:, :, None, :] * turn[:, None, :, :]).sum(axis=3) - np.eye(2)).max()
         if off > 1e-13 * (self.count + 1):
             raise SkeletonError(f"world: frames are off a rotation by {off:.1e}")
 

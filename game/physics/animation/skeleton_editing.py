@@ -9,6 +9,7 @@ import numpy as np
 
 from game.physics.animation.skeleton import Skeleton
 from game.physics.animation.weights import distances_to_bones
+from game.physics.kernels import elementary
 
 NOWHERE = -1
 SHORTEST = 1e-6  # m, of a bone that is made by hand
@@ -26,6 +27,6 @@ def bone_at(skeleton: Skeleton, point: Point, reach: float) -> int:
     if not nearest <= reach:
         return NOWHERE
     middles = 0.5 * (skeleton.bases + skeleton.ends)
-    off = np.sqrt(((middles - at) ** 2).sum(axis=1))
+    off = np.sqrt((elementary.square(middles - at)).sum(axis=1))
     off[distances > nearest + 0.2 * reach] = math.inf
     return int(np.argmin(off))

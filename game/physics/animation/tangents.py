@@ -27,6 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.animation.splines import closed_slopes, natural_slopes, not_a_knot_slopes
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 KNOT_POWERS = {"catmull-rom": 0.0, "centripetal": 0.5, "chordal": 1.0}  # of the distance of points
@@ -69,7 +70,7 @@ def _knot_lengths(rule: str, times: Array, steps: Array, geometry: tuple[int, ..
         return np.where(np.diff(times) > 0.0, 1.0, 0.0)
     way = steps if geometry is None else steps[:, list(geometry)]
     squares = (way * way).sum(axis=1)
-    return np.where(np.diff(times) > 0.0, squares ** (0.5 * KNOT_POWERS[rule]), 0.0)
+    return np.where(np.diff(times) > 0.0, elementwise.power(squares, 0.5 * KNOT_POWERS[rule]), 0.0)
 
 
 def _slopes(rule: str, h: Array, chords: Array, closed: bool) -> Array:

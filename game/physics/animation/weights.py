@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.animation.skeleton import Array, Skeleton
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 FALLOFF = 3.0
@@ -54,14 +55,14 @@ def weigh(distances, threshold, falloff, all_weights):
         least = distances[v, nearest]
         total = 0.0
         if least < threshold:
-            at_threshold = math.pow(least / threshold, falloff)
+            at_threshold = elementary.pow(least / threshold, falloff)
             for i in range(n):
                 d = distances[v, i]
                 weight = 0.0
                 if d == least:
                     weight = 1.0 - at_threshold
                 elif d < threshold:
-                    weight = max(math.pow(least / d, falloff) - at_threshold, 0.0)
+                    weight = max(elementary.pow(least / d, falloff) - at_threshold, 0.0)
                 all_weights[v, i] = weight
                 total += weight
         if total > 0.0:
@@ -201,7 +202,7 @@ def invert_frames(frames: ArrayLike) -> Array:
     inverse = np.zeros(frames.shape)
     inverse[:, 0, 0], inverse[:, 0, 1] = d / determinant, -b / determinant
     inverse[:, 1, 0], inverse[:, 1, 1] = -c / determinant, a / determinant
-    inverse[:, :2, 2] = -np.einsum("nij,nj->ni", inverse[:, :2, :2], frames[:, :2, 2])
+    inverse[:, :2, 2] = -(inverse[:, :2, :2] * frames[:, None, :2, 2]).sum(axis=2)
     inverse[:, 2, 2] = 1.0
     return inverse
 

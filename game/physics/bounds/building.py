@@ -16,6 +16,7 @@ from game.physics.bounds.boxes import calipers, extents_along, search_box, write
 from game.physics.bounds.capsules import area_of_capsule, core_between, search_capsule, write_capsule
 from game.physics.bounds.hull import sorted_hull
 from game.physics.bounds.least_capsule import CELLS, GOLDEN, write_least_capsule
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 
 OBB, CAPSULE, AABB = 0, 1, 2
@@ -89,7 +90,7 @@ def golden_angle(kind, hull, h, angle, step):
     side that is found.
     """
     low, high = angle - step, angle + step
-    best, least = angle, area_on_axis(kind, hull, h, math.cos(angle), math.sin(angle))
+    best, least = angle, area_on_axis(kind, hull, h, elementary.cos(angle), elementary.sin(angle))
     left, at_left, right, at_right = low, math.inf, high, math.inf
     for i in range(GOLDEN_ROUNDS):
         leftward = i == 0 or at_left <= at_right
@@ -105,7 +106,7 @@ def golden_angle(kind, hull, h, angle, step):
             low, left, at_left = left, right, at_right
             trial = low + GOLDEN * (high - low)
             right = trial
-        area = area_on_axis(kind, hull, h, math.cos(trial), math.sin(trial))
+        area = area_on_axis(kind, hull, h, elementary.cos(trial), elementary.sin(trial))
         if trial == right and i > 0 and not (leftward and i > 1):
             at_right = area
         else:
@@ -132,8 +133,8 @@ def best_axis(method, hull, h, scratch):
     if best >= count:
         c, s = -s, c
     if fit == REFINED:
-        angle = golden_angle(kind, hull, h, math.atan2(s, c), step)
-        c, s = math.cos(angle), math.sin(angle)
+        angle = golden_angle(kind, hull, h, elementary.atan2(s, c), step)
+        c, s = elementary.cos(angle), elementary.sin(angle)
     return c, s
 
 

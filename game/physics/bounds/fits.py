@@ -31,6 +31,7 @@ from game.physics.bounds.least_capsule import (
     write_shortest,
 )
 from game.physics.bounds.validation import Array, as_points, as_step, turns_of
+from game.physics.kernels import elementary, linear
 
 POLISHING = 4  # rounds of nested golden section, each about the best of the last
 POLISHED_ANGLE = math.radians(1.0)  # on both sides of the best direction, in the first round
@@ -57,7 +58,10 @@ class Box(NamedTuple):
         """How far points (n, 2) lie beyond the nearest side, m; 0 or less inside."""
         off = np.asarray(points, dtype=np.float64).reshape(-1, 2) - self.centre
         c, s = self.axis
-        along, across = np.abs(off @ (c, s)) - self.half[0], np.abs(off @ (-s, c)) - self.half[1]
+        along, across = (
+            np.abs(linear.product(off, (c, s))) - self.half[0],
+            np.abs(linear.product(off, (-s, c))) - self.half[1],
+        )
         return np.maximum(along, across)
 
 
@@ -77,14 +81,14 @@ class Capsule(NamedTuple):
     @property
     def area(self) -> float:
         """m²."""
-        return 2.0 * self.radius * self.length + math.pi * self.radius**2
+        return 2.0 * self.radius * self.length + math.pi * (self.radius * self.radius)
 
     def outside(self, points: ArrayLike) -> Array:
         """Distance of points (n, 2) from the core less the radius, m; 0 or less inside."""
         off = np.asarray(points, dtype=np.float64).reshape(-1, 2) - self.start
         way = np.array(self.end) - self.start
-        square = float(way @ way)
-        share = np.clip(off @ way / square, 0.0, 1.0) if square > 0.0 else np.zeros(len(off))
+        square = float(linear.product(way, way))
+        share = np.clip(linear.product(off, way) / square, 0.0, 1.0) if square > 0.0 else np.zeros(len(off))
         rest = off - share[:, None] * way
         return np.sqrt((rest * rest).sum(axis=1)) - self.radius
 
@@ -145,10 +149,14 @@ def principal_box(points: ArrayLike) -> Box:
     """The box of points (n, 2) m on the axes of their greatest and least variance: quick, not small."""
     given = as_points(points)
     off = given - given.mean(axis=0)
-    xx, xy, yy = float(off[:, 0] @ off[:, 0]), float(off[:, 0] @ off[:, 1]), float(off[:, 1] @ off[:, 1])
-    angle = 0.5 * math.atan2(2.0 * xy, xx - yy)
-    c, s = math.cos(angle), math.sin(angle)
-    along, across = off @ (c, s), off @ (-s, c)
+    xx, xy, yy = (
+        float(linear.product(off[:, 0], off[:, 0])),
+        float(linear.product(off[:, 0], off[:, 1])),
+        float(linear.product(off[:, 1], off[:, 1])),
+    )
+    angle = 0.5 * elementary.atan2(2.0 * xy, xx - yy)
+    c, s = elementary.cos(angle), elementary.sin(angle)
+    along, across = linear.product(off, (c, s)), linear.product(off, (-s, c))
     u, v = 0.5 * (along.max() + along.min()), 0.5 * (across.max() + across.min())
     x, y = given.mean(axis=0).tolist()
     half = 0.5 * float(np.ptp(along)), 0.5 * float(np.ptp(across))
@@ -198,7 +206,7 @@ def least_capsule(points: ArrayLike, tolerance: float = TOLERANCE) -> tuple[Caps
     best = np.array((math.inf, 0.0, 0.0))
     for capsule in (start, thin):
         dx, dy = capsule.end[0] - capsule.start[0], capsule.end[1] - capsule.start[1]
-        length = math.hypot(dx, dy)
+        length = elementary.hypot(dx, dy)
         try_axis(hull, h, dx / length if length else 1.0, dy / length if length else 0.0, best)
     polish(hull, h, POLISHED_ANGLE, 0.1 * best[2], thin.radius, best)
     bound = float(
@@ -206,7 +214,8 @@ def least_capsule(points: ArrayLike, tolerance: float = TOLERANCE) -> tuple[Caps
     )
     radius_range = 0.1 * best[2]
     for i in range(POLISHING):
-        polish(hull, h, POLISHED_ANGLE * 0.1**i, radius_range * 0.1**i, thin.radius, best)
+        finer = elementary.pow(0.1, i)
+        polish(hull, h, POLISHED_ANGLE * finer, radius_range * finer, thin.radius, best)
     row = np.zeros((1, 6))
     write_shortest(hull, h, best[1], best[2], *origin.tolist(), row, 0)
     found = min((capsule_of(row[0]), start, thin), key=lambda capsule: capsule.area)

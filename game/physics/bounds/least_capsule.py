@@ -24,6 +24,7 @@ from game.physics.bounds.capsules import (
     write_capsule,
     write_core,
 )
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
@@ -114,9 +115,9 @@ def least_in_cell(hull, h, cell, most, enough, diameter):
     least at one of its ends.
     """
     half, near, far = cell[1], cell[2], cell[3]
-    c, s = math.cos(cell[0]), math.sin(cell[0])
+    c, s = elementary.cos(cell[0]), elementary.sin(cell[0])
     longest = min(diameter, (most - math.pi * near * near) / (2.0 * near))
-    turned = max(longest, 0.0) * math.sin(0.5 * half)
+    turned = max(longest, 0.0) * elementary.sin(0.5 * half)
     u0, u1, v0, v1 = extents_along(hull, h, c, s)
     near = max(near, 0.5 * (v1 - v0) - turned)
     far = min(far, radius_within(u1 - u0 - 2.0 * turned, enough))
@@ -177,7 +178,7 @@ def prove_least(hull, h, least_radius, diameter, tolerance, cells, best):
 @lean_kernel
 def best_radius(hull, h, angle, near, far, best):
     """Least area on one angle for radii from ``near`` to ``far``, m²; ``best`` is improved."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     _, _, v0, v1 = extents_along(hull, h, c, s)
     near = max(near, 0.5 * (v1 - v0))
     far = max(far, near)
@@ -244,14 +245,14 @@ def try_axis(hull, h, c, s, best):
     low, high = core_between(hull, h, c, s, 0.5 * (v0 + v1), radius)
     area = area_of_capsule(high - low, radius)
     if area < best[0]:
-        best[0], best[1], best[2] = area, math.atan2(s, c), radius
+        best[0], best[1], best[2] = area, elementary.atan2(s, c), radius
     return radius
 
 
 @lean_kernel
 def write_shortest(hull, h, angle, radius, origin_x, origin_y, volumes, node):
     """Write the capsule with the shortest core for a direction (rad) and a radius into row ``node``."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     _, middle = shortest_core(hull, h, c, s, radius)
     low, high = core_between(hull, h, c, s, middle, radius)
     write_core(hull, h, c, s, (middle, low, high), origin_x, origin_y, volumes, node)

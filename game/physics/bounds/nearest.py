@@ -17,6 +17,7 @@ from game.physics.bounds.overlap import gap_of_volumes
 from game.physics.bounds.segments import nearest_points
 from game.physics.bounds.tree import BoundingTree
 from game.physics.bounds.validation import as_angle, as_vector
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 
 
@@ -104,7 +105,7 @@ def nearest(
     capacity = tree_a.depth + tree_b.depth + 3
     best = np.zeros(7)
     best[0] = math.inf
-    place = np.array([math.cos(turn), math.sin(turn), x, y])
+    place = np.array([elementary.cos(turn), elementary.sin(turn), x, y])
     stack, bounds = np.zeros((capacity, 2), dtype=np.int64), np.zeros(capacity)
     search_nearest(tree_a.nodes, tree_b.nodes, place, stack, bounds, best)
     square, px, py, qx, qy, volumes, segments = best.tolist()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +12,7 @@ from game.physics.bounds.building import PARENT
 from game.physics.bounds.segments import SCRATCH
 from game.physics.bounds.tree import BoundingTree
 from game.physics.bounds.validation import Array, as_angle, as_vector
+from game.physics.kernels import elementary, linear
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.limits import LimitError
 
@@ -120,7 +120,7 @@ class Query:
         turn = as_angle(turn_b, "turn_b")
         if turn != 0.0 and self.tree_a.kind == "aabb":
             raise ValueError("turn_b: axis-aligned boxes do not turn; give the tree of the turned polyline")
-        self._place[:] = math.cos(turn), math.sin(turn), x, y
+        self._place[:] = elementary.cos(turn), elementary.sin(turn), x, y
         if coherent:
             self._old, self._rows, self._old_count = self._rows, self._old, self.row_count
             if not self._old_count:
@@ -258,8 +258,11 @@ class Query:
         apart = (rows[:, traversal.VERDICT] == traversal.APART) & (rows[:, traversal.TESTED] == 1)
         for k in np.flatnonzero(apart).tolist():
             axis = gaps[k, 1:]
-            mine = a.ends[a.segments_of(rows[k, 0])].reshape(-1, 2) @ axis
-            theirs = (b.ends[b.segments_of(rows[k, 1])].reshape(-1, 2) @ turn + (x, y)) @ axis
+            mine = linear.product(a.ends[a.segments_of(rows[k, 0])].reshape(-1, 2), axis)
+            theirs = linear.product(
+                linear.product(b.ends[b.segments_of(rows[k, 1])].reshape(-1, 2), turn) + np.array((x, y)),
+                axis,
+            )
             assert theirs.min() - mine.max() > 0.0, f"row {k}: not separated by its axis"
 
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from game.physics.bounds.building import BEGIN, CHILD, DEPTH, END, PARENT, fit_scratch, grow_tree
 from game.physics.bounds.fits import ROUNDING, box_of, capsule_of
 from game.physics.bounds.validation import Array, as_angle, as_points, as_step, turns_of
+from game.physics.kernels import elementary, linear
 
 KINDS = ("obb", "capsule", "aabb")
 FITS = ("search", "refined", "thinnest", "exact")
@@ -21,7 +22,7 @@ Indices = NDArray[np.int64]
 
 def tree_depth_bound(segments: int) -> int:
     """No tree over so many segments is deeper: halved in space at first, by number below."""
-    return 3 * math.ceil(math.log2(max(segments, 2))) + 9
+    return 3 * math.ceil(elementary.log2(max(segments, 2))) + 9
 
 
 class BoundingTree:
@@ -90,22 +91,22 @@ class BoundingTree:
         if self.kind != "capsule":
             return np.asarray(4.0 * v[:, 4] * v[:, 5])
         way = v[:, 2:4] - v[:, 0:2]
-        return np.asarray(2.0 * v[:, 4] * np.sqrt((way * way).sum(axis=1)) + np.pi * v[:, 4] ** 2)
+        return np.asarray(2.0 * v[:, 4] * np.sqrt((way * way).sum(axis=1)) + np.pi * (v[:, 4] * v[:, 4]))
 
     def turned(self, angle: float) -> BoundingTree:
         """The tree of the polyline turned about its origin by an angle, rad.
 
         Boxes and capsules turn with it; axis-aligned boxes are built again, as theirs have to stay upright.
         """
-        c, s = math.cos(as_angle(angle, "angle")), math.sin(angle)
+        c, s = elementary.cos(as_angle(angle, "angle")), elementary.sin(angle)
         turn = np.array([[c, s], [-s, c]])
-        points = self.points @ turn
+        points = linear.product(self.points, turn)
         if self.kind == "aabb":
             return self._rebuild(points)
         volumes = self.volumes.copy()
         for column in (0, 2):
-            volumes[:, column : column + 2] = self.volumes[:, column : column + 2] @ turn
-        ends = (self.ends.reshape(-1, 2) @ turn).reshape(-1, 4)
+            volumes[:, column : column + 2] = linear.product(self.volumes[:, column : column + 2], turn)
+        ends = (linear.product(self.ends.reshape(-1, 2), turn)).reshape(-1, 4)
         return BoundingTree(
             self.kind, points, self.closed, ends, self.order, volumes, self.links, self.sizes, self._rebuild
         )
@@ -175,7 +176,7 @@ def build_tree(
         (KINDS.index(kind), FITS.index(fit), turns, math.radians(step)),
         SPLITS.index(split),
         int(leaf_size),
-        2 * math.ceil(math.log2(max(n, 2))) + 8,
+        2 * math.ceil(elementary.log2(max(n, 2))) + 8,
         (KINDS.index(kind), volumes, links, sizes, ends, order),
         loose,
         sorted_ids,

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary
+
 Array = NDArray[np.float64]
 
 LARGEST = 1e100  # m; products of two such numbers are still far from overflow
@@ -66,5 +68,8 @@ def turns_of(step_degrees: float) -> Array:
     """Directions (k, 2) from 0 to below 90 degrees, so many degrees apart: cosine and sine."""
     count = max(1, math.ceil(90.0 / step_degrees - 1e-9))
     return np.array(
-        [(math.cos(a), math.sin(a)) for a in (math.radians(i * step_degrees) for i in range(count))]
+        [
+            (elementary.cos(a), elementary.sin(a))
+            for a in (math.radians(i * step_degrees) for i in range(count))
+        ]
     )

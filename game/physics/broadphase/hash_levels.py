@@ -160,7 +160,7 @@ def place_boxes(store, ladder, placed):
         layout[level, COUNT] = 0
     for bucket in range(len(start)):
         start[bucket] = 0
-    smallest = 0.5**step
+    smallest = math.ldexp(1.0, -step)
     fits = True
     for box in range(top):
         if alive[box] == 0:

@@ -7,6 +7,8 @@ the fine rows that it covers. Each pair is found once.
 
 from __future__ import annotations
 
+import math
+
 from game.physics.broadphase.grid_search import ID_MASK, Sorted, name_pairs
 from game.physics.broadphase.hash_levels import (
     COUNT,
@@ -200,7 +202,7 @@ def runs_over(layout, fine, coarse):
     """Whether the boxes of a coarse level run over the cells of a fine one, as that is cheaper than that the
     fine boxes look up the coarse cells. ``layout``: of the tables, with counts and masks.
     """
-    across = 2.0 ** (coarse - fine) + 2.0
+    across = math.ldexp(1.0, coarse - fine) + 2.0
     looking = LOOK_COST * float(layout[fine, COUNT])
     load = layout[fine, COUNT] / (layout[fine, MASK] + 1.0)
     running = layout[coarse, COUNT] * across * (RUN_COST + across * load)

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.broadphase.validation import Corners
+from game.physics.kernels import elementary, elementwise
 
 WORKLOADS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice", "teleport")
-MEAN_COSINE_DIFFERENCE = 8.0 / math.pi**2  # E|cos a - cos b| of independent uniform directions
+MEAN_COSINE_DIFFERENCE = 8.0 / (math.pi * math.pi)  # E|cos a - cos b| of independent uniform directions
 
 
 class MovingBoxes(NamedTuple):
@@ -67,14 +68,14 @@ def make_boxes(
         sizes = _pareto_sizes(count, generator, ratio)
     if count:
         # mean overlaps of a box = n E[(s_i + s_j)^2] / area, which is to be 4 fill
-        mean_square = 2.0 * float(np.mean(sizes**2)) + 2.0 * float(np.mean(sizes)) ** 2
+        mean_square = 2.0 * float(np.mean(sizes * sizes)) + 2.0 * elementary.square(float(np.mean(sizes)))
         sizes *= math.sqrt(4.0 * fill * width * height / (count * mean_square))
     sizes = np.minimum(sizes, min(width, height))
     centers = _places(kind, count, generator, width, height)
     half_sizes = np.repeat(sizes[:, None] / 2.0, 2, axis=1)
     centers = np.clip(centers, half_sizes, np.array([width, height]) - half_sizes)
     angles = generator.random(count) * 2.0 * math.pi
-    velocities = speed * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    velocities = speed * np.stack([elementwise.cos(angles), elementwise.sin(angles)], axis=1)
     return MovingBoxes(centers, half_sizes, velocities)
 
 

@@ -10,6 +10,7 @@ Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; corners: indices of an outline, in 
 from __future__ import annotations
 
 from game.physics.constraints.links import PBD_EVEN, XPBD
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 
 # rows of the outlines' numbers: area at rest (m²), stiffness (0 to 1), compliance (m³/N), λ, 1 if whole
@@ -95,6 +96,6 @@ def sweep_areas(model, x, y, inverse_mass, corners, starts, rows, sweeps, step):
         else:
             k = rows[STIFFNESS, j]
             if model == PBD_EVEN:
-                k = 1.0 - (1.0 - k) ** (1.0 / sweeps)
+                k = 1.0 - elementary.pow(1.0 - k, 1.0 / sweeps)
             correction = -k * excess / weight
         project_outline(x, y, inverse_mass, outline, correction)

@@ -123,7 +123,7 @@ class Outlines:
             for j in range(k):
                 rows[AREA, j] = outline_area(x, y, corners[starts[j] : starts[j + 1]])
         else:
-            rows[AREA] = checked("area", area, k, -(LARGEST**2), LARGEST**2)
+            rows[AREA] = checked("area", area, k, -(LARGEST * LARGEST), LARGEST * LARGEST)
         return cls(corners, starts, rows)
 
 

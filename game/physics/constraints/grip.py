@@ -46,7 +46,7 @@ def hand_on(index: int, positions: Floats, inverse_masses: Floats, radius: float
     away = positions - positions[index]
     rest = 1.0 - (away * away).sum(axis=1) / (radius * radius)
     led = np.flatnonzero((rest > 0.0) & (inverse_masses > 0.0) & (np.arange(len(positions)) != index))
-    return np.concatenate((head, np.column_stack((led, inverse_masses[led], rest[led] ** 2)).ravel()))
+    return np.concatenate((head, np.column_stack((led, inverse_masses[led], rest[led] * rest[led])).ravel()))
 
 
 def take_hold(hand: Floats, inverse_masses: Floats) -> None:

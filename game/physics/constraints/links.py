@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 
 TINY = 1e-12  # m, length below which a link has no direction
@@ -50,7 +51,7 @@ def prepare_links(w, net, stiffness, compliance, model, sweeps, relaxation, step
         else:
             k = stiffness[place]
             if model == PBD_EVEN:
-                k = 1.0 - (1.0 - k) ** (1.0 / sweeps)
+                k = 1.0 - elementary.pow(1.0 - k, 1.0 / sweeps)
             rows[WEIGHT, e] = relaxation * k / mobility
 
 

@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
+
 Pairs = list[tuple[int, int]]
 SMALLEST, LARGEST_SIDE = 2, 400  # particles along a side
 
@@ -163,7 +165,9 @@ def ring(centre: tuple[float, float], radius: float, corners: int, mass: float =
     """A closed skin of so many links, 3 at least, that keeps the area within; centre, radius m; mass kg."""
     _side("corners", corners, 3)
     angle = 2.0 * math.pi * np.arange(corners) / corners
-    positions = np.asarray(centre) + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    positions = np.asarray(centre) + radius * np.stack(
+        [elementwise.cos(angle), elementwise.sin(angle)], axis=1
+    )
     pairs = [(i, (i + 1) % corners) for i in range(corners)]
     return Shape(positions, np.full(corners, _inverse("mass", mass)), _links(pairs), [list(range(corners))])
 
@@ -177,7 +181,7 @@ def cradle(top: tuple[float, float], balls: int, spacing: float, length: float, 
     x = top[0] + spacing * np.arange(balls)
     pins = np.stack([x, np.full(balls, top[1])], axis=1)
     hanging = pins - np.array([0.0, length])
-    hanging[0] = pins[0] + length * np.array([-math.sin(swing), -math.cos(swing)])
+    hanging[0] = pins[0] + length * np.array([-elementary.sin(swing), -elementary.cos(swing)])
     return Shape(
         np.concatenate([pins, hanging]),
         np.concatenate([np.zeros(balls), np.ones(balls)]),

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.deformables.meshes import Mesh
+from game.physics.kernels import elementary
 
 MOST_RINGS, MOST_CELLS = 60, 400
 
@@ -23,7 +24,7 @@ def blob(radius: float, rings: int) -> Mesh:
         for k in range(6 * ring):
             angle = math.pi * k / (3.0 * ring)
             far = radius * ring / rings
-            points.append((far * math.cos(angle), far * math.sin(angle)))
+            points.append((far * elementary.cos(angle), far * elementary.sin(angle)))
     for ring in range(1, rings + 1):
         outer, inner = _ring_start(ring), _ring_start(ring - 1)
         around, within = 6 * ring, max(6 * (ring - 1), 1)

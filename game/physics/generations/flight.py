@@ -24,6 +24,7 @@ from game.physics.generations.effects import (
     THRUST_BIT,
     WIND_BIT,
 )
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 METHODS = ("split-drag", "explicit-euler", "semi-implicit-euler", "midpoint", "rk4")
@@ -114,8 +115,8 @@ def terms_over(mask, law, air, h):
     """`Terms` of a kind for h (s)."""
     decay, reach = 1.0, h
     if mask & DRAG_BIT and law.linear > 0.0:
-        decay = math.exp(-law.linear * h)
-        reach = -math.expm1(-law.linear * h) / law.linear
+        decay = elementary.exp(-law.linear * h)
+        reach = -elementary.expm1(-law.linear * h) / law.linear
     windy = 1.0 if mask & WIND_BIT else 0.0
     return Terms(
         0.5 * h * pull(mask, law, air),
@@ -206,8 +207,8 @@ def fly_driven(method, mask, law, air, star, h):
     before = max(1.0 - star.burnt * star.age, LEAST_MASS)
     middle = max(1.0 - star.burnt * (star.age + 0.5 * h), LEAST_MASS)
     after = max(1.0 - star.burnt * (star.age + h), LEAST_MASS)
-    first = law.exhaust * math.log(before / middle)
-    second = law.exhaust * math.log(middle / after)
+    first = law.exhaust * elementary.log(before / middle)
+    second = law.exhaust * elementary.log(middle / after)
     nx, ny = heading(star.vx, star.vy)
     pushed = Star(star.x, star.y, star.vx + first * nx, star.vy + first * ny, star.age, star.burnt)
     if method == SPLIT_DRAG:
@@ -229,7 +230,7 @@ def mean_gain(exhaust, mass, burnt, h):
     if lost <= 0.0 or lost >= mass:
         return 0.0
     left = mass - lost
-    return exhaust * (1.0 - left / lost * math.log(mass / left))
+    return exhaust * (1.0 - left / lost * elementary.log(mass / left))
 
 
 @kernel

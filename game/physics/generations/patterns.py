@@ -24,6 +24,7 @@ from game.physics.generations.kinds import (
     SPHERE,
     SPREAD,
 )
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 from game.physics.particles.random_numbers import WORD, threefry, uniform_pair
 
@@ -57,8 +58,8 @@ def burst_velocity(birth, points, seed, identity, number):
     if birth[SCATTER] > 0.0:
         a, b = uniform_pair(seed + SALT_SCATTER, identity & WORD, (identity >> 32) * 8192 + draw)
         away = sign * birth[SCATTER] * math.sqrt(a)
-        vx += away * math.cos(FULL_TURN * b)
-        vy += away * math.sin(FULL_TURN * b)
+        vx += away * elementary.cos(FULL_TURN * b)
+        vy += away * elementary.sin(FULL_TURN * b)
     return vx, vy
 
 
@@ -69,22 +70,24 @@ def direction(birth, pattern, points, a, b, draw, number):
     tilt = birth[ANGLE]
     if pattern == SPHERE:  # uniform on a sphere: its height is uniform, and the view is from the side
         height = 2.0 * a - 1.0
-        across = math.sqrt(max(1.0 - height * height, 0.0)) * math.cos(FULL_TURN * b)
+        across = math.sqrt(max(1.0 - height * height, 0.0)) * elementary.cos(FULL_TURN * b)
         return across, height
     if pattern == RING:  # half of it; the other half are the opposite ones
         angle = FULL_TURN * draw / count
-        flat = math.cos(birth[SPREAD])
-        x, y = math.cos(angle), flat * math.sin(angle)
-        return x * math.cos(tilt) - y * math.sin(tilt), x * math.sin(tilt) + y * math.cos(tilt)
+        flat = elementary.cos(birth[SPREAD])
+        x, y = elementary.cos(angle), flat * elementary.sin(angle)
+        return x * elementary.cos(tilt) - y * elementary.sin(tilt), x * elementary.sin(
+            tilt
+        ) + y * elementary.cos(tilt)
     if pattern == DISC:
         reach = math.sqrt(a)
-        return reach * math.cos(FULL_TURN * b), reach * math.sin(FULL_TURN * b)
+        return reach * elementary.cos(FULL_TURN * b), reach * elementary.sin(FULL_TURN * b)
     if pattern == CONE:
         angle = tilt + birth[SPREAD] * (2.0 * a - 1.0)
-        return math.sin(angle), math.cos(angle)
+        return elementary.sin(angle), elementary.cos(angle)
     if pattern == ARMS:
         angle = tilt + FULL_TURN * number / count
-        return math.sin(angle), math.cos(angle)
+        return elementary.sin(angle), elementary.cos(angle)
     point = int(birth[FIRST_POINT]) + number % int(birth[SHAPE_POINTS])
     return points[point, 0], points[point, 1]
 

@@ -46,6 +46,7 @@ SUFFIX = f".py{sys.version_info[0]}{sys.version_info[1]}.code"
 STALE_AFTER_S = 7 * 86_400.0  # s; a folder of other sources that another checkout may still use is younger
 MAX_BYTES = 512 << 20  # of all folders together
 _CHECKSUM = 16  # bytes at the head of a file
+BEFORE_LOADING: list[Callable[[], None]] = []  # what makes known the symbols that machine code may refer to
 _used: dict[Path, None] = {}
 
 
@@ -94,6 +95,8 @@ class KernelCache(NullCache):
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The compiled function for these types, or None if there is none that can be used."""
+        for prepare in BEFORE_LOADING:
+            prepare()
         target_context.refresh()
         for read in (self._read_kept, self._read_prebuilt):
             try:

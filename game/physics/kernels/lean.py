@@ -37,6 +37,14 @@ def inner_kernel(function: Any = None, **options: Any) -> Any:
     return dispatcher
 
 
+def linked_kernel(function: Any) -> Any:
+    """`lean_kernel` that machine code calls by its address, and Python not at all."""
+    dispatcher = lean_kernel(function, no_cpython_wrapper=True)
+    if not config.DISABLE_JIT:
+        _shut_door(dispatcher)
+    return dispatcher
+
+
 def _shut_door(dispatcher: Any) -> None:
     """Let no call from Python reach the machine code, which has no entrance for it."""
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, linear
 from game.physics.narrowphase.cleaning import NOT_CONVEX, clean_outline
 
 Array = NDArray[np.float64]
@@ -69,13 +70,13 @@ class ConvexPolygon:
         """
         if not (math.isfinite(x) and math.isfinite(y) and math.isfinite(angle)):
             raise ValueError(f"moved: x, y, angle must be finite, not {x}, {y}, {angle}")
-        c, s = (math.cos(angle), math.sin(angle)) if angle else (1.0, 0.0)
+        c, s = (elementary.cos(angle), elementary.sin(angle)) if angle else (1.0, 0.0)
         turned = np.array(((c, s), (-s, c)))
         copy = object.__new__(ConvexPolygon)
         copy.source = self.source
-        copy.anchor = self.anchor @ turned + (x, y)
-        copy.local = self.local @ turned
-        copy.centre = self.centre @ turned
+        copy.anchor = linear.product(self.anchor, turned) + np.array((x, y))
+        copy.local = linear.product(self.local, turned)
+        copy.centre = linear.product(self.centre, turned)
         copy.vertices = copy.local + copy.anchor
         copy.vertices.flags.writeable = False
         return copy
@@ -95,7 +96,7 @@ class ConvexPolygon:
     def area(self) -> float:
         """m²; 0 for a segment or a point."""
         x, y = self.local.T
-        return 0.5 * float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+        return 0.5 * float(linear.product(x, np.roll(y, -1)) - linear.product(y, np.roll(x, -1)))
 
     def normals(self) -> Array:
         """Outward unit normals (k, 2) of its edges; none for a point."""

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.features import pair_of, turned_back
 from game.physics.narrowphase.gjk import (
@@ -97,7 +98,7 @@ def first_polygon(pair, simplex, corners):
             swap(corners, third, 2)
         return 2
     for turn in range(4):
-        dx, dy = math.cos(0.5 * math.pi * turn), math.sin(0.5 * math.pi * turn)
+        dx, dy = elementary.cos(0.5 * math.pi * turn), elementary.sin(0.5 * math.pi * turn)
         gx, gy = turned_back(pair.frame, -dx, -dy)
         corners[1, 0], corners[1, 1] = support_cold(pair.a, dx, dy), support_cold(pair.b, gx, gy)
         ex, ey = local_edge(pair, i0, j0, corners[1, 0], corners[1, 1])

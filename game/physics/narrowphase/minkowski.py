@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise
+
 Array = NDArray[np.float64]
 
 
@@ -18,7 +20,7 @@ def minkowski_difference(a: Array, b: Array) -> Array:
         return first + second
     corners = np.vstack((_from_lowest(first), _from_lowest(second)))
     edges = np.vstack((_edges(corners[: len(first)]), _edges(corners[len(first) :])))
-    angles = np.arctan2(edges[:, 1], edges[:, 0])
+    angles = elementwise.arctan2(edges[:, 1], edges[:, 0])
     angles[angles < 0.0] += 2.0 * np.pi
     order = np.argsort(angles, kind="stable")
     start = corners[0] + corners[len(first)]

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.encounters import (
@@ -89,10 +90,10 @@ def launch(emitter, seed, stream, serial, part, hits, entry):
     aside = emitter[WIDTH] * (across - 0.5)
     x = emitter[FROM_X] + part * (emitter[POSITION_X] - emitter[FROM_X])
     y = emitter[FROM_Y] + part * (emitter[POSITION_Y] - emitter[FROM_Y])
-    hits[0, entry] = x + aside * math.cos(emitter[AXIS])
-    hits[1, entry] = y - aside * math.sin(emitter[AXIS])
-    hits[2, entry] = speed * math.sin(direction)
-    hits[3, entry] = speed * math.cos(direction)
+    hits[0, entry] = x + aside * elementary.cos(emitter[AXIS])
+    hits[1, entry] = y - aside * elementary.sin(emitter[AXIS])
+    hits[2, entry] = speed * elementary.sin(direction)
+    hits[3, entry] = speed * elementary.cos(direction)
 
 
 @lean_kernel

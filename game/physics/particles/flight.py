@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.forces import (
     AIR_BITS,
@@ -55,9 +56,9 @@ def decay_over(drag, h):
     if z < 1e-3:
         reach = h * (1.0 - z / 2.0 * (1.0 - z / 3.0 * (1.0 - z / 4.0 * (1.0 - z / 5.0))))
         drift = h * h * (0.5 - z / 6.0 * (1.0 - z / 4.0 * (1.0 - z / 5.0 * (1.0 - z / 6.0))))
-        return Decay(math.exp(-z), reach, drift)
-    reach = -math.expm1(-z) / drag
-    return Decay(math.exp(-z), reach, (h - reach) / drag)
+        return Decay(elementary.exp(-z), reach, drift)
+    reach = -elementary.expm1(-z) / drag
+    return Decay(elementary.exp(-z), reach, (h - reach) / drag)
 
 
 @lean_kernel(forceinline=True)

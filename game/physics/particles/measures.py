@@ -18,6 +18,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 from game.physics.particles.births import FROM_X, FROM_Y, IDENTITY_STEP, SPEED
 from game.physics.particles.flight import decay_over
@@ -86,7 +87,7 @@ def count_touching(tags, low, high, since):
 
 def _drift(law: Forces, age: float) -> float:
     """How fast (m/s) the centre of the circle of an age goes."""
-    fade = math.exp(-law.drag * age)
+    fade = elementary.exp(-law.drag * age)
     vx = law.wind_x * (1.0 - fade)
     vy = law.wind_y * (1.0 - fade) - law.gravity * circle_at(law, age)[2]
     return math.sqrt(vx * vx + vy * vy)
@@ -99,23 +100,23 @@ def envelope(law: Forces, speed: float, life: float, points: int = 100) -> NDArr
     """
     left, right = [], []
     first, last = 0.0, life  # s: the age from which centres go faster than circles grow
-    if _drift(law, life) <= speed * math.exp(-law.drag * life):
+    if _drift(law, life) <= speed * elementary.exp(-law.drag * life):
         return np.zeros((0, 2))
     for _ in range(60):
         middle = 0.5 * (first + last)
-        faster = _drift(law, middle) > speed * math.exp(-law.drag * middle)
+        faster = _drift(law, middle) > speed * elementary.exp(-law.drag * middle)
         first, last = (first, middle) if faster else (middle, last)
     # the two sides part like a square root: so many more points at the top
     for part in np.linspace(0.0, 1.0, points).tolist():
         age = last + (life - last) * part * part
         x, y, reach = circle_at(law, age)
-        fade = math.exp(-law.drag * age)
+        fade = elementary.exp(-law.drag * age)
         vx = law.wind_x * (1.0 - fade)  # how fast the centre goes, and the circle grows
         vy = law.wind_y * (1.0 - fade) - law.gravity * reach
         pace, growth = math.sqrt(vx * vx + vy * vy), speed * fade
         if pace <= growth or pace == 0.0:
             continue
-        along, across = -growth / pace, math.sqrt(1.0 - (growth / pace) ** 2)
+        along, across = -growth / pace, math.sqrt(1.0 - elementary.square(growth / pace))
         ux, uy = vx / pace, vy / pace
         radius = speed * reach
         left.append((x + radius * (along * ux + across * uy), y + radius * (along * uy - across * ux)))

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.fields import DRAG
+from game.physics.kernels import elementary, linear
 from game.physics.rigid.body_state import BodyState
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.mass import inverse_moments, mass_properties, principal_axes, sphere_positions
@@ -88,7 +89,7 @@ class RigidBody(BodyState):
         """
         mass, center, inertia = mass_properties(positions, radii, density)
         body = cls(mass, inertia, **{"position": center, **more})
-        body.offsets = (sphere_positions(positions) - center) @ body.axes
+        body.offsets = linear.product(sphere_positions(positions) - center, body.axes)
         body.radii = np.array(radii, dtype=np.float64).reshape(-1)
         return body
 
@@ -175,7 +176,7 @@ class RigidBody(BodyState):
         if PUSHES not in self.effects:
             self.clear_forces()
         walls = WINDOW in self.effects and len(self.radii) > 0
-        keep = math.exp(-self.damping * dt) if DRAG in self.effects else 1.0
+        keep = elementary.exp(-self.damping * dt) if DRAG in self.effects else 1.0
         for _ in range(steps if walls else 1):
             advance(
                 METHODS.index(self.method), self.states, self.constants, self.loads, (self._fall(), keep),
@@ -201,7 +202,7 @@ class RigidBody(BodyState):
         """Verify what must always hold; AssertionError names what does not."""
         assert np.isfinite(self.states).all(), "finite"
         q = self.states[0, Q:P]
-        assert not self.normalizing or abs(math.sqrt(float(q @ q)) - 1.0) < 1e-14, "|q| is 1"
+        assert not self.normalizing or abs(math.sqrt(float(linear.product(q, q))) - 1.0) < 1e-14, "|q| is 1"
         moments = self.moments
         assert 0.0 <= moments[0] <= moments[1] <= moments[2], "moments ascend"
         _, rotation = self.kinetic_energy

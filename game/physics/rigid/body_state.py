@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
+from game.physics.kernels import linear
 from game.physics.rigid.motion import FORCE, INVERSE_MASS, INVERSES, MOMENTS, TORQUE, L, P, Q, X
 from game.physics.rigid.quaternion import (
     matrix_of,
@@ -103,13 +104,13 @@ class BodyState:
     def inertia(self) -> Array:
         """J(t) = R I Rᵀ (3, 3) kg m², world frame."""
         turn = self.rotation
-        return (turn * self.moments) @ turn.T
+        return linear.product(turn * self.moments, turn.T)
 
     @property
     def inverse_inertia(self) -> Array:
         """J⁻¹ (3, 3), world frame; about an axis without inertia nothing turns."""
         turn = self.rotation
-        return (turn * self.constants[0, INVERSES:]) @ turn.T
+        return linear.product(turn * self.constants[0, INVERSES:], turn.T)
 
     @property
     def velocity(self) -> Array:
@@ -123,11 +124,11 @@ class BodyState:
     @property
     def angular_velocity(self) -> Array:
         """w = J⁻¹ L (3,) rad/s, world frame."""
-        return self.rotation @ self.spin
+        return linear.product(self.rotation, self.spin)
 
     @angular_velocity.setter
     def angular_velocity(self, value: ArrayLike) -> None:
-        self.states[0, L:] = self.inertia @ vector("angular_velocity", value)
+        self.states[0, L:] = linear.product(self.inertia, vector("angular_velocity", value))
 
     @property
     def spin(self) -> Array:
@@ -154,7 +155,9 @@ class BodyState:
     @property
     def angular_acceleration(self) -> Array:
         """α = J⁻¹ (t - w x L) (3,) rad/s²: it is not zero for a free body whose w and L differ."""
-        return self.inverse_inertia @ (self.torque - np.cross(self.angular_velocity, self.states[0, L:]))
+        return linear.product(
+            self.inverse_inertia, self.torque - np.cross(self.angular_velocity, self.states[0, L:])
+        )
 
     @property
     def kinetic_energy(self) -> tuple[float, float]:
@@ -166,7 +169,7 @@ class BodyState:
         """L² / (2 I1), J: what the energy of rotation can rise to while L stays."""
         angular = self.states[0, L:]
         inverses = self.constants[0, INVERSES:]
-        return 0.5 * float(angular @ angular) * float(inverses.max())
+        return 0.5 * float(linear.product(angular, angular)) * float(inverses.max())
 
     def spheres(self) -> Array:
         """Centres (n, 3) m of the spheres."""

@@ -24,6 +24,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 from game.physics.rigid.quaternion import multiply, normalize, quaternion_of, rotate_back
 
@@ -53,9 +54,9 @@ def elliptic_functions(u, m1):
     Bulirsch 1965, by Gauss's transformation of cn/sn and dn, which keeps their digits next to m = 1.
     """
     if m1 <= 0.0:
-        w = math.exp(-abs(u))
+        w = elementary.exp(-abs(u))
         sech = 2.0 * w / (1.0 + w * w)
-        return math.tanh(u), sech, sech
+        return elementary.tanh(u), sech, sech
     level = 0
     a, b = mean_level(m1, level)
     while a - b > CLOSE * a and level < LEVELS:
@@ -63,10 +64,10 @@ def elliptic_functions(u, m1):
         a, b = mean_level(m1, level)
     mean = 0.5 * (a + b)
     phase = mean * u
-    sn = math.sin(phase)
+    sn = elementary.sin(phase)
     if abs(sn) < 1e-100:
-        return sn, math.cos(phase), 1.0
-    ratio = math.cos(phase) / sn
+        return sn, elementary.cos(phase), 1.0
+    ratio = elementary.cos(phase) / sn
     c, dn = mean * ratio, 1.0
     while level >= 0:
         # the levels once more from above: six short loops, and no array to keep them in
@@ -153,7 +154,7 @@ def turned_about_momentum(curve, i, t):
     momentum = math.sqrt(squared)
     reach = 0.5 * math.pi  # distance of the integrand's poles from real u, at least
     if widest != 0.0:
-        reach = min(reach, math.atan(math.sqrt(max(squared / (widest * widest) - 1.0, 1e-12))))
+        reach = min(reach, elementary.atan(math.sqrt(max(squared / (widest * widest) - 1.0, 1e-12))))
     panels = min(int(abs(curve[5] * t) * 1.5 / reach) + 1, MOST_PANELS)
     h = t / panels
     total = 0.0
@@ -196,7 +197,7 @@ def turn_freely(q, angular, i, t):
     w = spin_on(curve, t)
     f = momentum_frame(body, far)
     g = momentum_frame((i[0] * w[0], i[1] * w[1], i[2] * w[2]), far)
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     # F0ᵀ Rz(ψ) G, with the rows of F0 and G as above
     top = (c * g[0] - s * g[3], c * g[1] - s * g[4], c * g[2] - s * g[5])
     side = (s * g[0] + c * g[3], s * g[1] + c * g[4], s * g[2] + c * g[5])
@@ -257,7 +258,7 @@ class FreeTop:
         if p == 0.0 or self._curve[2] == 0.0:
             return []
         if m1 == 0.0:  # on the separatrix, from one end of the middle axis to the other: sn = tanh
-            at = -math.asinh(sn / float(self._curve[8])) / p if sn < 0.0 else math.inf
+            at = -elementary.asinh(sn / float(self._curve[8])) / p if sn < 0.0 else math.inf
             return [at] if at <= seconds else []
         half = 0.5 * self.period
         first = _first_zero(lambda t: float(self.spin(t)[1]), half)

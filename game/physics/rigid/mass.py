@@ -81,7 +81,7 @@ def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
         raise ValueError("inertia: is not symmetric")
     if not size > 0.0:
         raise ValueError("inertia: is zero")
-    scale = 2.0 ** math.frexp(size)[1]
+    scale = math.ldexp(1.0, math.frexp(size)[1])
     a = 0.5 * (a / scale + a.T / scale)
     axes = np.eye(3)
     for _ in range(SWEEPS):

@@ -12,6 +12,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary, linear
 from game.physics.kernels.jit import kernel
 
 Array = NDArray[np.float64]
@@ -68,8 +69,8 @@ def exponentiate(v):
         w = 1.0 - squared / 8.0 + squared * squared / 384.0
     else:
         angle = math.sqrt(squared)
-        s = math.sin(0.5 * angle) / angle
-        w = math.cos(0.5 * angle)
+        s = elementary.sin(0.5 * angle) / angle
+        w = elementary.cos(0.5 * angle)
     return (w, s * v[0], s * v[1], s * v[2])
 
 
@@ -112,7 +113,7 @@ def quaternion_of(m):
 def angle_between(p, q):
     """Angle (rad, 0 to pi) of the turn that leads from p to q, of any length; q and -q are the same."""
     w, x, y, z = multiply((p[0], -p[1], -p[2], -p[3]), q)
-    return 2.0 * math.atan2(math.sqrt(x * x + y * y + z * z), abs(w))
+    return 2.0 * elementary.atan2(math.sqrt(x * x + y * y + z * z), abs(w))
 
 
 # -- validation -------------------------------------------------------------------------------------
@@ -152,8 +153,8 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: float) -> Array:
         raise ValueError("axis: has no length")
     x, y, z = x / largest, y / largest, z / largest
     (half,) = _numbers("angle", (0.5 * angle,), 1)
-    s = math.sin(half) / math.sqrt(x * x + y * y + z * z)
-    return np.array((math.cos(half), s * x, s * y, s * z))
+    s = elementary.sin(half) / math.sqrt(x * x + y * y + z * z)
+    return np.array((elementary.cos(half), s * x, s * y, s * z))
 
 
 def quaternion_from_rotation_vector(vector: ArrayLike) -> Array:
@@ -167,7 +168,7 @@ def quaternion_to_rotation_vector(q: ArrayLike) -> Array:
     if w < 0.0:
         w, x, y, z = -w, -x, -y, -z
     sine = math.sqrt(x * x + y * y + z * z)
-    factor = 2.0 * math.atan2(sine, w) / sine if sine > 0.0 else 2.0
+    factor = 2.0 * elementary.atan2(sine, w) / sine if sine > 0.0 else 2.0
     return factor * np.array((x, y, z))
 
 
@@ -179,8 +180,8 @@ def quaternion_to_matrix(q: ArrayLike) -> Array:
 def quaternion_from_matrix(matrix: ArrayLike) -> Array:
     """Quaternion (4,), w >= 0, of a rotation matrix (3, 3); ValueError if it is none (to 1e-6)."""
     m = np.array(_numbers("matrix", matrix, 9)).reshape(3, 3)
-    off = np.abs(m @ m.T - np.eye(3)).max()
-    if not off < 1e-6 or np.linalg.det(m) < 0.0:
+    off = np.abs(linear.product(m, m.T) - np.eye(3)).max()
+    if not off < 1e-6 or linear.determinant(m) < 0.0:
         raise ValueError("matrix: is not a rotation")
     return np.array(normalize(quaternion_of(tuple(m.reshape(-1).tolist()))))
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize, rotate, rotate_back
 
@@ -156,24 +157,24 @@ def turn_split(q, angular, inverses, dt):
     """
     x, y, z = rotate_back(q, angular)
     half = 0.25 * dt * x * inverses[0]
-    first = (math.cos(half), math.sin(half))
+    first = (elementary.cos(half), elementary.sin(half))
     c, s = cosine_and_sine(first)
     y, z = c * y + s * z, c * z - s * y
     q = multiply(q, (first[0], first[1], 0.0, 0.0))
     half = 0.25 * dt * y * inverses[1]
-    second = (math.cos(half), math.sin(half))
+    second = (elementary.cos(half), elementary.sin(half))
     c, s = cosine_and_sine(second)
     z, x = c * z + s * x, c * x - s * z
     q = multiply(q, (second[0], 0.0, second[1], 0.0))
     half = 0.5 * dt * z * inverses[2]
-    third = (math.cos(half), math.sin(half))
+    third = (elementary.cos(half), elementary.sin(half))
     c, s = cosine_and_sine(third)
     x, y = c * x + s * y, c * y - s * x
     q = multiply(q, (third[0], 0.0, 0.0, third[1]))
     half = 0.25 * dt * y * inverses[1]
-    fourth = (math.cos(half), math.sin(half))
+    fourth = (elementary.cos(half), elementary.sin(half))
     c, s = cosine_and_sine(fourth)
     x = c * x - s * z
     q = multiply(q, (fourth[0], 0.0, fourth[1], 0.0))
     half = 0.25 * dt * x * inverses[0]
-    return multiply(q, (math.cos(half), math.sin(half), 0.0, 0.0))
+    return multiply(q, (elementary.cos(half), elementary.sin(half), 0.0, 0.0))

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.solids.outlines import LARGEST
 from game.physics.solids.shapes import (
     Part,
@@ -64,7 +65,7 @@ class SolidBodies(SolidStore):
         cx, cy = mass.centre  # of a chain: its origin
         body = self._bodies.take()
         rows = self.bodies
-        c, s = math.cos(turn), math.sin(turn)
+        c, s = elementary.cos(turn), elementary.sin(turn)
         rows.flags[body] = KINDS[kind] | (RESTLESS if restless else 0)
         rows.positions[body] = x + c * cx - s * cy, y + s * cx + c * cy
         rows.angles[body], rows.rotations[body] = turn, (c, s)
@@ -106,8 +107,8 @@ class SolidBodies(SolidStore):
         rows.frictions[slot], rows.restitutions[slot] = material.friction, material.restitution
         rows.densities[slot] = material.density
         rows.categories[slot], rows.masks[slot] = material.category, material.mask
-        rows.sizes[slot] = part.radius + float(np.hypot(*(own - middle).T).max())
-        reach = part.radius + float(np.hypot(*own.T).max())
+        rows.sizes[slot] = part.radius + float(elementwise.hypot(*(own - middle).T).max())
+        reach = part.radius + float(elementwise.hypot(*own.T).max())
         self.bodies.reaches[body] = max(float(self.bodies.reaches[body]), reach)
         core = _core(part)
         before = float(self.bodies.cores[body])
@@ -163,7 +164,7 @@ class SolidBodies(SolidStore):
         self.bodies.positions[body] = checked_pair("position", position)
         turn = checked_number("angle", angle, -LARGEST, LARGEST)
         self.bodies.angles[body] = turn
-        self.bodies.rotations[body] = math.cos(turn), math.sin(turn)
+        self.bodies.rotations[body] = elementary.cos(turn), elementary.sin(turn)
         self.wake(body)
 
     def set_velocity(self, body: int, velocity: ArrayLike, spin: float = 0.0) -> None:
@@ -214,5 +215,5 @@ def _core(part: Part) -> float:
     if part.kind == SEGMENT:
         return 0.0
     normals = outward_normals(part.kind, part.corners)
-    heights = (normals * part.corners).sum(axis=1)[:, None] - normals @ part.corners.T
+    heights = (normals * part.corners).sum(axis=1)[:, None] - linear.product(normals, part.corners.T)
     return part.radius + 0.5 * float(heights.max(axis=1).min())

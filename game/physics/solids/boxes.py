@@ -15,8 +15,12 @@ AHEAD = 2.0  # steps of its motion
 def motion_ahead(bodies, i, numbers):
     """How far any point of a body may come in the next step, m."""
     vx, vy = bodies.velocities[i, 0], bodies.velocities[i, 1]
-    pull = math.sqrt(numbers.gravity_x**2 + numbers.gravity_y**2) * abs(bodies.gravity_scales[i])
-    pull += bodies.inverse_masses[i] * math.sqrt(bodies.forces[i, 0] ** 2 + bodies.forces[i, 1] ** 2)
+    pull = math.sqrt(numbers.gravity_x * numbers.gravity_x + numbers.gravity_y * numbers.gravity_y) * abs(
+        bodies.gravity_scales[i]
+    )
+    pull += bodies.inverse_masses[i] * math.sqrt(
+        bodies.forces[i, 0] * bodies.forces[i, 0] + bodies.forces[i, 1] * bodies.forces[i, 1]
+    )
     speed = math.sqrt(vx * vx + vy * vy) + numbers.dt * pull
     return numbers.dt * (speed + abs(bodies.spins[i]) * bodies.reaches[i])
 

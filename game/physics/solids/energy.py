@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.physics.kernels import linear
 from game.physics.solids.settings import Numbers
 from game.physics.solids.state import DYNAMIC, Bodies
 
@@ -29,7 +30,10 @@ def energy_of(bodies: Bodies, numbers: Numbers) -> Energy:
     """What there is now. numbers: of the steps."""
     rows = np.flatnonzero(bodies.flags & DYNAMIC)
     mass, inertia = 1.0 / bodies.inverse_masses[rows], 1.0 / bodies.inverse_inertias[rows]
-    kinetic = 0.5 * (mass * (bodies.velocities[rows] ** 2).sum(axis=1) + inertia * bodies.spins[rows] ** 2)
+    kinetic = 0.5 * (
+        mass * (bodies.velocities[rows] * bodies.velocities[rows]).sum(axis=1)
+        + inertia * (bodies.spins[rows] * bodies.spins[rows])
+    )
     pull = np.array([numbers.gravity_x, numbers.gravity_y])
-    height = -(bodies.gravity_scales[rows] * mass * (bodies.positions[rows] @ pull))
+    height = -(bodies.gravity_scales[rows] * mass * (linear.product(bodies.positions[rows], pull)))
     return Energy(float(kinetic.sum()), float(height.sum()))

@@ -12,6 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, linear
+
 
 class Mass(NamedTuple):
     """mass kg, centre (x, y) m, inertia about the centre kg m²."""
@@ -29,7 +31,9 @@ def joined(parts: list[Mass]) -> Mass:
     x = math.fsum(part.mass * part.centre[0] for part in parts) / mass
     y = math.fsum(part.mass * part.centre[1] for part in parts) / mass
     inertia = math.fsum(
-        part.inertia + part.mass * ((part.centre[0] - x) ** 2 + (part.centre[1] - y) ** 2) for part in parts
+        part.inertia
+        + part.mass * (elementary.square(part.centre[0] - x) + elementary.square(part.centre[1] - y))
+        for part in parts
     )
     return Mass(mass, (x, y), inertia)
 
@@ -45,7 +49,7 @@ def polygon_mass(corners: NDArray[np.float64], density: float = 1.0) -> Mass:
         return Mass(0.0, (float(middle[0]), float(middle[1])), 0.0)
     centre = (cross[:, None] * (p + q)).sum(axis=0) / (6.0 * area)
     about_middle = float((cross * ((p * p).sum(1) + (p * q).sum(1) + (q * q).sum(1))).sum()) / 12.0
-    inertia = abs(about_middle) - abs(area) * float(centre @ centre)
+    inertia = abs(about_middle) - abs(area) * float(linear.product(centre, centre))
     x, y = (middle + centre).tolist()
     return Mass(density * abs(area), (x, y), density * inertia)
 
@@ -65,7 +69,7 @@ def rounded_mass(corners: NDArray[np.float64], radius: float, density: float = 1
         for i, start in enumerate(corners):
             end = corners[(i + 1) % len(corners)]
             along = end - start
-            length = math.hypot(along[0], along[1])
+            length = elementary.hypot(along[0], along[1])
             out = np.array([along[1], -along[0]]) / length * radius
             parts.append(polygon_mass(np.array([start, start + out, end + out, end]), density))
             before = start - corners[i - 1]
@@ -77,16 +81,16 @@ def _sector(
     corner: NDArray[np.float64], before: NDArray[np.float64], after: NDArray[np.float64], r: float, d: float
 ) -> Mass:
     """Of the sector of a disc at a corner, between the outward normals of the edges before and after."""
-    turn = math.atan2(
+    turn = elementary.atan2(
         before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]
     )
-    if turn <= 0.0 and float(before @ after) < 0.0:
+    if turn <= 0.0 and float(linear.product(before, after)) < 0.0:
         turn = math.pi  # the end of a capsule
     half = 0.5 * turn
     if half <= 0.0:
         return Mass(0.0, (float(corner[0]), float(corner[1])), 0.0)
-    first = math.atan2(-before[0], before[1])  # direction of the outward normal of the edge before
+    first = elementary.atan2(-before[0], before[1])  # direction of the outward normal of the edge before
     mass = d * half * r * r
-    out = 2.0 * r * math.sin(half) / (3.0 * half)
-    centre = (corner[0] + out * math.cos(first + half), corner[1] + out * math.sin(first + half))
+    out = 2.0 * r * elementary.sin(half) / (3.0 * half)
+    centre = (corner[0] + out * elementary.cos(first + half), corner[1] + out * elementary.sin(first + half))
     return Mass(mass, (float(centre[0]), float(centre[1])), mass * (0.5 * r * r - out * out))

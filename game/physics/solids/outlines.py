@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary
 from game.physics.solids.state import MOST_CORNERS
 
 Floats = NDArray[np.float64]
@@ -158,7 +159,7 @@ def _ear_quality(corners: Floats, i: int, j: int, m: int, left: list[int]) -> fl
         inside &= (q[0] - p[0]) * (others[:, 1] - p[1]) - (q[1] - p[1]) * (others[:, 0] - p[0]) >= 0.0
     if inside.any():
         return -np.inf
-    longest = max(float(((p - q) ** 2).sum()) for p, q in ((a, b), (b, c), (c, a)))
+    longest = max(float((elementary.square(p - q)).sum()) for p, q in ((a, b), (b, c), (c, a)))
     return area / longest
 
 

@@ -5,13 +5,13 @@ Coordinates are in the body's frame, SI. A part is what kernels know: corners, r
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.mass import Mass, joined, rounded_mass
 from game.physics.solids.outlines import (
     LARGEST,
@@ -115,7 +115,7 @@ class Capsule:
         """One; a disc if both ends are one point. ValueError for nonsense."""
         r = checked_number("radius", self.radius, 0.0, LARGEST, above=True)
         corners = np.array([checked_pair("start", self.start), checked_pair("end", self.end)])
-        if not math.dist(corners[0], corners[1]) > 1e-9 * r:
+        if not elementary.dist(corners[0], corners[1]) > 1e-9 * r:
             return Disc(r, (float(corners[0, 0]), float(corners[0, 1])), self.material).parts()
         return [Part(POLYGON, corners, r, rounded_mass(corners, r, self.material.density))]
 
@@ -186,5 +186,5 @@ def outward_normals(kind: int, corners: Floats) -> Floats:
     edges = np.roll(corners, -1, axis=0) - corners
     if kind == SEGMENT:  # solid on its right: normals look to the left
         edges = -edges
-    lengths = np.hypot(edges[:, 0], edges[:, 1])[:, None]
+    lengths = elementwise.hypot(edges[:, 0], edges[:, 1])[:, None]
     return np.stack([edges[:, 1], -edges[:, 0]], axis=1) / np.where(lengths > 0.0, lengths, 1.0)

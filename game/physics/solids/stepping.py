@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.boxes import has_outgrown, make_boxes, make_room
 from game.physics.solids.contacts import update_contacts
@@ -103,8 +104,8 @@ def place_bodies(bodies, scratch):
         bodies.positions[i, 1] += motion[i, DY]
         if motion[i, DA] != 0.0:
             bodies.angles[i] += motion[i, DA]
-            bodies.rotations[i, 0] = math.cos(bodies.angles[i])
-            bodies.rotations[i, 1] = math.sin(bodies.angles[i])
+            bodies.rotations[i, 0] = elementary.cos(bodies.angles[i])
+            bodies.rotations[i, 1] = elementary.sin(bodies.angles[i])
         bodies.velocities[i, 0], bodies.velocities[i, 1] = motion[i, VX], motion[i, VY]
         bodies.spins[i] = motion[i, W]
         total = bodies.positions[i, 0] + bodies.positions[i, 1] + bodies.angles[i]

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise, linear
 from game.physics.solids import memory
 from game.physics.solids.joints.layout import NO_JOINT, Joints
 from game.physics.solids.state import DYNAMIC, NONE, SEGMENT, USED, Bodies, Contacts, Pool, Shapes
@@ -108,7 +109,7 @@ class SolidStore:
             local = local[1:3]
         body = int(self.shapes.bodies[shape])
         c, s = self.bodies.rotations[body].tolist()
-        turned: Floats = local @ np.array([[c, s], [-s, c]]) + self.bodies.positions[body]
+        turned: Floats = linear.product(local, np.array([[c, s], [-s, c]])) + self.bodies.positions[body]
         return turned
 
     def local(self, body: int, point: tuple[float, float]) -> tuple[float, float]:
@@ -161,7 +162,7 @@ class SolidStore:
         rows, used = self.bodies, self.bodies.flags & USED != 0
         for name, array in rows._asdict().items():
             assert np.isfinite(array).all(), f"{name} are finite"
-        lengths = np.hypot(rows.rotations[used, 0], rows.rotations[used, 1])
+        lengths = elementwise.hypot(rows.rotations[used, 0], rows.rotations[used, 1])
         assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-9, "rotations have length 1"
         still = rows.flags & DYNAMIC == 0
         assert not rows.inverse_masses[still].any(), "what is not dynamic has no inverse mass"

@@ -12,6 +12,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import widest_gap
@@ -31,7 +32,7 @@ def pose_at(bodies, motion, i, t):
     turned = motion[i, DA] * t
     c, s = bodies.rotations[i, 0], bodies.rotations[i, 1]
     if turned != 0.0:
-        dc, ds = math.cos(turned), math.sin(turned)
+        dc, ds = elementary.cos(turned), elementary.sin(turned)
         c, s = c * dc - s * ds, s * dc + c * ds
     return bodies.positions[i, 0] + t * motion[i, DX], bodies.positions[i, 1] + t * motion[i, DY], c, s
 

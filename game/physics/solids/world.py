@@ -9,6 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary
 from game.physics.solids import memory
 from game.physics.solids.bodies import FASTEST, SolidBodies
 from game.physics.solids.effects import WIND_BIT
@@ -148,7 +149,7 @@ class SolidWorld(SolidBodies):
         rows.anchors[slot] = *self.local(body_a, a), *self.local(body_b, b)
         own = rows.parameters[slot]
         own[ANGLE] = self.bodies.angles[body_b] - self.bodies.angles[body_a]
-        own[LENGTH] = math.dist(a, b) if given.length is None else given.length
+        own[LENGTH] = elementary.dist(a, b) if given.length is None else given.length
         (c, s), (x, y) = self.bodies.rotations[body_a].tolist(), given.direction()
         own[AXIS_X], own[AXIS_Y] = c * x + s * y, c * y - s * x
         own[TARGET_X], own[TARGET_Y] = b

@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spacetime.exact import place_of
 from game.physics.spacetime.refine import LEVEL, LOWER, NORMAL_X, PLACE_X, UNTESTED
@@ -115,7 +116,7 @@ def move(fields, makes, poses, laws, grip, dt):
 def place(fields, poses, i):
     """The pose of a body: x, y, cosine, sine."""
     poses[i, 0], poses[i, 1] = fields[X, i], fields[Y, i]
-    poses[i, 2], poses[i, 3] = math.cos(fields[ANGLE, i]), math.sin(fields[ANGLE, i])
+    poses[i, 2], poses[i, 3] = elementary.cos(fields[ANGLE, i]), elementary.sin(fields[ANGLE, i])
 
 
 @lean_kernel

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+
+from game.physics.kernels import elementary
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
@@ -31,7 +32,9 @@ def triangulate(corners: Floats) -> list[Piece]:
         best, place = -1.0, -1
         for i in range(len(left)):
             a, b, c = left[i - 1], left[i], left[(i + 1) % len(left)]
-            worth = cross(a, b, c) / max(math.dist(a, b), math.dist(b, c), math.dist(c, a)) ** 2
+            worth = cross(a, b, c) / elementary.square(
+                max(elementary.dist(a, b), elementary.dist(b, c), elementary.dist(c, a))
+            )
             if worth > max(best, ROUNDING) and not _any_inside(a, b, c, left):
                 best, place = worth, i
         if place < 0:
@@ -89,16 +92,16 @@ def least_circle(points: Sequence[Point]) -> tuple[float, float, float]:
                     for k in range(j):
                         if not _holds(c, points[k]):
                             c = _on_three(p, points[j], points[k])
-    reach = max(math.dist(c[:2], p) for p in points)
+    reach = max(elementary.dist(c[:2], p) for p in points)
     return c[0], c[1], reach * (1.0 + ROUNDING)
 
 
 def _holds(c: tuple[float, float, float], p: Point) -> bool:
-    return math.hypot(p[0] - c[0], p[1] - c[1]) <= c[2] * (1.0 + ROUNDING) + 1e-15
+    return elementary.hypot(p[0] - c[0], p[1] - c[1]) <= c[2] * (1.0 + ROUNDING) + 1e-15
 
 
 def _on_two(a: Point, b: Point) -> tuple[float, float, float]:
-    return 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * math.dist(a, b)
+    return 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * elementary.dist(a, b)
 
 
 def _on_three(a: Point, b: Point, c: Point) -> tuple[float, float, float]:
@@ -108,4 +111,4 @@ def _on_three(a: Point, b: Point, c: Point) -> tuple[float, float, float]:
     bx, by, cx, cy = b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]
     bb, cc = bx * bx + by * by, cx * cx + cy * cy
     x, y = (cy * bb - by * cc) / twice, (bx * cc - cx * bb) / twice
-    return a[0] + x, a[1] + y, math.hypot(x, y)
+    return a[0] + x, a[1] + y, elementary.hypot(x, y)

@@ -12,6 +12,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spacetime.exact import polygon_distance
@@ -37,10 +38,18 @@ def _compare(forest, pose_a, pose_b, a, b):
     """Signed gap of the circles of two nodes, and the distance of their discs within the bodies, m."""
     ax, ay = _middle(forest.nodes, a, pose_a, CX)
     bx, by = _middle(forest.nodes, b, pose_b, CX)
-    gap = math.sqrt((bx - ax) ** 2 + (by - ay) ** 2) - forest.nodes[a, RADIUS] - forest.nodes[b, RADIUS]
+    gap = (
+        math.sqrt(elementary.square(bx - ax) + elementary.square(by - ay))
+        - forest.nodes[a, RADIUS]
+        - forest.nodes[b, RADIUS]
+    )
     ax, ay = _middle(forest.nodes, a, pose_a, WX)
     bx, by = _middle(forest.nodes, b, pose_b, WX)
-    discs = math.sqrt((bx - ax) ** 2 + (by - ay) ** 2) - forest.nodes[a, INNER] - forest.nodes[b, INNER]
+    discs = (
+        math.sqrt(elementary.square(bx - ax) + elementary.square(by - ay))
+        - forest.nodes[a, INNER]
+        - forest.nodes[b, INNER]
+    )
     return gap, max(discs, 0.0)
 
 
@@ -88,7 +97,7 @@ def _settle(forest, poses, pairs, left, gaps, count, answers):
             out[ESTIMATE] = out[UPPER]
         elif out[LOWER] > 0.0:
             out[ESTIMATE] = 0.5 * (out[LOWER] + out[UPPER])
-        long, weight = math.sqrt(out[NORMAL_X] ** 2 + out[NORMAL_Y] ** 2), out[WEIGHT]
+        long, weight = math.sqrt(out[NORMAL_X] * out[NORMAL_X] + out[NORMAL_Y] * out[NORMAL_Y]), out[WEIGHT]
         if weight > 0.0:
             out[PLACE_X] /= weight
             out[PLACE_Y] /= weight

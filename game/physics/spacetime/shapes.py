@@ -7,6 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise, linear
+
 Floats = NDArray[np.float64]
 KINDS = ("star", "comb", "letter", "coast")
 _E = ((0, 0), (4, 0), (4, 1), (1.2, 1), (1.2, 2.5), (3.4, 2.5), (3.4, 3.5), (1.2, 3.5), (1.2, 5), (4, 5),
@@ -24,7 +26,7 @@ def _star(variant: int) -> Floats:
     tips = 5 + variant % 5
     turns = np.arange(2 * tips) * math.pi / tips
     return (
-        np.stack([np.cos(turns), np.sin(turns)], axis=1)
+        np.stack([elementwise.cos(turns), elementwise.sin(turns)], axis=1)
         * np.where(np.arange(2 * tips) % 2, 0.4, 1.0)[:, None]
     )
 
@@ -45,9 +47,13 @@ def _coast(variant: int) -> Floats:
     turns = np.arange(COAST_CORNERS) * math.tau / COAST_CORNERS
     radii = np.ones(COAST_CORNERS)
     for wave in range(2, 17):
-        radii += 0.42 / wave**0.9 * np.cos(wave * turns + chance.uniform(0.0, math.tau))
+        radii += (
+            0.42
+            / elementary.pow(wave, 0.9)
+            * elementwise.cos(wave * turns + linear.uniform(chance, 0.0, math.tau))
+        )
     radii = np.maximum(radii, 0.25)
-    return np.stack([radii * np.cos(turns), radii * np.sin(turns)], axis=1)
+    return np.stack([radii * elementwise.cos(turns), radii * elementwise.sin(turns)], axis=1)
 
 
 def outline_of(kind: str, variant: int = 0) -> Floats:
@@ -59,7 +65,7 @@ def outline_of(kind: str, variant: int = 0) -> Floats:
     else:
         corners = {"star": _star, "comb": _comb, "coast": _coast}[kind](variant)
     corners = corners - area_and_centre(corners)[1]
-    return np.asarray(corners / np.max(np.hypot(*corners.T)))
+    return np.asarray(corners / np.max(elementwise.hypot(*corners.T)))
 
 
 def area_and_centre(corners: Floats) -> tuple[float, Floats]:
@@ -75,5 +81,5 @@ def second_moment(corners: Floats) -> float:
     """Polar second moment of area about the origin, m⁴."""
     following = np.roll(corners, -1, axis=0)
     cross = corners[:, 0] * following[:, 1] - following[:, 0] * corners[:, 1]
-    squares = np.sum(corners**2 + corners * following + following**2, axis=1)
+    squares = np.sum(corners * corners + corners * following + following * following, axis=1)
     return float(np.sum(cross * squares)) / 12.0

@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise
 from game.physics.spacetime.pieces import Piece, area_of, cut, least_circle, triangulate
 from game.physics.spacetime.shapes import area_and_centre, outline_of
 
@@ -75,7 +76,9 @@ class CircleTree:
         if found[0][2] <= 0.0:
             largest = max(pieces, key=area_of)
             found.append(self._clearance(tuple(np.mean(largest, axis=0).tolist())))
-        return max(found, key=lambda disc: disc[2] - np.hypot(disc[0] - circle[0], disc[1] - circle[1]))
+        return max(
+            found, key=lambda disc: disc[2] - elementwise.hypot(disc[0] - circle[0], disc[1] - circle[1])
+        )
 
     def _clearance(self, place: tuple[float, ...]) -> tuple[float, float, float]:
         """The largest disc within the body about a place, or the nearest point of the outline if outside."""
@@ -83,7 +86,7 @@ class CircleTree:
         along, away = b - a, np.asarray(place) - a
         share = np.clip(np.sum(away * along, axis=1) / np.sum(along * along, axis=1), 0.0, 1.0)
         feet = a + share[:, None] * along
-        far = np.hypot(*(feet - np.asarray(place)).T)
+        far = elementwise.hypot(*(feet - np.asarray(place)).T)
         nearest = int(np.argmin(far))
         if inside(self.outline, place):
             return place[0], place[1], float(far[nearest]) * (1.0 - 1e-12)
@@ -113,7 +116,7 @@ class CircleTree:
             area = 0.0
             for node in self.level(depth).tolist():
                 for piece in self.pieces_below(node):
-                    far = np.hypot(*(piece - self.nodes[node, :2]).T)
+                    far = elementwise.hypot(*(piece - self.nodes[node, :2]).T)
                     assert np.all(far <= self.nodes[node, RADIUS] * (1.0 + 1e-9)), f"node {node}: too small"
                     area += area_of([(float(x), float(y)) for x, y in piece])
             assert abs(area - whole) <= 1e-9 * whole, f"level {depth}: {area} of {whole} covered"

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.physics.constraints.effects import CONTACTS
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.spacetime.effects import SPACE_TIME, TIMED
 from game.physics.spacetime.exact import exact_distance
 from game.physics.spacetime.motion import (
@@ -163,7 +164,9 @@ class TimedWorld:
 
     def reach_of(self, pairs: Longs, dt: float) -> Floats:
         """How far off (m) a pair may be for its distance to matter: what it closes in some steps."""
-        speed = np.hypot(self.fields[3], self.fields[4]) + np.abs(self.fields[5]) * self.makes[:, SIZE]
+        speed = (
+            elementwise.hypot(self.fields[3], self.fields[4]) + np.abs(self.fields[5]) * self.makes[:, SIZE]
+        )
         ahead = NEAR_STEPS * dt
         return np.asarray((speed[pairs[:, 0]] + speed[pairs[:, 1]] + self.laws.bound * ahead) * ahead)
 
@@ -202,7 +205,10 @@ class TimedWorld:
         """Corners (k, 2) of a body where it is, m."""
         first, count = self.spans[i].tolist()
         x, y, c, s = self.poses[i].tolist()
-        return np.asarray(self.outlines[first : first + count] @ np.array(((c, s), (-s, c))) + (x, y))
+        return np.asarray(
+            linear.product(self.outlines[first : first + count], np.array(((c, s), (-s, c))))
+            + np.array((x, y))
+        )
 
     def queue(self) -> list[tuple[float, int, int]]:
         """The queue: (s from now, i, j), soonest first."""
@@ -214,7 +220,7 @@ class TimedWorld:
         """Pairs whose outlines meet although their next possible time of contact is still to come."""
         found = 0
         for ahead, i, j in self.queue():
-            far = math.dist(self.fields[X : Y + 1, i], self.fields[X : Y + 1, j])
+            far = elementary.hypot(*(self.fields[X : Y + 1, i] - self.fields[X : Y + 1, j]).tolist())
             if ahead > 0.0 and far < self.makes[i, SIZE] + self.makes[j, SIZE]:
                 found += self.exact(i, j) == 0.0
         return found

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import linear
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 MAX_SPHERES = 1_000_000
@@ -86,9 +88,9 @@ def invert_inertias(
     six = np.zeros((n, 6))
     for i in range(n):
         off = float(np.abs(given[i] - given[i].T).max())
-        if off > SKEW * float(np.abs(given[i]).max()) or np.linalg.eigvalsh(given[i])[0] <= 0.0:
+        if off > SKEW * float(np.abs(given[i]).max()) or linear.eigenvectors(given[i])[0][0] <= 0.0:
             raise ValueError(f"inertias[{i}]: must be symmetric and positive definite")
-        inverse = np.linalg.inv(given[i])
+        inverse = linear.inverse(given[i])
         six[i] = inverse[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
     even = (six[:, 0] == six[:, 1]) & (six[:, 0] == six[:, 2]) & ~six[:, 3:].any(axis=1)
     return six, even.astype(np.uint8)
@@ -99,7 +101,9 @@ def _inertias_by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners
     tensors = np.zeros((n, 3, 3))
     for s, i in enumerate(owners.tolist()):
         d = offsets[s]
-        tensors[i] += weights[s] * ((SOLID * radii[s] ** 2 + d @ d) * np.eye(3) - np.outer(d, d))
+        tensors[i] += weights[s] * (
+            (SOLID * (radii[s] * radii[s]) + linear.product(d, d)) * np.eye(3) - np.outer(d, d)
+        )
     return tensors
 
 

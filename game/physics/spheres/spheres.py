@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import linear
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.rigid.quaternion import matrix_of, quaternion_to_matrix
 from game.physics.spheres.composition import (
@@ -166,7 +167,7 @@ class SphereBodies:
         """Bring offsets (s, 3) from the world's frame into those of the bodies."""
         for s, i in enumerate(owners.tolist()):
             rotation = quaternion_to_matrix(self.state.orientations[i])
-            offsets[s] = rotation.T @ offsets[s]
+            offsets[s] = linear.product(rotation.T, offsets[s])
 
     def set_velocities(self, velocities: ArrayLike, turning: ArrayLike) -> None:
         """Give all bodies velocities (n, 3) m/s and angular velocities (n, 3) rad/s.
@@ -183,8 +184,10 @@ class SphereBodies:
         np.copyto(self.state.spins, np.divide(w, inverse, out=np.zeros_like(w), where=inverse > 0.0))
         for i in np.flatnonzero(self.composition.round_bodies == 0).tolist():
             rotation = quaternion_to_matrix(self.state.orientations[i])
-            tensor = np.linalg.inv(symmetric(self.composition.inverse_inertias[i]))
-            self.state.spins[i] = rotation @ tensor @ rotation.T @ w[i]
+            tensor = linear.inverse(symmetric(self.composition.inverse_inertias[i]))
+            self.state.spins[i] = linear.product(
+                linear.product(linear.product(rotation, tensor), rotation.T), w[i]
+            )
 
     @property
     def velocities(self) -> Floats:
@@ -210,7 +213,7 @@ class SphereBodies:
         """Verify what must always hold; AssertionError names what does not."""
         for name, array in self.state._asdict().items():
             assert np.isfinite(array).all(), f"{name} are finite"
-        lengths = np.sqrt((self.state.orientations**2).sum(axis=1))
+        lengths = np.sqrt((self.state.orientations * self.state.orientations).sum(axis=1))
         assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-12, "orientations have length 1"
         heavy = np.isinf(self.composition.masses)
         assert not self.state.momenta[heavy].any(), "what nothing moves has no momentum"

@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementwise
 from game.physics.particles.solids import VELOCITY_X, VELOCITY_Y, Discs
 from game.physics.spheres.spheres import SphereBodies
 from game.physics.surfaces.surface import Sample, Warmth, checked_places, empty_sample
@@ -26,7 +27,7 @@ def sample_round(
     if not len(centres) or not len(points):
         return found
     apart = points[:, None, :] - centres[None, :, :]
-    lengths = np.hypot(apart[..., 0], apart[..., 1])
+    lengths = elementwise.hypot(apart[..., 0], apart[..., 1])
     nearest = np.argmin(lengths - radii, axis=1)
     rows = np.arange(len(points))
     away, length = apart[rows, nearest], lengths[rows, nearest]
@@ -153,7 +154,7 @@ class BallSurface:
     def inverse_mass(self, body: int) -> tuple[float, float, tuple[float, float]]:
         """1/m, of a solid ball 1/I, and the centre."""
         x, y = self.read()[0][body].tolist()
-        return 1.0 / self.mass, 2.5 / (self.mass * self.radius**2), (x, y)
+        return 1.0 / self.mass, 2.5 / (self.mass * (self.radius * self.radius)), (x, y)
 
     def push(self, body: int, point: ArrayLike, impulse: ArrayLike) -> None:
         """The ball takes the impulse in its centre: it slides, and the cloth makes it roll."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.state import NONE, SEGMENT
 
@@ -82,7 +83,7 @@ def sample_solids(points, bodies, shapes, pool, distance, normal, velocity, fric
         for m in range(points.shape[0]):
             x, y = points[m, 0] - bodies.positions[i, 0], points[m, 1] - bodies.positions[i, 1]
             reach = bodies.reaches[i]
-            if x * x + y * y > (reach + abs(distance[m])) ** 2 and distance[m] < math.inf:
+            if x * x + y * y > elementary.square(reach + abs(distance[m])) and distance[m] < math.inf:
                 continue
             d, nx, ny = to_shape(shapes, pool, s, c * x + sine * y, c * y - sine * x)
             if d < distance[m]:

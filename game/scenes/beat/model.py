@@ -9,7 +9,7 @@ import numpy as np
 from game.billiards.rhythm.candidates import FARTHEST_MISS, STROKE, Candidates
 from game.billiards.rhythm.hearing import clicks_of
 from game.billiards.rhythm.search import LEAST_GAP, MOST_BEATS, MOST_SECONDS, Rhythm, rhythm_of
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, CUSHION_DEPTH
+from game.physics.kernels import elementary
 from game.scenes.shared.tables.boxes import Box, rect_of
 from game.stage import Frame
 
@@ -106,7 +107,7 @@ def spin_offset(left: float, up: float) -> tuple[float, float]:
 def on_spin(x: float, y: float) -> bool:
     """True on the picture of the cue ball."""
     dx, dy = x - SPIN[0], y - SPIN[1]
-    return dx * dx + dy * dy <= (1.2 * SPIN_RADIUS) ** 2
+    return dx * dx + dy * dy <= elementary.square(1.2 * SPIN_RADIUS)
 
 
 def on_elevation(x: float, y: float) -> bool:
@@ -118,7 +119,7 @@ def on_elevation(x: float, y: float) -> bool:
 
 def elevation_at(x: float, y: float) -> float:
     """Elevation, rad, that its picture says at a point."""
-    return min(max(math.atan2(ELEVATION[0] - x, y - ELEVATION[1]), 0.0), 0.5 * math.pi)
+    return min(max(elementary.atan2(ELEVATION[0] - x, y - ELEVATION[1]), 0.0), 0.5 * math.pi)
 
 
 def share_of_scrubber(y: float) -> float:
@@ -129,7 +130,7 @@ def share_of_scrubber(y: float) -> float:
 def near(place: tuple[float, float], x: float, y: float, radius: float) -> bool:
     """True within reach of a round thing."""
     dx, dy = x - place[0], y - place[1]
-    return dx * dx + dy * dy <= (REACH * radius) ** 2
+    return dx * dx + dy * dy <= elementary.square(REACH * radius)
 
 
 def tray_place(number: int) -> tuple[float, float]:

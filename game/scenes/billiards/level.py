@@ -15,9 +15,10 @@ from game.billiards.game.games.ghost import GHOST
 from game.billiards.game.goals import Goal
 from game.billiards.game.rules import CUE_BALL, Call, Game
 from game.billiards.game.tally import Tally
-from game.billiards.shot.shot import OVERLAP
+from game.billiards.shot.balls import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary, linear
 from game.scenes.shared.entry import LevelEntry
 
 # the cushions' model needs a nose below the top of every ball, 1.27 R0 < 2 R: R > 0.635 R0
@@ -105,8 +106,10 @@ def ball_set(radius_spread: float, mass_spread: float, seed: int) -> BallSet:
     if radius_spread or mass_spread:
         random = np.random.default_rng((seed, 16))
         # the largest ball keeps the pool measure, so that every ball fits through the pockets
-        radii[1:] *= 1.0 - radius_spread * random.uniform(0.0, 1.0, 15)
-        masses[1:] *= (radii[1:] / BALL_RADIUS) ** 3 * (1.0 + mass_spread * random.uniform(-1.0, 1.0, 15))
+        radii[1:] *= 1.0 - radius_spread * linear.uniform(random, 0.0, 1.0, 15)
+        masses[1:] *= elementary.cube(radii[1:] / BALL_RADIUS) * (
+            1.0 + mass_spread * linear.uniform(random, -1.0, 1.0, 15)
+        )
     return BallSet(radii, masses)
 
 
@@ -235,7 +238,7 @@ def _check_place(layout: Arrangement, table: Table, ball: PlacedBall) -> None:
     radius = float(layout.balls.radii[ball.number])
     for other, (ox, oy) in zip(layout.numbers, layout.positions.tolist(), strict=True):
         reach = 2.0 * math.sqrt(radius * float(layout.balls.radii[other]))
-        if math.hypot(x - ox, y - oy) < reach - OVERLAP:
+        if elementary.hypot(x - ox, y - oy) < reach - OVERLAP:
             raise ValueError(f"balls: number {ball.number} at {ball.position} lies in number {other}")
 
 

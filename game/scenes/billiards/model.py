@@ -17,7 +17,7 @@ from game.billiards.game.rules import CUE_BALL, Call, Hand
 from game.billiards.game.tally import Tally
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.lecture.state import POCKETS
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of
 from game.billiards.table.table import Table

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from game.billiards.game.rules import CUE_BALL
+from game.physics.kernels import linear
 from game.scenes.billiards.play import PHASE_S, REPLAY, REPLAY_S, ROLLING, Play
 from game.stage import Readout
 
@@ -39,4 +40,4 @@ def _measured(play: Play) -> tuple[float, float, int]:
     energy = float((0.5 * masses * ((moving * moving).sum(axis=1) + up * up)).sum())
     cue_ball = moving[numbers.index(CUE_BALL)]
     count = int(np.searchsorted(trajectory.times, time, side="right"))
-    return energy, math.sqrt(float(cue_ball @ cue_ball)), count
+    return energy, math.sqrt(float(linear.product(cue_ball, cue_ball))), count

@@ -69,7 +69,7 @@ class BoundsScene(Scene):
     )
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = BoundsModel(self.parameters, self.active, content, self.second_kind)
         self.walk = Walk(self.model)
         panes = self.make_panes()

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from game.physics.bounds import Nearest
 from game.physics.bounds.query import OVERLAPPING, QueryRecord
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.physics.kernels.limits import LimitError
 from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes.bounds.pair import TreeOptions, TreePair
@@ -135,8 +136,10 @@ class BoundsModel(Part):
         for i, rate in zip(range(len(places)), (parameters.turn_a, parameters.turn_b), strict=False):
             places[i, 2] = math.remainder(places[i, 2] + math.radians(rate) * dt, 2.0 * math.pi)
         if len(places) == 2:
-            places[1, 0] += parameters.sway * (math.cos(after) - math.cos(before))
-            places[1, 1] += 0.4 * parameters.sway * (math.sin(GOLDEN * after) - math.sin(GOLDEN * before))
+            places[1, 0] += parameters.sway * (elementary.cos(after) - elementary.cos(before))
+            places[1, 1] += (
+                0.4 * parameters.sway * (elementary.sin(GOLDEN * after) - elementary.sin(GOLDEN * before))
+            )
         places[:, :2] = np.clip(places[:, :2], -FARTHEST, FARTHEST)  # where a level file has its end
         self.board = with_places(self.board, places)
 

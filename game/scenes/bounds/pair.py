@@ -21,6 +21,7 @@ from game.physics.bounds import (
 from game.physics.bounds.fits import corners_of
 from game.physics.bounds.hull import hull_of
 from game.physics.bounds.query import QueryRecord
+from game.physics.kernels import elementary, elementwise
 from game.scenes.shared.outlines.level import array_of
 from game.scenes.shared.outlines.outline import Outline
 
@@ -50,7 +51,7 @@ class Place(NamedTuple):
 
     def to_world(self, points: Array) -> Array:
         """Points (..., 2) of the frame in the world."""
-        c, s = self.scale * math.cos(self.angle), self.scale * math.sin(self.angle)
+        c, s = self.scale * elementary.cos(self.angle), self.scale * elementary.sin(self.angle)
         world = np.empty(points.shape)
         x, y = points[..., 0], points[..., 1]
         world[..., 0] = c * x - s * y + self.x
@@ -89,12 +90,16 @@ def rows_to_paths(kind: str, v: Array, round_points: int = ROUND) -> Array:
     if kind != "capsule":
         return corners_of(v)
     core = v[:, 2:4] - v[:, 0:2]
-    turn = np.arctan2(core[:, 1], core[:, 0])[:, None]
+    turn = elementwise.arctan2(core[:, 1], core[:, 0])[:, None]
     bend = np.linspace(-0.5 * np.pi, 0.5 * np.pi, round_points)[None, :]
     radius = v[:, 4][:, None, None]
-    far = v[:, None, 2:4] + radius * np.stack((np.cos(turn + bend), np.sin(turn + bend)), axis=-1)
+    far = v[:, None, 2:4] + radius * np.stack(
+        (elementwise.cos(turn + bend), elementwise.sin(turn + bend)), axis=-1
+    )
     back = turn + np.pi
-    near = v[:, None, 0:2] + radius * np.stack((np.cos(back + bend), np.sin(back + bend)), axis=-1)
+    near = v[:, None, 0:2] + radius * np.stack(
+        (elementwise.cos(back + bend), elementwise.sin(back + bend)), axis=-1
+    )
     return np.concatenate((far, near), axis=1)
 
 
@@ -179,7 +184,7 @@ class TreePair:
     def relative(self, outlines: Sequence[Outline]) -> tuple[tuple[float, float], float]:
         """Place of the second tree in the frame of the first: offset m, turn rad."""
         a, b = self.place(outlines[0]), self.place(outlines[1])
-        c, s = math.cos(a.angle), math.sin(a.angle)
+        c, s = elementary.cos(a.angle), elementary.sin(a.angle)
         dx, dy = b.x - a.x, b.y - a.y
         return (c * dx + s * dy, c * dy - s * dx), b.angle - a.angle
 

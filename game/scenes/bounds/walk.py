@@ -13,6 +13,7 @@ from game.physics.bounds.boxes import write_box
 from game.physics.bounds.building import area_on_axis
 from game.physics.bounds.capsules import write_capsule
 from game.physics.bounds.hull import hull_of
+from game.physics.kernels import elementary
 from game.scenes.bounds.model import BoundsModel
 from game.scenes.bounds.pair import least_area
 from game.scenes.bounds.parameters import WALKS
@@ -41,7 +42,7 @@ def fit_row(walk: FitWalk, angle: float, kind: str) -> Array:
     row = np.zeros((1, 6))
     write = write_capsule if kind == "capsule" else write_box
     x, y = walk.origin.tolist()
-    write(walk.hull, len(walk.hull), math.cos(angle), math.sin(angle), x, y, row, 0)
+    write(walk.hull, len(walk.hull), elementary.cos(angle), elementary.sin(angle), x, y, row, 0)
     return row
 
 
@@ -149,7 +150,9 @@ def _fit_walk(tree: BoundingTree, node: int, step_degrees: float) -> FitWalk:
     hull, origin = hull_of(points)
     angles = np.radians(step_degrees * np.arange(_directions(tree.kind, step_degrees)))
     kind = tree.kind_number if tree.kind != "aabb" else 0
-    areas = np.array([area_on_axis(kind, hull, len(hull), math.cos(a), math.sin(a)) for a in angles.tolist()])
+    areas = np.array(
+        [area_on_axis(kind, hull, len(hull), elementary.cos(a), elementary.sin(a)) for a in angles.tolist()]
+    )
     return FitWalk(angles, areas, hull, origin, least_area(tree.kind, points))
 
 

@@ -5,10 +5,9 @@ The picture is turned: x runs down and y to the right. Design px are those of a 
 
 from __future__ import annotations
 
-import math
-
 from game.billiards.table.carom import BALL_RADIUS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH, CUSHION_DEPTH
+from game.physics.kernels import elementary
 from game.scenes.shared.tables.boxes import Box
 from game.stage import Frame
 
@@ -57,16 +56,16 @@ def option_box(row: int, count: int) -> Box:
 def tip_at(x: float, y: float, most: float) -> tuple[float, float]:
     """Offset of the tip (left, up) in radii at a point of its picture, at most `most` off."""
     up, left = (TIP_MIDDLE[0] - x) / TIP_RADIUS, (TIP_MIDDLE[1] - y) / TIP_RADIUS
-    length = math.hypot(up, left)
+    length = elementary.hypot(up, left)
     shrink = min(1.0, most / length) if length > 0.0 else 1.0
     return left * shrink, up * shrink
 
 
 def on_tip(x: float, y: float) -> bool:
     """True on the picture of the ball that is struck."""
-    return math.hypot(x - TIP_MIDDLE[0], y - TIP_MIDDLE[1]) <= 1.1 * TIP_RADIUS
+    return elementary.hypot(x - TIP_MIDDLE[0], y - TIP_MIDDLE[1]) <= 1.1 * TIP_RADIUS
 
 
 def near(place: tuple[float, float], x: float, y: float) -> bool:
     """True on a ball, or close by it."""
-    return math.hypot(x - place[0], y - place[1]) <= 1.3 * BALL_RADIUS
+    return elementary.hypot(x - place[0], y - place[1]) <= 1.3 * BALL_RADIUS

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import math
 
 import msgspec
 import numpy as np
@@ -12,12 +11,13 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, CaromStruck, points_of, rows_of
 from game.billiards.shot.cloths import CLOTHS
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of
 from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.scenes.carom.level import CaromContent, begun
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
@@ -165,7 +165,7 @@ def free_place(places: Array, ball: int, x: float, y: float) -> tuple[float, flo
             return x, y
         for other in range(3):
             dx, dy = x - float(places[other, 0]), y - float(places[other, 1])
-            distance = math.hypot(dx, dy)
+            distance = elementary.hypot(dx, dy)
             if other != ball and distance < APART:
                 ux, uy = (dx / distance, dy / distance) if distance > 1e-9 else (1.0, 0.0)
                 x, y = float(places[other, 0]) + APART * ux, float(places[other, 1]) + APART * uy

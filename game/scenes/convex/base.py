@@ -63,7 +63,7 @@ class ConvexPairScene(Scene):
     )
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = self.model_type(self.parameters, self.active, content)
         self.hand = Hand(self.model)
         self._readouts = self.readouts_type(self.model)

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import msgspec
 
+from game.physics.kernels import elementary
 from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
 from game.scenes.shared.outlines.board import Board
@@ -65,7 +66,9 @@ def outline_of(entry: ShapeEntry, name: str) -> Outline:
     points: tuple[Point, ...] = entry.points
     if entry.corners is not None:
         turns = [2.0 * math.pi * k / entry.corners for k in range(entry.corners)]
-        points = tuple((entry.radius * math.cos(t), entry.radius * entry.flat * math.sin(t)) for t in turns)
+        points = tuple(
+            (entry.radius * elementary.cos(t), entry.radius * entry.flat * elementary.sin(t)) for t in turns
+        )
     return Outline(points, len(points) > 2, entry.position, math.radians(entry.turn))
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.constraints import PositionState
 from game.physics.deformables import Counts, Mesh, Pushing, SoftBodies, store_of
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, linear
 from game.scenes.deformables.level import WIDTH, Body, DeformablesContent
 from game.scenes.deformables.parameters import DeformablesParameters
 from game.stage import Part
@@ -32,9 +31,14 @@ class DeformablesModel(Part):
             weights[body.is_fixed(mesh.points)] = 0.0
             start = mesh.points * ((-1.0, 1.0) if body.mirrored else (1.0, 1.0))
             for x, y, angle in body.places():
-                turn = np.array(((math.cos(angle), -math.sin(angle)), (math.sin(angle), math.cos(angle))))
+                turn = np.array(
+                    (
+                        (elementary.cos(angle), -elementary.sin(angle)),
+                        (elementary.sin(angle), elementary.cos(angle)),
+                    )
+                )
                 meshes.append(Mesh(mesh.points, mesh.triangles))
-                places.append(start @ turn.T + (x, y))
+                places.append(linear.product(start, turn.T) + np.array((x, y)))
                 masses.append(weights)
                 speeds.append(np.broadcast_to(body.velocity, mesh.points.shape))
         store, rest = store_of(meshes)

@@ -7,7 +7,6 @@ from typing import Any
 
 from game.lab.studies.deformables import cell_study
 from game.levels import Level
-from game.physics.constraints import PositionState
 from game.physics.deformables.effects import SOFT
 from game.scenes.deformables import DEFORMABLES
 from game.scenes.deformables.figure import draw_two_passes
@@ -18,10 +17,11 @@ from game.scenes.deformables.parameters import OF_PICTURE, DeformablesParameters
 from game.scenes.deformables.readouts import readouts_of
 from game.scenes.deformables.view import DeformablesView
 from game.scenes.shared.expectations import captions_of, draw_captions
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, Strip, WarmUp
+from game.scenes.shared.model_scene import ModelScene
+from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip, WarmUp
 
 
-class Deformables(Scene):
+class Deformables(ModelScene):
     """Many soft bodies of triangles fall on each other, and bend on to themselves. No tree of boxes survives
     that for long, so none is kept: in each step all vertices go into the cells of a grid, and the cells into
     the slots of a hash table. Then each triangle looks through its own cells for vertices that are inside.
@@ -37,6 +37,7 @@ class Deformables(Scene):
     name, task, title = DEFORMABLES.names
     parameters_type = DeformablesParameters
     parameters: DeformablesParameters
+    model: DeformablesModel
     effects = SOFT.known
     content_type = DeformablesContent
     study = cell_study
@@ -81,15 +82,6 @@ class Deformables(Scene):
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE and name != "step_length":
             self.model.change_parameter(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> PositionState:
-        return self.model.state()
-
-    def restore(self, state: PositionState) -> None:
-        self.model.restore(state)
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)

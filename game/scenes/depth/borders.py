@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise, linear
 from game.physics.narrowphase.depth import Shape
 
 Floats = NDArray[np.float64]
@@ -19,7 +20,7 @@ def border_of(shape: Shape) -> Floats:
         edges += [(number, a, b) for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True)]
     near, kept = NEAR * shape.reach, []
     for number, a, b in edges:
-        length = float(np.hypot(*(b - a)))
+        length = float(elementwise.hypot(*(b - a)))
         along = (b - a) / length
         free = [(0.0, length)]
         for other, p, q in edges:
@@ -35,7 +36,7 @@ def border_of(shape: Shape) -> Floats:
 
 def _beside(away: Floats, along: Floats) -> tuple[float, float]:
     """How far along a direction, and beside it."""
-    return float(away @ along), float(along[0] * away[1] - along[1] * away[0])
+    return float(linear.product(away, along)), float(along[0] * away[1] - along[1] * away[0])
 
 
 def common(one: Floats, other: Floats) -> Floats:

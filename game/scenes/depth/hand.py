@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.scenes.depth.model import DepthModel
 from game.stage import Part, Pointer
 
@@ -49,8 +50,8 @@ class DepthHand(Part):
     def _lead(self, point: tuple[float, float]) -> None:
         x, y, angle = self.model.places[self.held].tolist()
         if self.turning:
-            first = math.atan2(self.before[1] - y, self.before[0] - x)
-            now = math.atan2(point[1] - y, point[0] - x)
+            first = elementary.atan2(self.before[1] - y, self.before[0] - x)
+            now = elementary.atan2(point[1] - y, point[0] - x)
             self.turn(math.remainder(now - first, math.tau), self.held)
         else:
             x, y = x + point[0] - self.before[0], y + point[1] - self.before[1]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.scenes.depth.model import DepthModel
 from game.stage import Readout
 
@@ -17,7 +18,7 @@ def readouts_of(model: DepthModel) -> tuple[Readout, ...]:
         Readout("generalised", found.sigma, "m"),
         Readout("shorter by", saved, "%"),
         Readout("turn", math.degrees(found.angle), "°"),
-        Readout("displacement", math.hypot(found.x, found.y), "m"),
+        Readout("displacement", elementary.hypot(found.x, found.y), "m"),
         Readout("left uncertain", found.sigma - found.certain, "m"),
         Readout("angles tried", found.evaluations),
         Readout("query", model.watch.median("query"), "s"),

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.scenes.domino.level import FloorEntry, PieceEntry, RowEntry
 
 Floats = NDArray[np.float64]
@@ -40,11 +41,15 @@ def _piece(
     x, y = start
     if piece.radius and piece.turn:
         turn, side = math.radians(piece.turn), math.copysign(1.0, piece.turn)
-        cx, cy = x - side * piece.radius * math.sin(heading), y + side * piece.radius * math.cos(heading)
+        cx, cy = (
+            x - side * piece.radius * elementary.sin(heading),
+            y + side * piece.radius * elementary.cos(heading),
+        )
         count = max(1, math.ceil(abs(piece.turn) / ARC_DEGREES))
         angles = [heading + turn * (k + 1) / count for k in range(count)]
         places = [
-            (cx + side * piece.radius * math.sin(a), cy - side * piece.radius * math.cos(a)) for a in angles
+            (cx + side * piece.radius * elementary.sin(a), cy - side * piece.radius * elementary.cos(a))
+            for a in angles
         ]
         return places, heading + turn
     if not (piece.run or piece.rise):
@@ -55,7 +60,7 @@ def _piece(
         for k in range(piece.steps):
             places += [(x + k * tread, y + (k + 1) * rise), (x + (k + 1) * tread, y + (k + 1) * rise)]
         return places, 0.0
-    return [(x + piece.run, y + piece.rise)], math.atan2(piece.rise, piece.run)
+    return [(x + piece.run, y + piece.rise)], elementary.atan2(piece.rise, piece.run)
 
 
 def height_at(points: Floats, x: float) -> tuple[float, float]:
@@ -71,8 +76,8 @@ def height_at(points: Floats, x: float) -> tuple[float, float]:
         rising = np.flatnonzero(high[:, 0] > low[:, 0])
         k = int(rising[0] if x < points[0, 0] or not len(rising) else rising[-1])
     (x0, y0), (x1, y1) = low[k].tolist(), high[k].tolist()
-    slope = math.atan2(y1 - y0, x1 - x0)
-    return y0 + (min(max(x, x0), x1) - x0) * math.tan(slope), slope
+    slope = elementary.atan2(y1 - y0, x1 - x0)
+    return y0 + (min(max(x, x0), x1) - x0) * elementary.tan(slope), slope
 
 
 def row_places(row: RowEntry, points: Floats, gap: float) -> list[Standing]:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.scenes.domino.course import Standing, height_at
 from game.scenes.domino.model import DominoModel
 from game.scenes.domino.tables import BODY, TALL, THICK
@@ -63,7 +62,7 @@ class DominoHand(Part):
         """Number of the ball at a point, or NOBODY."""
         places = self.model.world.bodies.positions
         for k, (body, entry) in enumerate(zip(self.model.ball_ids, self.model.content.balls, strict=True)):
-            if math.dist(places[body].tolist(), point) <= entry.radius:
+            if elementary.dist(places[body].tolist(), point) <= entry.radius:
                 return k
         return NOBODY
 

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.solids import Chain, Disc, Material, Polygon, SolidWorld, box
 from game.scenes.domino.course import Standing, height_at, row_places
 from game.scenes.domino.level import BallEntry, DominoContent, PlankEntry, RowEntry, SingleEntry, SliderEntry
@@ -44,7 +45,7 @@ def domino_shape(thick: float, tall: float, density: float, friction: float) -> 
 def centre_of(place: Standing, tall: float) -> tuple[float, float]:
     """Centre of a domino that stands at a place, m."""
     half = 0.5 * tall
-    return place.x - half * math.sin(place.lean), place.y + half * math.cos(place.lean)
+    return place.x - half * elementary.sin(place.lean), place.y + half * elementary.cos(place.lean)
 
 
 def add_domino(
@@ -100,11 +101,11 @@ def add_ball(world: SolidWorld, entry: BallEntry, floor: Floats, parameters: Dom
     material = Material(
         DENSITIES[entry.made_of], max(parameters.friction, LEAST_FRICTION), parameters.restitution
     )
-    place = entry.x - entry.radius * math.sin(slope), y + entry.radius * math.cos(slope)
+    place = entry.x - entry.radius * elementary.sin(slope), y + entry.radius * elementary.cos(slope)
     speed = entry.velocity
     return world.add_body(
         Disc(entry.radius, material=material), place, 0.0,
-        (speed * math.cos(slope), speed * math.sin(slope)), -speed / entry.radius,
+        (speed * elementary.cos(slope), speed * elementary.sin(slope)), -speed / entry.radius,
     )  # fmt: skip
 
 
@@ -131,8 +132,8 @@ def add_slider(world: SolidWorld, entry: SliderEntry, number: int, floor: Floats
     thick, tall = entry.size
     if entry.speed > 0.0:  # it lies flat
         lift = 0.5 * thick
-        place = entry.x - lift * math.sin(slope), y + lift * math.cos(slope)
-        velocity = entry.speed * math.cos(slope), entry.speed * math.sin(slope)
+        place = entry.x - lift * elementary.sin(slope), y + lift * elementary.cos(slope)
+        velocity = entry.speed * elementary.cos(slope), entry.speed * elementary.sin(slope)
         return world.add_body(box(tall, thick, material=material), place, slope, velocity)
     standing = Standing(entry.x, y, slope, 1.0)
     return world.add_body(box(thick, tall, material=material), centre_of(standing, tall), slope)

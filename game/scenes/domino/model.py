@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.physics.dominoes import domino_wave_speed
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids import Disc, Material, SolidSettings, SolidState, SolidWorld
 from game.physics.solids.effects import FRICTION
 from game.physics.solids.state import ASLEEP, DYNAMIC
@@ -203,7 +204,7 @@ class DominoModel(Part):
         self.changed = True
         row = self.dominoes[number]
         body, half = int(row[BODY]), 0.5 * float(row[TALL])
-        centre = place.x - half * math.sin(place.lean), place.y + half * math.cos(place.lean)
+        centre = place.x - half * elementary.sin(place.lean), place.y + half * elementary.cos(place.lean)
         self.world.set_pose(body, centre, place.lean)
         self.world.set_velocity(body, (0.0, 0.0), 0.0)
         row[[FOOT_X, FOOT_Y, LEAN, STRUCK, LEVEL]] = place.x, place.y, place.lean, NOT_YET, 0.0
@@ -227,7 +228,7 @@ class DominoModel(Part):
         if not len(self.dominoes):
             return -1
         rows = self.dominoes
-        away = np.hypot(rows[:, FOOT_X] - place.x, rows[:, FOOT_Y] - place.y)
+        away = elementwise.hypot(rows[:, FOOT_X] - place.x, rows[:, FOOT_Y] - place.y)
         return int(np.argmin(away))
 
     def take_away(self, number: int) -> None:
@@ -294,11 +295,11 @@ class DominoModel(Part):
         for row in self.sliders:
             body = int(row[SLIDER_BODY])
             x, y = bodies.positions[body].tolist()
-            speed = math.hypot(*bodies.velocities[body].tolist())
+            speed = elementary.length(*bodies.velocities[body].tolist())
             if row[SLIDER_SPEED] < 0.0 and x >= line and self._lies(body):
                 row[[SLIDER_SPEED, SLIDER_X, SLIDER_Y]] = speed, x, y
             elif row[SLIDER_SPEED] >= 0.0:
-                row[SLIDER_WAY] = math.hypot(x - float(row[SLIDER_X]), y - float(row[SLIDER_Y]))
+                row[SLIDER_WAY] = elementary.hypot(x - float(row[SLIDER_X]), y - float(row[SLIDER_Y]))
 
     def _lies(self, body: int) -> bool:
         """Whether a block lies on a long side and slides without turning."""
@@ -332,17 +333,21 @@ class DominoModel(Part):
         """m/s; 0 without balls."""
         if not self.ball_ids:
             return 0.0
-        return float(np.hypot(*self.world.bodies.velocities[self.ball_ids].T).max())
+        return float(elementwise.hypot(*self.world.bodies.velocities[self.ball_ids].T).max())
 
     def moving_balls(self) -> int:
         """How many balls are faster than a crawl."""
-        speeds = np.hypot(*self.world.bodies.velocities[self.ball_ids].T) if self.ball_ids else np.zeros(0)
+        speeds = (
+            elementwise.hypot(*self.world.bodies.velocities[self.ball_ids].T)
+            if self.ball_ids
+            else np.zeros(0)
+        )
         return int(np.count_nonzero(speeds > CRAWL))
 
     def at_rest(self) -> int:
         """How many blocks have slid and come to rest."""
         bodies = self.sliders[self.sliders[:, SLIDER_SPEED] >= 0.0, SLIDER_BODY].astype(np.int64)
-        return int(np.count_nonzero(np.hypot(*self.world.bodies.velocities[bodies].T) < QUIET))
+        return int(np.count_nonzero(elementwise.hypot(*self.world.bodies.velocities[bodies].T) < QUIET))
 
     def front(self) -> tuple[float, float]:
         """Where the wave is now, m: between the last that was struck and the next."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from game.physics.dominoes import stopping_distance
+from game.physics.kernels import elementary
 from game.scenes.domino.course import height_at
 from game.scenes.domino.model import QUIET, DominoModel
 from game.scenes.domino.tables import (
@@ -48,7 +49,7 @@ def _slides(model: DominoModel) -> list[Readout]:
             exact = stopping_distance(
                 float(row[SLIDER_SPEED]), float(row[SLIDER_MU]), -slope, model.gravity()
             )
-            stopped = math.hypot(*speeds[int(row[SLIDER_BODY])].tolist()) < QUIET
+            stopped = elementary.length(*speeds[int(row[SLIDER_BODY])].tolist()) < QUIET
             if stopped and math.isfinite(exact) and exact > 0.0:
                 error = 100.0 * abs(way / exact - 1.0)
                 worst = error if math.isnan(worst) else max(worst, error)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.dominoes import domino_study
 from game.levels import Level
@@ -14,32 +14,27 @@ from game.scenes.domino.figure import draw_leaning
 from game.scenes.domino.hand import DominoHand
 from game.scenes.domino.landscape import warm_up_landscape
 from game.scenes.domino.level import DominoContent, FloorEntry, PieceEntry, RowEntry, View
-from game.scenes.domino.model import DominoModel, ModelState
+from game.scenes.domino.model import DominoModel
 from game.scenes.domino.parameters import OF_PICTURE, OF_TOOLS, DominoParameters
 from game.scenes.domino.readouts import readouts
 from game.scenes.domino.saving import content_of
 from game.scenes.domino.sounds import hearing_of
 from game.scenes.domino.targets import story_targets
 from game.scenes.domino.view import DominoView
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.stage import (
     Equation,
-    Frame,
     Hearing,
     Hint,
-    Pointer,
     Readout,
-    Scene,
     SceneAction,
-    SetParameter,
     Strip,
     WarmUp,
 )
-from game.stage.messages import Messages
 
 
-class Domino(Scene):
+class Domino(BuiltScene):
     """Each domino turns about the lower edge of its face, strikes the next, and leans on it from then on, so
     that many of them push the front together. After a dozen the wave runs at a steady speed, which depends
     on the gap, the thickness and the friction between two dominoes, and goes with the square root of their
@@ -57,6 +52,8 @@ class Domino(Scene):
     name, task, title = A01.names
     parameters_type = DominoParameters
     parameters: DominoParameters
+    model: DominoModel
+    hand: DominoHand
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = DominoContent
     study = domino_study
@@ -120,12 +117,11 @@ class Domino(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = DominoModel(content, self.parameters, self.active)
         self.hand = DominoHand(self.model)
         self.view = DominoView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name in OF_TOOLS:
@@ -133,40 +129,18 @@ class Domino(Scene):
         elif name not in OF_PICTURE:
             self.model.change_parameter(name)
 
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
     def why_idle(self, name: str) -> str:
-        if name == "substeps" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
         if name == "spacing" and all(row.gap is not None for row in self.model.content.rows):
             return "This level says how far apart its dominoes stand."
-        return ""
-
-    def takes_long(self, event: Any) -> bool:
-        """Another solver is compiled first."""
-        return isinstance(event, SetParameter) and event.name == "solver"
-
-    def state(self) -> ModelState:
-        return self.model.state()
-
-    def restore(self, state: ModelState) -> None:
-        self.model.restore(state)
+        return super().why_idle(name)
 
     def save_content(self) -> DominoContent:
         return content_of(self.model)
-
-    def check(self) -> None:
-        """What must always hold in the world."""
-        self.model.world.check()
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name.startswith("tool-"):
@@ -174,9 +148,6 @@ class Domino(Scene):
             self.hand.let_go()
         else:
             self.model.push_first()
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 
@@ -188,18 +159,3 @@ class Domino(Scene):
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return with_headroom(
-            Frame(view.left, view.bottom, view.right, view.top), len(self.model.content.expected)
-        )
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content, frame = self.model.content, self.frame()
-        top = (0.5 * (frame.left + frame.right), frame.top)
-        draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

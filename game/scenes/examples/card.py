@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
 
@@ -20,7 +21,7 @@ def draw_pendulum(pen: Pen) -> None:
     pivot, length = (80.0, 12.0), 68.0
     for k, degrees in enumerate((-40.0, -22.0, 0.0, 22.0, 40.0)):
         turn = math.radians(degrees)
-        mass = pivot[0] + length * math.sin(turn), pivot[1] + length * math.cos(turn)
+        mass = pivot[0] + length * elementary.sin(turn), pivot[1] + length * elementary.cos(turn)
         last = k == 4
         pen.line((pivot, mass), "text2" if last else "line2", 1.6 if last else 0.9)
         pen.disc(*mass, 7.5, "chalk" if last else "line2", ring=0.0 if last else 1.0)
@@ -51,7 +52,7 @@ def draw_chain(pen: Pen) -> None:
     beads = [
         (
             16.0 + 128.0 * j / 16,
-            48.0 - 22.0 * math.sin(math.pi * j / 16) - 9.0 * math.sin(3.0 * math.pi * j / 16),
+            48.0 - 22.0 * elementary.sin(math.pi * j / 16) - 9.0 * elementary.sin(3.0 * math.pi * j / 16),
         )
         for j in range(17)
     ]

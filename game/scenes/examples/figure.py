@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.scenes.shared.marks import ahead, dot
 from game.ui.canvas.pen import Pen
 
@@ -11,7 +12,7 @@ from game.ui.canvas.pen import Pen
 def draw_forces(pen: Pen) -> None:
     """Weight and the pull of the rod; what is left acts along the arc."""
     pivot, length, angle = (148.0, 24.0), 130.0, math.radians(34.0)
-    mass = pivot[0] + length * math.sin(angle), pivot[1] + length * math.cos(angle)
+    mass = pivot[0] + length * elementary.sin(angle), pivot[1] + length * elementary.cos(angle)
     pen.line((pivot, (pivot[0], pivot[1] + length + 22.0)), "text3", 1.0, dash=3.0)
     pen.arc(pivot, 44.0, -90.0, -90.0 + 34.0, "text2", 1.2)
     pen.formula(r"\phi", pivot[0] + 20.0, pivot[1] + 58.0, "text1")
@@ -19,8 +20,10 @@ def draw_forces(pen: Pen) -> None:
     pen.formula("l", 0.5 * (pivot[0] + mass[0]) + 14.0, 0.5 * (pivot[1] + mass[1]) - 8.0, "text1")
     pen.arrow(mass, (mass[0], mass[1] + 58.0), "chalk", 2.2)
     pen.formula(r"m g", mass[0] + 20.0, mass[1] + 50.0, "chalk")
-    along = 58.0 * math.sin(angle)
-    pen.arrow(mass, (mass[0] - along * math.cos(angle), mass[1] + along * math.sin(angle)), "amber", 2.2)
+    along = 58.0 * elementary.sin(angle)
+    pen.arrow(
+        mass, (mass[0] - along * elementary.cos(angle), mass[1] + along * elementary.sin(angle)), "amber", 2.2
+    )
     pen.formula(r"m g \sin \phi", 108.0, mass[1] + 30.0, "amber")
     pen.disc(*mass, 11.0, "body")
     pen.disc(*mass, 11.0, "text1", ring=1.4)
@@ -38,7 +41,7 @@ def draw_late_impact(pen: Pen) -> None:
     pen.line(rise, "text2", 1.2, dash=4.0)
     for k in range(3):
         x = 60.0 + k * step
-        y = 30.0 + 0.0085 * (k * step) ** 2
+        y = 30.0 + 0.0085 * elementary.square(k * step)
         pen.disc(x, y, 8.0, "chalk" if k < 2 else "vermilion", ring=1.6)
     late = 60.0 + 2.0 * step
     pen.arrow((late, 158.0), (late, ground - 4.0), "vermilion", 1.6)
@@ -53,7 +56,7 @@ def draw_modes(pen: Pen) -> None:
     for mode in (1, 2, 3):
         middle = 42.0 + 56.0 * (mode - 1)
         places = [left + (right - left) * j / (beads + 1) for j in range(beads + 2)]
-        heights = [middle - 19.0 * math.sin(mode * math.pi * j / (beads + 1)) for j in range(beads + 2)]
+        heights = [middle - 19.0 * elementary.sin(mode * math.pi * j / (beads + 1)) for j in range(beads + 2)]
         pen.line(((left, middle), (right, middle)), "text3", 0.8, dash=3.0)
         pen.line(list(zip(places, heights, strict=True)), "text2", 1.2)
         for place in list(zip(places, heights, strict=True))[1:-1]:

@@ -9,6 +9,7 @@ from game.lab.studies.motion import swing_study
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.integrators import METHODS, integrate
+from game.physics.kernels import elementary
 from game.physics.oscillators import pendulum_angle, rod_pull
 from game.scenes.examples import PENDULUM
 from game.scenes.examples.figure import draw_forces
@@ -62,7 +63,7 @@ class Pendulum(Scene):
     def pointer(self, event: Pointer):
         self.held = event.kind == "down" or (self.held and event.kind == "move")
         if self.held:
-            self.swing[:] = math.atan2(event.x, -event.y), 0.0
+            self.swing[:] = elementary.atan2(event.x, -event.y), 0.0
             self.free = float(self.swing[0]), self.time
 
     def effects_changed(self):
@@ -76,7 +77,7 @@ class Pendulum(Scene):
 
     def readouts(self):
         angle, rate = self.swing.tolist()
-        energy = self.length**2 * (0.5 * rate * rate + self.pull * (1.0 - math.cos(angle)))
+        energy = (self.length * self.length) * (0.5 * rate * rate + self.pull * (1.0 - elementary.cos(angle)))
         error = (angle - self.exact() + math.pi) % math.tau - math.pi
         return [Readout("error", math.degrees(error), "°"), Readout("energy", energy, "J/kg")]
 
@@ -85,6 +86,6 @@ class Pendulum(Scene):
         angle = self.previous.swing[0] + alpha * (self.swing[0] - self.previous.swing[0])
         exact = self.exact((1.0 - alpha) * self.step_length)
         for turn, color, dash in ((exact, "text3", EXACT_DASH), (angle, "chalk", None)):
-            mass = self.length * math.sin(turn), -self.length * math.cos(turn)
+            mass = self.length * elementary.sin(turn), -self.length * elementary.cos(turn)
             canvas.line((0.0, 0.0), mass, "text2", 1.6, dash)
             canvas.circle(mass, 0.07 * self.length, color)

@@ -9,6 +9,7 @@ from game.lab.studies.motion import chain_study
 from game.physics.constraints import LINKS
 from game.physics.effects import EffectSet
 from game.physics.integrators import METHODS, integrate
+from game.physics.kernels import elementwise, linear
 from game.physics.oscillators import bead_positions, spring_pull
 from game.scenes.examples import SPRING_CHAIN
 from game.scenes.examples.figure import draw_modes
@@ -46,7 +47,7 @@ class SpringChain(Scene):
     def build(self, level):
         places = np.arange(1, self.count + 1) / (self.count + 1)
         number = min(self.mode, self.count)
-        beads = np.sin(number * math.pi * places) if number else 1.0 - np.abs(2.0 * places - 1.0)
+        beads = elementwise.sin(number * math.pi * places) if number else 1.0 - np.abs(2.0 * places - 1.0)
         self.chain, self.time, self.held = ChainState(beads, 0.0 * beads), 0.0, -1
         self.free = beads.tolist(), 0.0  # displacements and time of letting go, for the exact motion
 
@@ -68,7 +69,7 @@ class SpringChain(Scene):
             self.held = -1
         elif self.held >= 0:
             knots = [-1, self.held, self.count], [0.0, float(np.clip(event.y, -2.0, 2.0)), 0.0]
-            self.chain.beads[:], self.chain.rates[:] = np.interp(np.arange(self.count), *knots), 0.0
+            self.chain.beads[:], self.chain.rates[:] = linear.interpolated(np.arange(self.count), *knots), 0.0
             self.free = self.chain.beads.tolist(), self.time
 
     def effects_changed(self):
@@ -78,12 +79,17 @@ class SpringChain(Scene):
         return Frame(-0.3, -1.3, WIDE + 0.3, 1.3)
 
     def exact(self, ago=0.0):
-        return bead_positions(self.free[0], self.stiffness**0.5, max(self.time - ago - self.free[1], 0.0))
+        return bead_positions(
+            self.free[0], math.sqrt(self.stiffness), max(self.time - ago - self.free[1], 0.0)
+        )
 
     def readouts(self):
         beads, rates = self.chain
         springs = np.diff(beads, prepend=0.0, append=0.0)
-        energy, error = 0.5 * (rates @ rates + self.stiffness * springs @ springs), beads - self.exact()
+        energy, error = (
+            0.5 * (linear.product(rates, rates) + linear.product(self.stiffness * springs, springs)),
+            beads - self.exact(),
+        )
         return [Readout("error", float(np.abs(error).max()), "m"), Readout("energy", float(energy), "J/kg")]
 
     def draw(self, canvas, alpha):

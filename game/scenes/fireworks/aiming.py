@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
+
 Pair = tuple[float, float]
 LEAST_PULL = 1.0  # m/s², with which fuses are chosen where there is less gravity
 LEAST_RISE = 5.0  # m
@@ -26,8 +28,8 @@ def fuse_for(rise: float, gravity: float, drag: float) -> Pair:
         speed = math.sqrt(2.0 * pull * height)
         return speed, speed / pull
     terminal = math.sqrt(pull / drag)
-    speed = min(terminal * math.sqrt(math.expm1(min(2.0 * drag * height, 50.0))), FASTEST)
-    return speed, terminal / pull * math.atan(speed / terminal)
+    speed = min(terminal * math.sqrt(elementary.expm1(min(2.0 * drag * height, 50.0))), FASTEST)
+    return speed, terminal / pull * elementary.atan(speed / terminal)
 
 
 def fly_shell(velocity: Pair, seconds: float, gravity: float, drag: float, wind: float) -> Pair:
@@ -37,7 +39,7 @@ def fly_shell(velocity: Pair, seconds: float, gravity: float, drag: float, wind:
     vx, vy = velocity
 
     def pulled(ux: float, uy: float) -> Pair:
-        rate = drag * math.hypot(ux - wind, uy)
+        rate = drag * elementary.hypot(ux - wind, uy)
         return -rate * (ux - wind), -gravity - rate * uy
 
     for _ in range(STEPS):
@@ -59,7 +61,7 @@ def aim(way: Pair, gravity: float, drag: float, wind: float = 0.0) -> tuple[Pair
     velocity = (way[0] / seconds, speed)
     for _ in range(SHOTS):
         reached = fly_shell(velocity, seconds, gravity, drag, wind)
-        if math.dist(reached, way) < NEAR_ENOUGH:
+        if elementary.dist(reached, way) < NEAR_ENOUGH:
             break
         velocity = (
             min(max(velocity[0] + (way[0] - reached[0]) / seconds, -FASTEST), FASTEST),

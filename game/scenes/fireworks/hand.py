@@ -3,8 +3,7 @@ listener is dragged along the bank."""
 
 from __future__ import annotations
 
-import math
-
+from game.physics.kernels import elementary
 from game.scenes.fireworks.aiming import LEAST_RISE
 from game.scenes.fireworks.level import FARTHEST, Point
 from game.scenes.fireworks.model import MUZZLE, FireworksModel
@@ -30,7 +29,7 @@ class FireworksHand(Part):
         """A pointer event in world coordinates; what there is to say about it, or ""."""
         point = (_within(event.x, FARTHEST), _within(event.y, HIGHEST))
         if event.kind == "down" and event.button == 1:
-            if math.dist(point, self.listener_place()) < REACH:
+            if elementary.dist(point, self.listener_place()) < REACH:
                 self.held = True
                 return ""
             return self._fire(point)

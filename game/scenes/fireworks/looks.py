@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from game.physics.kernels import elementary, linear
 
 SHADES = 64  # of a kind over its life
 Rgb = tuple[float, float, float]  # 0 to 1
@@ -32,7 +33,8 @@ class LookOf(NamedTuple):
 def glowing(kelvin: float) -> Rgb:
     """Colour of a glowing body (Planck 1900 at three wavelengths), its brightest channel 1."""
     raw = [
-        math.expm1(_SECOND_RADIATION / (wave * WHITE_HOT)) / math.expm1(_SECOND_RADIATION / (wave * kelvin))
+        elementary.expm1(_SECOND_RADIATION / (wave * WHITE_HOT))
+        / elementary.expm1(_SECOND_RADIATION / (wave * kelvin))
         for wave in _WAVES_UM
     ]
     tints = [channel * tint for channel, tint in zip(raw, (1.0, 0.86, 0.62), strict=True)]
@@ -44,7 +46,8 @@ def cooling(hot: float, cold: float, strength: float, **more: object) -> LookOf:
     """A spark that cools, from a temperature (K) to another."""
     shares = (0.0, 0.15, 0.4, 0.7, 1.0)
     stops = tuple(
-        (share, glowing(hot + (cold - hot) * share), strength * (1.0 - share) ** 1.4) for share in shares
+        (share, glowing(hot + (cold - hot) * share), strength * elementary.pow(1.0 - share, 1.4))
+        for share in shares
     )
     return LookOf(stops, **more)  # type: ignore[arg-type]
 
@@ -114,6 +117,8 @@ def shades_of(look: LookOf) -> NDArray[np.float64]:
     """(SHADES, 3) red, green and blue, 0 to 255, over the life."""
     at = np.linspace(0.0, 1.0, SHADES)
     shares = [stop[0] for stop in look.stops]
-    strength = np.interp(at, shares, [stop[2] for stop in look.stops])
-    channels = [np.interp(at, shares, [stop[1][c] for stop in look.stops]) * strength for c in range(3)]
+    strength = linear.interpolated(at, shares, [stop[2] for stop in look.stops])
+    channels = [
+        linear.interpolated(at, shares, [stop[1][c] for stop in look.stops]) * strength for c in range(3)
+    ]
     return 255.0 * np.stack(channels, axis=1)

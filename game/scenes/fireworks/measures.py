@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.physics.fields import QUADRATIC_DRAG
 from game.physics.generations import BURNING
 from game.physics.generations.step import BORN, VX, VY, X, Y
+from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.shells import HEADS, SHELLS
 
@@ -34,13 +35,13 @@ def reach_of(speed: float, drag: float, burnt: float, age: float) -> float:
     if drag <= 0.0:
         return speed * age
     if burnt <= 0.0:
-        return math.log1p(drag * speed * age) / drag
+        return elementary.log1p(drag * speed * age) / drag
     t = np.linspace(0.0, min(age, 0.999 / burnt), 2 * PIECES + 1)
-    v = 1.0 / (1.0 / speed - drag / burnt * np.log1p(-burnt * t))
+    v = 1.0 / (1.0 / speed - drag / burnt * elementwise.log1p(-burnt * t))
     weights = np.full(len(t), 2.0)
     weights[1::2] = 4.0
     weights[0] = weights[-1] = 1.0
-    return float(np.dot(weights, v)) * float(t[1]) / 3.0
+    return float(linear.product(weights, v)) * float(t[1]) / 3.0
 
 
 def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:
@@ -65,12 +66,12 @@ def burst_now(model: FireworksModel) -> BurstNow | None:
     burnt = kind.burns / kind.life_s if BURNING in model.active else 0.0
     x, y = stars[X] - stars[X].mean(), stars[Y] - stars[Y].mean()
     sum_x, sum_y = math.fsum(stars[VX].tolist()), math.fsum(stars[VY].tolist())
-    speeds = float(np.hypot(stars[VX], stars[VY]).sum())
+    speeds = float(elementwise.hypot(stars[VX], stars[VY]).sum())
     return BurstNow(
         age,
         math.sqrt(float(np.max(x * x + y * y))),
         reach_of(head.speed, drag, burnt, age),
-        math.hypot(sum_x, sum_y) / speeds if speeds > 0.0 else 0.0,
+        elementary.hypot(sum_x, sum_y) / speeds if speeds > 0.0 else 0.0,
     )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from bisect import bisect_right
 from typing import NamedTuple
 
@@ -13,6 +12,7 @@ from game.physics.fields import GRAVITY, QUADRATIC_DRAG, WIND
 from game.physics.generations import Air, StarSystem
 from game.physics.generations.kinds import AT_BIRTH, AT_DEATH, LINEAR, QUADRATIC
 from game.physics.generations.step import BORN, BURNT, DIES, DROPPED, ENDED
+from game.physics.kernels import elementary
 from game.scenes.fireworks.aiming import LEAST_RISE, aim
 from game.scenes.fireworks.level import FARTHEST, FireworksContent, Point
 from game.scenes.fireworks.parameters import FireworksParameters
@@ -142,9 +142,12 @@ class FireworksModel(Part):
         start = TUBES_EVERY * round(at[0] / TUBES_EVERY) if tube is None else tube
         way = (at[0] - start, max(at[1] - MUZZLE, LEAST_RISE))
         if shell == "rocket":
-            turn = math.atan2(way[0], way[1])
+            turn = elementary.atan2(way[0], way[1])
             self._put(
-                shell, (start, MUZZLE), (ROCKET_START * math.sin(turn), ROCKET_START * math.cos(turn)), depth
+                shell,
+                (start, MUZZLE),
+                (ROCKET_START * elementary.sin(turn), ROCKET_START * elementary.cos(turn)),
+                depth,
             )
         else:
             drag = SHELL_DRAG * self.parameters.air if QUADRATIC_DRAG in self.active else 0.0
@@ -242,7 +245,7 @@ class FireworksModel(Part):
             return
         mark = self.marks[(self.marks[:, 0] == SHELLS.index(name)) & (self.marks[:, 1] == instant)]
         if len(mark):
-            self.off_mark = math.hypot(x - float(mark[0, 2]), y - float(mark[0, 3]))
+            self.off_mark = elementary.hypot(x - float(mark[0, 2]), y - float(mark[0, 3]))
         if not BURSTS[name]:
             return
         self.counts[BURST_COUNT] += 1

@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 from game.physics.generations import Birth, Kind
+from game.physics.kernels import elementary
 from game.scenes.fireworks.stars import Amounts, spark_kinds, star_kinds
 
 SHELL_DRAG = 0.0012  # 1/m, of a shell of 0.15 m
@@ -24,7 +25,7 @@ def centred(points: Points) -> Points:
     """Points moved so that their mean is at the origin, and scaled so that the farthest is at 1."""
     x = math.fsum(point[0] for point in points) / len(points)
     y = math.fsum(point[1] for point in points) / len(points)
-    reach = max(math.hypot(point[0] - x, point[1] - y) for point in points)
+    reach = max(elementary.hypot(point[0] - x, point[1] - y) for point in points)
     return tuple(((point[0] - x) / reach, (point[1] - y) / reach) for point in points)
 
 
@@ -33,8 +34,9 @@ def heart(count: int) -> Points:
     turns = [math.tau * (i + 0.5) / count for i in range(count)]
     return centred(
         tuple(
-            (16.0 * math.sin(t) ** 3,
-             13.0 * math.cos(t) - 5.0 * math.cos(2.0 * t) - 2.0 * math.cos(3.0 * t) - math.cos(4.0 * t))
+            (16.0 * elementary.cube(elementary.sin(t)),
+             13.0 * elementary.cos(t) - 5.0 * elementary.cos(2.0 * t)
+             - 2.0 * elementary.cos(3.0 * t) - elementary.cos(4.0 * t))
             for t in turns
         )
     )  # fmt: skip
@@ -45,7 +47,7 @@ def spiral_arms(count: int, arms: int = 3) -> Points:
     each = count // arms
     return centred(
         tuple(
-            (r * math.cos(turn), r * math.sin(turn))
+            (r * elementary.cos(turn), r * elementary.sin(turn))
             for arm in range(arms)
             for r, turn in (
                 (0.12 + 0.88 * i / (each - 1), math.tau * (arm / arms + 0.62 * i / (each - 1)))

@@ -10,6 +10,7 @@ import math
 from typing import NamedTuple
 
 from game.physics.generations.step import BORN, DEPTH, DIES, VX, VY, X, Y
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 EYE = 6.0  # m above the lake
@@ -118,7 +119,7 @@ def light_smoke(rows, flashes, seen, ambient, places, radii, colors, shares):
             if since < 0.0 or since > 6.0 * FLASH_FADES:
                 continue
             dx, dy, back = x - flashes[j, 1], y - flashes[j, 2], rows[DEPTH, i] - flashes[j, 3]
-            light = SMOKE_LIT * math.exp(-since / FLASH_FADES)
+            light = SMOKE_LIT * elementary.exp(-since / FLASH_FADES)
             light = light / (1.0 + (dx * dx + dy * dy + back * back) / (FLASH_REACH * FLASH_REACH))
             red += light * flashes[j, 4]
             green += light * flashes[j, 5]

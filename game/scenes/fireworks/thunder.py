@@ -6,11 +6,10 @@ each wave passes once: none is lost and none is heard twice, however the listene
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.stage import Sound
 
 SPEED_OF_SOUND = 343.2  # m/s, at 20 °C
@@ -53,7 +52,7 @@ class Thunder:
         """Let waves and listener go on from ``now`` by dt (s); who is met is heard, in the order of time."""
         before = self.ear.copy()
         way = np.array(walk_to) - before
-        length = math.hypot(*way.tolist())
+        length = elementary.length(*way.tolist())
         if length > 0.0:
             self.ear += way * min(1.0, WALKING * dt / length)
         count = int(self.counts[WAITING])

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
+from game.physics.kernels import elementary
 from game.physics.particles import OBSTACLES, Forces
 from game.physics.particles.in_between import Swarm
 from game.physics.particles.measures import envelope, measure_deviation
@@ -52,7 +53,10 @@ def open_nozzles(model: FountainModel) -> list[list[float]]:
         row
         for row in model.system.state().emitters.tolist()
         if row[1] >= lowest
-        and all((row[0] - x) ** 2 + (row[1] - y) ** 2 >= radius * radius for x, y, radius in stones)
+        and all(
+            elementary.square(row[0] - x) + elementary.square(row[1] - y) >= radius * radius
+            for x, y, radius in stones
+        )
     ]
 
 

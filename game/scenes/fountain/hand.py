@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from game.physics.fields import GROUND, WHIRL
+from game.physics.kernels import elementary
 from game.physics.particles import OBSTACLES
 from game.scenes.fountain.level import MOST_STONES, Point
 from game.scenes.fountain.model import FountainModel
@@ -71,15 +70,15 @@ class FountainHand(Part):
         if OBSTACLES in model.active:
             stones = model.system.solids.rows[:, :3].tolist()
             for j, (x, y, radius) in enumerate(stones):
-                if math.dist(point, rim_handle(x, y, radius)) < REACH:
+                if elementary.dist(point, rim_handle(x, y, radius)) < REACH:
                     return "rim", j
             for j, (x, y, radius) in enumerate(stones):
-                if math.dist(point, (x, y)) < max(radius, REACH):
+                if elementary.dist(point, (x, y)) < max(radius, REACH):
                     return "stone", j
         for e in range(len(model.content.nozzles)):
-            if math.dist(point, model.nozzle_position(e)) < 2.0 * REACH:
+            if elementary.dist(point, model.nozzle_position(e)) < 2.0 * REACH:
                 return "nozzle", e
-        if WHIRL in model.active and math.dist(point, model.vortex_centre) < 2.0 * REACH:
+        if WHIRL in model.active and elementary.dist(point, model.vortex_centre) < 2.0 * REACH:
             return "vortex", 0
         return NOTHING
 
@@ -100,7 +99,7 @@ class FountainHand(Part):
             self.target = (x, y)
         elif what == "rim":
             row = model.system.solids.rows[index]
-            row[2] = min(max(math.dist((x, y), row[:2].tolist()), LEAST_RADIUS), MOST_RADIUS)
+            row[2] = min(max(elementary.dist((x, y), row[:2].tolist()), LEAST_RADIUS), MOST_RADIUS)
         elif what == "nozzle":
             lowest = model.content.floor if GROUND in model.active else -FARTHEST
             model.place_nozzle(index, (x, max(y, lowest)))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
+from game.physics.kernels import linear
 from game.physics.kernels.limits import LimitError
 from game.physics.particles import CALM, Discs, Emitter, ParticleState, ParticleSystem
 from game.physics.particles.encounters import STEP
@@ -235,7 +236,7 @@ class FountainModel(Part):
             self._configure()  # the vortex was put back by a step back
         if carried >= 0:
             displacement = np.array(target) - system.solids.centres[carried]
-            speed = math.sqrt(float(displacement @ displacement)) / dt
+            speed = math.sqrt(float(linear.product(displacement, displacement))) / dt
             system.solids.carry(
                 carried, displacement / dt * min(1.0, HAND_SPEED / speed if speed > 0.0 else 1.0)
             )

@@ -8,17 +8,18 @@ from typing import Any
 from game.lab.studies.particles import bounce_study
 from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
-from game.physics.particles import OBSTACLES, ParticleState
+from game.physics.particles import OBSTACLES
 from game.scenes.fountain import C04
 from game.scenes.fountain.figure import draw_impact
 from game.scenes.fountain.hand import FountainHand
 from game.scenes.fountain.level import FountainContent
-from game.scenes.fountain.model import FountainModel, SplitState
+from game.scenes.fountain.model import FountainModel
 from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
 from game.scenes.fountain.targets import story_targets
 from game.scenes.fountain.view import FountainView
 from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.shared.repeats import Repeat
 from game.stage import (
     Equation,
@@ -26,7 +27,6 @@ from game.stage import (
     Hint,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     SetParameter,
     StageEvent,
@@ -38,7 +38,7 @@ from game.stage.states.state import copy_state
 MANY_PLACES = 200_000
 
 
-class Fountain(Scene):
+class Fountain(ModelScene):
     """Each particle is a point of 1 kg. It leaves the nozzle at its own instant within a step, in a random
     direction inside the spread, falls, is slowed by the air, and bounces off the stone and the ground by
     Newton's law of impact.
@@ -58,6 +58,7 @@ class Fountain(Scene):
     effects = GRAVITY | DRAG | WIND | QUADRATIC_DRAG | WHIRL | GROUND | OBSTACLES
     parameters_type = FountainParameters
     parameters: FountainParameters
+    model: FountainModel
     content_type = FountainContent
     study = bounce_study
     takes = frozenset(("right",))
@@ -144,15 +145,6 @@ class Fountain(Scene):
 
     def parameter_changed(self, name: str) -> None:
         self.model.change_parameter(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> ParticleState | SplitState:
-        return self.model.state()
-
-    def restore(self, state: ParticleState | SplitState) -> None:
-        self.model.restore(state)
 
     def why_idle(self, name: str) -> str:
         return "Three methods are shown." if name == "method" and self.model.beside else ""

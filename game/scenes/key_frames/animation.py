@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.physics.animation import Easing, Keyframes, PiecewiseCubic, Playback
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.key_frames.editing import AUTOMATIC, as_rows
 from game.scenes.key_frames.level import Motion
 
@@ -77,9 +78,9 @@ class Animation:
         speed = float(self.playback.speed(part))
         if self.playback.spread:
             heading = float(self.playback.heading(part))
-            return speed * np.array([np.cos(heading), np.sin(heading)])
+            return speed * np.array([elementwise.cos(heading), elementwise.sin(heading)])
         rate = self.track.rate(float(self.playback.key_times(part)))[:2]
-        size = float(np.sqrt(rate @ rate))
+        size = float(np.sqrt(linear.product(rate, rate)))
         return rate * (speed / size) if size > 0.0 else np.zeros(2)
 
     def handles(self) -> Array:
@@ -175,7 +176,7 @@ class Animation:
         smooth = (lengths[:-1] > 0.0) & (lengths[1:] > 0.0)
         ends = 3.0 * (eased.controls[:-1, 3] - eased.controls[:-1, 2]) / np.maximum(lengths[:-1, None], 1e-9)
         begins = 3.0 * (eased.controls[1:, 1] - eased.controls[1:, 0]) / np.maximum(lengths[1:, None], 1e-9)
-        change = np.sqrt(((begins - ends) ** 2).sum(axis=1))[smooth]
+        change = np.sqrt((elementary.square(begins - ends)).sum(axis=1))[smooth]
         return float(np.max(change, initial=0.0))
 
 

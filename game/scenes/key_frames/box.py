@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.scenes.key_frames.level import Point
 
 Array = NDArray[np.float64]
@@ -20,7 +20,7 @@ def box_corners(
 ) -> Array:
     """Corners (4, 2) of a box of width and height at a pose x, y, angle; (k, 4, 2) at poses (k, 3)."""
     x, y, angle = np.moveaxis(np.asarray(poses, dtype=np.float64), -1, 0)[..., None]
-    cos, sin = np.cos(angle), np.sin(angle)
+    cos, sin = elementwise.cos(angle), elementwise.sin(angle)
     along, across = (UNIT_BOX * box).T
     return np.stack((x + cos * along - sin * across, y + sin * along + cos * across), axis=-1)
 
@@ -28,12 +28,12 @@ def box_corners(
 def turning_handle(box: tuple[float, float], x: float, y: float, angle: float) -> Point:
     """Where the handle is that turns a box of this width and height (m) with this pose (m, rad)."""
     arm = 0.5 * box[0] + ARM
-    return x + arm * math.cos(angle), y + arm * math.sin(angle)
+    return x + arm * elementary.cos(angle), y + arm * elementary.sin(angle)
 
 
 def is_inside(point: Point, pose: Sequence[float], box: tuple[float, float]) -> bool:
     """Whether a point is in a box of width and height (m) at a pose x, y, angle."""
     x, y, angle = pose
-    along = math.cos(angle) * (point[0] - x) + math.sin(angle) * (point[1] - y)
-    across = math.cos(angle) * (point[1] - y) - math.sin(angle) * (point[0] - x)
+    along = elementary.cos(angle) * (point[0] - x) + elementary.sin(angle) * (point[1] - y)
+    across = elementary.cos(angle) * (point[1] - y) - elementary.sin(angle) * (point[0] - x)
     return abs(along) <= 0.5 * box[0] and abs(across) <= 0.5 * box[1]

@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.scenes.key_frames.level import FARTHEST, FASTEST, MOST_KEYS, MOST_TURNED, KeyEntry, Motion, Point
 
 Array = NDArray[np.float64]
@@ -121,7 +122,7 @@ def from_rows(motion: Motion, rows: Array, timing: Array) -> Motion:
 
 def angle_at(center: Point, point: Point) -> float:
     """Angle (degrees) of the direction from one point to another."""
-    return math.degrees(math.atan2(point[1] - center[1], point[0] - center[0]))
+    return math.degrees(elementary.atan2(point[1] - center[1], point[0] - center[0]))
 
 
 def _with_keys(motion: Motion, keys: list[KeyEntry]) -> Motion:

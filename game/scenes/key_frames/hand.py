@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from game.physics.animation import EASING
+from game.physics.kernels import elementary
 from game.scenes.key_frames import editing
 from game.scenes.key_frames.box import is_inside, turning_handle
 from game.scenes.key_frames.document import NOTHING
@@ -56,7 +57,7 @@ class Hand(Part):
         model, places = self.model, self._places
         if places.timing.holds(point, places.reach) and EASING in model.active:
             ends = [places.timing.at(*model.document.timing()[i : i + 2]) for i in (0, 2)]
-            return "ease", min((0, 1), key=lambda i: math.dist(point, ends[i]))
+            return "ease", min((0, 1), key=lambda i: elementary.dist(point, ends[i]))
         if places.band.holds(point):
             return self._on_timeline(point)
         near = [spot for spot in self._spots(point) if spot[0] <= places.reach]
@@ -69,19 +70,23 @@ class Hand(Part):
         model, motion = self.model, self.model.motion
         spots: list[tuple[float, str, int]] = []
         for i, pair in enumerate(model.animation().handles().tolist()):
-            spots += [(math.dist(point, spot), "handle", 2 * i + side) for side, spot in enumerate(pair)]
-        spots += [(math.dist(point, key.position), "key", i) for i, key in enumerate(motion.keys)]
+            spots += [
+                (elementary.dist(point, spot), "handle", 2 * i + side) for side, spot in enumerate(pair)
+            ]
+        spots += [(elementary.dist(point, key.position), "key", i) for i, key in enumerate(motion.keys)]
         if model.parameters.turning == "keys":
-            spots.append((math.dist(point, turning_handle(motion.box, *model.pose.tolist())), "turn", -1))
+            spots.append(
+                (elementary.dist(point, turning_handle(motion.box, *model.pose.tolist())), "turn", -1)
+            )
             for i, key in enumerate(motion.keys):
                 spot = turning_handle(motion.box, *key.position, math.radians(key.angle))
-                spots.append((math.dist(point, spot), "turn", i))
+                spots.append((elementary.dist(point, spot), "turn", i))
         return spots
 
     def _on_timeline(self, point: Point) -> tuple[str, int]:
         document, places = self.model.document, self._places
         marks = [
-            math.hypot(x_of(places, key.time) - point[0], places.axis - point[1])
+            elementary.hypot(x_of(places, key.time) - point[0], places.axis - point[1])
             for key in document.motion.keys
         ]
         nearest = min(range(len(marks)), key=lambda i: (marks[i], i != document.chosen))

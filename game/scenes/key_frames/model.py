@@ -96,7 +96,7 @@ class KeyFrameModel(Part):
             document.tell_once("No key is chosen: click one first.")
         self.place_box()
 
-    def follow_effects(self, active: EffectSet) -> None:
+    def change_effects(self, active: EffectSet) -> None:
         """Other effects are on."""
         self.active = active
         self.place_box()

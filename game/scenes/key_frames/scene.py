@@ -11,30 +11,31 @@ import numpy as np
 from game.lab.studies.animation.keyframing import keyframing_study
 from game.levels import Level
 from game.physics.animation import CONSTANT_SPEED, EASING, CubicBezier, Easing, Keyframes
+from game.physics.kernels import elementary
 from game.scenes.key_frames import C01
 from game.scenes.key_frames.commands import take_action
 from game.scenes.key_frames.figure import draw_casteljau
 from game.scenes.key_frames.hand import Hand
 from game.scenes.key_frames.level import Motion
-from game.scenes.key_frames.model import KeyFrameModel, KeyFrameState
+from game.scenes.key_frames.model import KeyFrameModel
 from game.scenes.key_frames.parameters import KeyFrameParameters, range_of_slider
 from game.scenes.key_frames.readouts import readouts_of
 from game.scenes.key_frames.view import KeyFramingView
 from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.model_scene import ModelScene
 from game.stage import (
     Equation,
     Frame,
     Hint,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Strip,
     WarmUp,
 )
 
 
-class KeyFraming(Scene):
+class KeyFraming(ModelScene):
     """Key-frames say where the box is and how it is turned at a few times; an interpolation says the rest.
     Nearest neighbour jumps, lines have corners, cubics differ only in how steep they are at the keys: that
     alone decides between overshoot, loops, jolts and accuracy.
@@ -56,6 +57,7 @@ class KeyFraming(Scene):
     content_type = Motion
     parameters_type = KeyFrameParameters
     parameters: KeyFrameParameters
+    model: KeyFrameModel
     study = keyframing_study
     takes = frozenset(("right", "wheel"))
 
@@ -147,9 +149,6 @@ class KeyFraming(Scene):
     def parameter_changed(self, name: str) -> None:
         self.model.follow_parameter(name)
 
-    def effects_changed(self) -> None:
-        self.model.follow_effects(self.active)
-
     def action(self, name: str) -> None:
         take_action(self.model, name)
 
@@ -167,12 +166,6 @@ class KeyFraming(Scene):
         return self.model.document.messages.take()
 
     # -- remembering --------------------------------------------------------------------------------
-
-    def state(self) -> KeyFrameState:
-        return self.model.state()
-
-    def restore(self, state: KeyFrameState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> Motion:
         return self.model.motion
@@ -198,7 +191,7 @@ class KeyFraming(Scene):
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
         times, values = np.arange(3.0), np.eye(3)
-        path = CubicBezier(np.arange(8.0).reshape(4, 2) ** 2)
+        path = CubicBezier(elementary.square(np.arange(8.0).reshape(4, 2)))
 
         def sample(name: str) -> Any:
             track = Keyframes(times, values, name)

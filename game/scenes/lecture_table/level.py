@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.billiards.lecture.table import LectureTable as Lecture
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS, eight_ball_rack
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, Table
+from game.physics.kernels import elementary, linear
 from game.scenes.shared.tables.level import BallEntry
 
 Array = NDArray[np.float64]
@@ -87,8 +88,10 @@ def _racked(table: Table, gap: float, radius_spread: float, mass_spread: float, 
     radii = np.full(16, BALL_RADIUS)
     masses = np.full(16, BALL_MASS)
     random = np.random.default_rng(seed)
-    radii[1:] *= 1.0 + radius_spread * random.uniform(-1.0, 1.0, 15)
-    masses[1:] *= (radii[1:] / BALL_RADIUS) ** 3 * (1.0 + mass_spread * random.uniform(-1.0, 1.0, 15))
+    radii[1:] *= 1.0 + radius_spread * linear.uniform(random, -1.0, 1.0, 15)
+    masses[1:] *= elementary.cube(radii[1:] / BALL_RADIUS) * (
+        1.0 + mass_spread * linear.uniform(random, -1.0, 1.0, 15)
+    )
     if gap < 0.0:  # a rack pressed together by force: what a resolution pass has to repair
         positions = eight_ball_rack(table)
         apex = positions[1].copy()

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.billiards.lecture.state import BALL_COLLISIONS, BALL_POCKET, FIRST, KIND
 from game.billiards.lecture.table import LectureTable
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.scenes.lecture_table.level import Layout
 from game.scenes.lecture_table.marks import Marks
 from game.scenes.lecture_table.parameters import LectureTableParameters
@@ -78,7 +79,7 @@ class LectureTableModel(Part):
 
     def strike(self, aim: float, speed: float, dt: float) -> None:
         """Give the cue ball a velocity, in the step of dt s that is to come."""
-        self.table.strike(0, (speed * math.cos(aim), speed * math.sin(aim)))
+        self.table.strike(0, (speed * elementary.cos(aim), speed * elementary.sin(aim)))
         self.strokes += 1
         self.struck_s = self.played_s + dt
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import linear
 from game.scenes.lecture_table.model import LectureTableModel
 from game.stage import Readout
 
@@ -18,7 +19,7 @@ def readouts_of(model: LectureTableModel) -> tuple[Readout, ...]:
     overlap = table.deepest_overlap
     return (
         Readout("balls down", model.balls_down),
-        Readout("cue ball", math.sqrt(float(cue_ball @ cue_ball)), "m/s"),
+        Readout("cue ball", math.sqrt(float(linear.product(cue_ball, cue_ball))), "m/s"),
         Readout("its velocity along", float(cue_ball[1]), "m/s"),
         Readout("its velocity across", float(cue_ball[0]), "m/s"),
         Readout("energy", table.energy, "J"),

@@ -11,6 +11,7 @@ from game.physics.acoustics import Levitator, LevitatorSettings, escape_estimate
 from game.physics.acoustics.grains import VX, GrainState
 from game.physics.acoustics.levitator import AIR, FREQUENCY, POLYSTYRENE
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementwise
 from game.scenes.levitation.level import LevitationContent
 from game.scenes.levitation.parameters import LevitationParameters
 from game.stage import Part
@@ -143,7 +144,7 @@ class LevitationModel(Part):
     def fastest(self) -> float:
         """m/s of the fastest grain."""
         velocities = self.levitator.fields[VX : VX + 2]
-        return float(np.max(np.hypot(*velocities), initial=0.0))
+        return float(np.max(elementwise.hypot(*velocities), initial=0.0))
 
     def state(self) -> LevitationState:
         """All that later steps depend on."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.physics.kernels import elementwise
 from game.scenes.levitation.model import APART, LevitationModel
 from game.stage import Readout
 
@@ -12,7 +13,7 @@ def readouts_of(model: LevitationModel) -> tuple[Readout, ...]:
     """How many are carried, how far the nearest is from the focus, and how strong the trap is."""
     levitator = model.levitator
     held = model.held()
-    away = np.hypot(*(levitator.positions - levitator.place).T)
+    away = elementwise.hypot(*(levitator.positions - levitator.place).T)
     behind = float(np.min(away, initial=APART))
     across, upright = model.strongest()
     return (

@@ -12,15 +12,16 @@ from game.scenes.levitation import LEVITATION
 from game.scenes.levitation.figure import draw_standing_wave
 from game.scenes.levitation.hand import LevitationHand
 from game.scenes.levitation.level import DEFAULT, LevitationContent
-from game.scenes.levitation.model import APART, LevitationModel, LevitationState
+from game.scenes.levitation.model import APART, LevitationModel
 from game.scenes.levitation.parameters import OF_PICTURE, LevitationParameters
 from game.scenes.levitation.readouts import readouts_of
 from game.scenes.levitation.view import LevitationView
 from game.scenes.shared.expectations import captions_of, draw_captions
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
+from game.scenes.shared.model_scene import ModelScene
+from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip
 
 
-class Levitation(Scene):
+class Levitation(ModelScene):
     """Rows of ultrasonic transducers, of 40 kHz, face each other. Where their waves meet they stand still:
     every half wave length, 4.3 mm, is a node of the pressure, and a small light grain is pushed there from
     both sides, harder than it weighs.
@@ -36,6 +37,7 @@ class Levitation(Scene):
     name, task, title = LEVITATION.names
     parameters_type = LevitationParameters
     parameters: LevitationParameters
+    model: LevitationModel
     effects = GRAINS.known
     content_type = LevitationContent
     study = trap_study
@@ -76,15 +78,6 @@ class Levitation(Scene):
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE:
             self.model.change_parameter(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> LevitationState:
-        return self.model.state()
-
-    def restore(self, state: LevitationState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> LevitationContent:
         places = tuple((float(x), float(y)) for x, y in self.model.levitator.positions)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.solids.tracks import DISC
 from game.physics.solids.tracks.descent import (
     arc_time,
@@ -85,7 +86,7 @@ def _is_loop(content: MetalContent, number: int) -> bool:
 def measure(gauge: GaugeEntry, noted: Floats, track: TrackEntry | None, now: Moment) -> None:
     """One step of one ball, into a gauge's numbers (3,)."""
     if gauge.measure == "speed":
-        noted[VALUE] = math.hypot(float(now.row[VX]), float(now.row[VY]))
+        noted[VALUE] = elementary.hypot(float(now.row[VX]), float(now.row[VY]))
     elif now.own[FREED] == NOT_YET:
         return
     elif gauge.measure == "rises":
@@ -103,11 +104,11 @@ def _note_leaving(noted: Floats, track: TrackEntry, now: Moment) -> None:
     places = []
     for row in (now.before, now.row):
         x, y = float(row[X]) - track.at[0], float(row[Y]) - track.at[1] - track.size[0]
-        if math.hypot(x, y) >= track.size[0]:
+        if elementary.hypot(x, y) >= track.size[0]:
             return
-        speed = float(row[VX]) ** 2 + float(row[VY]) ** 2
-        push = speed / (track.size[0] - float(row[RADIUS])) - now.gravity * y / math.hypot(x, y)
-        places.append((math.atan2(x, y), push))
+        speed = elementary.square(float(row[VX])) + elementary.square(float(row[VY]))
+        push = speed / (track.size[0] - float(row[RADIUS])) - now.gravity * y / elementary.hypot(x, y)
+        places.append((elementary.atan2(x, y), push))
     (angle, push), (after, pull) = places
     share = push / (push - pull) if push > 0.0 > pull else 1.0
     noted[VALUE] = abs(math.degrees(angle + share * (after - angle)))
@@ -127,8 +128,8 @@ def _note_crossing(gauge: GaugeEntry, noted: Floats, now: Moment) -> None:
         noted[VALUE] = took
     elif gauge.measure == "speeds up" and took > 0.0:
         across, down = gauge.level - float(now.own[FROM_X]), float(now.own[FROM_Y]) - y
-        noted[VALUE] = 2.0 * math.hypot(across, down) / took**2
-        noted[NOTE] = math.atan2(down, abs(across))
+        noted[VALUE] = 2.0 * elementary.hypot(across, down) / (took * took)
+        noted[NOTE] = elementary.atan2(down, abs(across))
 
 
 def exact_of(
@@ -146,7 +147,7 @@ def exact_of(
         return loop_drop(track.size[0], float(row[RADIUS]), DISC)
     if gauge.measure == "arrives" and track.form in DESCENTS:
         start = (own[FROM_X], own[FROM_Y]) if own[FREED] != NOT_YET else (row[X], row[Y])
-        if math.dist(start, track.at) < AT_ITS_START:
+        if elementary.dist(start, track.at) < AT_ITS_START:
             return DESCENTS[track.form](*track.size, gravity, DISC)
     return math.nan
 

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
 from game.scenes.metal.level import MOST_BALLS, MOST_TRACKS, BallEntry
 from game.scenes.metal.model import MetalModel
-from game.scenes.metal.tables import FREED, NOT_YET, ROD
+from game.scenes.metal.tables import ROD
+from game.scenes.shared.rails.curves import NOBODY, bent, drawn, nearest_curve
 from game.scenes.shared.rails.level import Point
-from game.scenes.shared.simplify import simplified
 from game.stage import Part, Pointer
 
 NEAR = 0.02  # of the height in view
 MOST_NEAR = 0.3  # m
 FARTHEST = 1e3  # m
-NOBODY = -1
 LEAST, LARGEST = 0.03, 0.5  # m, of a ball's radius
 MOST_POINTS = 400  # of a track that is drawn
 LANDING = 0.6  # m: so near to a track a ball that is put down lies on it, in parts of its radius, at most
@@ -68,23 +66,13 @@ class MetalHand(Part):
         rows = self.model.riders.balls.rows
         if not len(rows):
             return NOBODY
-        away = np.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
+        away = elementwise.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
         away[~self.model.there()] = math.inf
         return int(away.argmin()) if away.min() < self.reach else NOBODY
 
     def track_at(self, point: Point) -> int:
         """The track near a point, or NOBODY."""
-        best, found = 2.0 * self.reach, NOBODY
-        for k, curve in enumerate(self.model.riders.curves):
-            points = np.asarray(curve.points)
-            starts = points if curve.closed else points[:-1]
-            along = (np.roll(points, -1, axis=0) if curve.closed else points[1:]) - starts
-            at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300)
-            near = starts + np.clip(at, 0.0, 1.0)[:, None] * along
-            away = float(np.hypot(*(near - point).T).min())
-            if away < best:
-                best, found = away, k
-        return found
+        return nearest_curve(self.model.riders.curves, point, 2.0 * self.reach)
 
     def _press(self, point: Point, tool: str) -> str:
         self.point = point
@@ -119,8 +107,8 @@ class MetalHand(Part):
             self.model.hold(self.held, point)
         elif self.sized != NOBODY:
             centre = self.model.riders.balls.rows[self.sized, X : Y + 1].tolist()
-            self.model.resize(self.sized, min(max(math.dist(centre, point), LEAST), LARGEST))
-        elif self.path and math.dist(point, self.path[-1]) > 0.3 * self.reach:
+            self.model.resize(self.sized, min(max(elementary.dist(centre, point), LEAST), LARGEST))
+        elif self.path and elementary.dist(point, self.path[-1]) > 0.3 * self.reach:
             self.path.append(point)
         elif self.bent != NOBODY:
             return self._bend(before, point)
@@ -131,11 +119,7 @@ class MetalHand(Part):
         curves = list(self.model.riders.curves)
         if self.bent >= len(curves):
             return ""
-        curve = curves[self.bent]
-        points = np.array(curve.points, dtype=np.float64)
-        away = np.hypot(*(points - before).T) / self.parameters.bending
-        points += np.exp(-(away**2))[:, None] * (np.array(point) - np.array(before))
-        curves[self.bent] = Curve(points, curve.closed, curve.corner)
+        curves[self.bent] = bent(curves[self.bent], before, point, self.parameters.bending)
         return self._lay(curves)
 
     def _lay(self, curves: list[Curve]) -> str:
@@ -151,13 +135,13 @@ class MetalHand(Part):
             radius = float(self.model.riders.balls.rows[self.held, RADIUS])
             self.model.put_down(self.held, LANDING * radius)
         if path:
-            points = simplified(np.array(path), 0.12 * self.reach)[:MOST_POINTS]
-            if len(points) < 2 or float(np.hypot(*np.diff(points, axis=0).T).sum()) < 2.0 * self.reach:
+            curve = drawn(path, self.reach, MOST_POINTS)
+            if curve is None:
                 words = "Drag to draw a track."
             elif len(self.model.riders.curves) >= MOST_TRACKS:
                 words = f"There is room for {MOST_TRACKS} tracks."
             else:
-                words = self._lay([*self.model.riders.curves, Curve(points, corner=50.0)])
+                words = self._lay([*self.model.riders.curves, curve])
         self._forget()
         return words
 
@@ -171,7 +155,3 @@ class MetalHand(Part):
             del curves[track]
             return self._lay(curves)
         return ""
-
-    def is_held(self, ball: int) -> bool:
-        """Whether a gate holds a ball."""
-        return bool(self.model.table[ball, FREED] == NOT_YET)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise
 from game.physics.solids import SolidWorld
 from game.physics.solids.state import DISC, SEGMENT
 from game.scenes.metal.tables import HEARD_TIME
@@ -53,7 +54,7 @@ def landings(before: Floats, rows: Floats, flew: NDArray[np.bool_], fall: float,
     """
     jump = rows[:, 2:4] - before[:, 2:4]
     jump[:, 1] += fall
-    loud = np.hypot(jump[:, 0], jump[:, 1])
+    loud = elementwise.hypot(jump[:, 0], jump[:, 1])
     met = np.flatnonzero(flew & (loud > LEAST))
     kinds = np.full(len(met), float(RAIL))
     return np.stack([np.full(len(met), began), kinds, loud[met], rows[met, 0]], axis=1)

@@ -157,7 +157,8 @@ class MetalMachine(Part):
         if len(self.table) >= MOST_BALLS:
             raise ValueError(f"balls: there is room for {MOST_BALLS}")
         ball = self.riders.add_ball(
-            entry.at, entry.radius, entry.velocity, share=DISC, mass=STEEL * math.pi * entry.radius**2,
+            entry.at, entry.radius, entry.velocity, share=DISC,
+            mass=STEEL * math.pi * (entry.radius * entry.radius),
             friction=self.parameters.friction if entry.friction is None else entry.friction,
             restitution=OFF_TRACKS,
         )  # fmt: skip

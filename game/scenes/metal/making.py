@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.solids import Capsule, Chain, Disc, Material, Polygon, SolidWorld, box
 from game.physics.solids.tracks import Curve
 from game.scenes.metal.level import Box, CradleEntry, FloorEntry, PlugEntry, SeesawEntry, TowerEntry
@@ -92,7 +93,7 @@ def cradle_places(entry: CradleEntry) -> list[tuple[tuple[float, float], tuple[f
     for k in range(entry.count):
         hung = entry.at[0] + k * (2.0 * entry.radius + entry.gap), entry.at[1]
         turn = math.radians(entry.lift) if k < entry.lifted else 0.0
-        ball = hung[0] - entry.length * math.sin(turn), hung[1] - entry.length * math.cos(turn)
+        ball = hung[0] - entry.length * elementary.sin(turn), hung[1] - entry.length * elementary.cos(turn)
         found.append((hung, ball))
     return found
 

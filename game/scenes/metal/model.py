@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise
 from game.physics.solids import SolidState
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.physics.solids.tracks import Curve, TrackState, TrackWorld
@@ -100,7 +101,7 @@ class MetalModel(MetalMachine):
             return
         self.changed = True
         row = self.riders.balls.rows[ball]
-        row[RADIUS], row[MASS] = radius, STEEL * math.pi * radius**2
+        row[RADIUS], row[MASS] = radius, STEEL * math.pi * (radius * radius)
         if self.table[ball, BODY] != RIDES:
             self.world.remove_body(int(self.table[ball, BODY]))
             loosen(self.world, self.riders, self.table, ball, self._grips())
@@ -186,7 +187,7 @@ class MetalModel(MetalMachine):
             noted[VALUE] = self.fallen()
         elif gauge.measure == "kept" and self.cradle_balls:
             first, last = self.cradle_balls[0][0], self.cradle_balls[0][-1]
-            speeds = np.hypot(*self.riders.balls.rows[[first, last], VX : VY + 1].T)
+            speeds = elementwise.hypot(*self.riders.balls.rows[[first, last], VX : VY + 1].T)
             if self.table[last, ROD] != NONE:
                 noted[NOTE], noted[SECOND] = np.maximum(noted[[NOTE, SECOND]], speeds)
             swung = noted[NOTE] > CRAWL and noted[SECOND] > CRAWL
@@ -204,7 +205,7 @@ class MetalModel(MetalMachine):
         if not self.block_ids:
             return 0
         away = self.world.bodies.positions[self.block_ids] - self.block_starts
-        return int(np.count_nonzero(np.hypot(away[:, 0], away[:, 1]) > MOVED))
+        return int(np.count_nonzero(elementwise.hypot(away[:, 0], away[:, 1]) > MOVED))
 
     def awake(self) -> int:
         """How many solids are computed."""

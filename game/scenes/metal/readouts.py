@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementwise
 from game.physics.solids.tracks.motion import VX, VY, X, Y
 from game.scenes.metal.gauges import VALUE, exact_of, rolls_on
 from game.scenes.metal.model import MetalModel
@@ -49,7 +50,7 @@ def readouts(model: MetalModel) -> list[Readout]:
 
 def _of_balls(model: MetalModel) -> list[Readout]:
     rows, table, there = model.riders.balls.rows, model.table, model.there()
-    speeds = np.hypot(rows[there, VX], rows[there, VY])
+    speeds = elementwise.hypot(rows[there, VX], rows[there, VY])
     moving = there & (table[:, FREED] != NOT_YET)
     return [
         Readout("balls", int(there.sum())),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.marbles import marble_study
 from game.levels import Level
@@ -13,35 +13,30 @@ from game.scenes.metal import A22
 from game.scenes.metal.figure import draw_forces
 from game.scenes.metal.hand import MetalHand
 from game.scenes.metal.level import BallEntry, Box, FloorEntry, MetalContent
-from game.scenes.metal.model import MetalModel, ModelState
+from game.scenes.metal.model import MetalModel
 from game.scenes.metal.parameters import OF_PICTURE, OF_TOOLS, TOOLS, MetalParameters
 from game.scenes.metal.readouts import readouts
 from game.scenes.metal.saving import content_of
 from game.scenes.metal.sounds import hearing_of
 from game.scenes.metal.targets import story_targets
 from game.scenes.metal.view import WHAT_NEXT, MetalView
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.shared.rails.level import TrackEntry
 from game.stage import (
     Equation,
-    Frame,
     Hearing,
     Hint,
-    Pointer,
     Readout,
-    Scene,
     SceneAction,
-    SetParameter,
     Strip,
     WarmUp,
 )
-from game.stage.messages import Messages
 from game.ui.painters.steel import warm_up_steel
 from game.ui.painters.wall import warm_up_wall
 
 
-class MetalBalls(Scene):
+class MetalBalls(BuiltScene):
     """Steel balls on tracks, among blocks, a seesaw, a funnel and a cradle; all that falls ends in a basin.
 
     On a track a ball has one coordinate, the way of its centre: it rolls while friction holds, slips where
@@ -60,6 +55,8 @@ class MetalBalls(Scene):
     name, task, title = A22.names
     parameters_type = MetalParameters
     parameters: MetalParameters
+    model: MetalModel
+    hand: MetalHand
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = MetalContent
     study = marble_study
@@ -130,12 +127,11 @@ class MetalBalls(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = MetalModel(content, self.parameters, self.active)
         self.hand = MetalHand(self.model)
         self.view = MetalView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name == "tool":
@@ -143,38 +139,13 @@ class MetalBalls(Scene):
         elif name not in OF_PICTURE and name not in OF_TOOLS:
             self.model.change_parameter(name)
 
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def why_idle(self, name: str) -> str:
-        if name == "substeps" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
-        return ""
-
-    def takes_long(self, event: Any) -> bool:
-        """Another solver is compiled first."""
-        return isinstance(event, SetParameter) and event.name == "solver"
-
-    def state(self) -> ModelState:
-        return self.model.state()
-
-    def restore(self, state: ModelState) -> None:
-        self.model.restore(state)
-
     def save_content(self) -> MetalContent:
         return content_of(self.model)
-
-    def check(self) -> None:
-        """What must always hold in the world."""
-        self.model.world.check()
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.held)
-
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name == "next":
@@ -182,9 +153,6 @@ class MetalBalls(Scene):
         else:
             self.parameters.tool = name
             self.hand.let_go()
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 
@@ -201,18 +169,3 @@ class MetalBalls(Scene):
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return with_headroom(
-            Frame(view.left, view.bottom, view.right, view.top), len(self.model.content.expected)
-        )
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content, frame = self.model.content, self.frame()
-        top = (0.5 * (frame.left + frame.right), frame.top)
-        draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

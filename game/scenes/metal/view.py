@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.physics.solids.state import DYNAMIC
 from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import ANGLE, RADIUS, X, Y
-from game.scenes.metal.hand import NOBODY, MetalHand
+from game.scenes.metal.hand import MetalHand
 from game.scenes.metal.level import MetalContent
 from game.scenes.metal.making import LEDGE, cradle_places
 from game.scenes.metal.marks import draw_marks
@@ -19,6 +19,7 @@ from game.scenes.metal.model import MetalModel, ModelState
 from game.scenes.metal.tables import FREED, GATE, NONE, NOT_YET, ROD
 from game.scenes.shared.boards import Shapes, boards_of, placed
 from game.scenes.shared.polygons import NO_EDGE, paint
+from game.scenes.shared.rails.curves import NOBODY
 from game.scenes.shared.rails.drawing import Rail, draw_rail_shadows, draw_rails, rails_of
 from game.scenes.shared.rails.shapes import curve_of
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas

@@ -19,9 +19,10 @@ from game.billiards.fitting.fitting import FittedShot, FittedStroke, computed_sh
 from game.billiards.fitting.strokes import EVERYTHING, PLAIN, QUICK, Bench, fit_stroke
 from game.billiards.fitting.tables import FittedTable, target_of
 from game.billiards.fitting.tracks import TrackedShot
-from game.billiards.shot.shot import ShotError
+from game.billiards.shot.physics import ShotError
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 
@@ -47,7 +48,7 @@ class Played:
         way = model if model in ("stepped", "lecture") else "exact"
         self.trajectory, self.price_s = _timed(shot, stroke, table, way, options)
         self.errors = [
-            np.hypot(*(self.places(track.times)[:, ball] - track.places).T)
+            elementwise.hypot(*(self.places(track.times)[:, ball] - track.places).T)
             for ball, track in enumerate(shot.tracks)
         ]
 
@@ -59,12 +60,12 @@ class Played:
     @property
     def rmse_cue(self) -> float:
         """Root of the mean squared distance over the samples of the cue ball, m."""
-        return math.sqrt(float((self.errors[0] ** 2).mean()))
+        return math.sqrt(float((self.errors[0] * self.errors[0]).mean()))
 
     @property
     def rmse_all(self) -> float:
         """The same over the samples of all balls, m."""
-        return math.sqrt(float((np.concatenate(self.errors) ** 2).mean()))
+        return math.sqrt(float((elementary.square(np.concatenate(self.errors))).mean()))
 
 
 def _timed(

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import linear
 from game.physics.rigid import RigidBody, mass_properties, quaternion_to_matrix
 from game.physics.rigid.turning import measure
 from game.scenes.rigid_body.level import RADIUS, SHARE
@@ -58,7 +59,7 @@ class Bodies:
         """Put all three where a level has them."""
         turn = quaternion_to_matrix(orientation)
         for body in self.all:
-            body.position = turn @ self.center if place is None else place
+            body.position = linear.product(turn, self.center) if place is None else place
             body.orientation = orientation
             body.velocity, body.angular_velocity = velocity, spin
 
@@ -81,7 +82,7 @@ class Bodies:
         self.design = design.copy()
         self._make()
         for old, new in zip(before, self.all, strict=True):
-            offset = quaternion_to_matrix(old.orientation) @ (self.center - center)
+            offset = linear.product(quaternion_to_matrix(old.orientation), self.center - center)
             spin = old.angular_velocity
             new.position, new.orientation = old.position + offset, old.orientation
             new.velocity, new.angular_velocity = old.velocity + np.cross(spin, offset), spin
@@ -92,12 +93,12 @@ class Bodies:
     def point_of(self, index: int, arm: Sequence[float]) -> Array:
         """Where (3,) m a point of the design's frame is on a body; arm (3,) m from the centre of mass."""
         body = self.all[index]
-        return body.position + quaternion_to_matrix(body.orientation) @ np.asarray(arm)
+        return body.position + linear.product(quaternion_to_matrix(body.orientation), np.asarray(arm))
 
     def arm_of(self, index: int, point: Array) -> tuple[float, float, float]:
         """The opposite: where a point of the world is in the body's own axes, from its centre of mass."""
         body = self.all[index]
-        x, y, z = ((point - body.position) @ quaternion_to_matrix(body.orientation)).tolist()
+        x, y, z = (linear.product(point - body.position, quaternion_to_matrix(body.orientation))).tolist()
         return x, y, z
 
     def step(self, dt: float, twin: bool, push: Sequence[float] | None) -> None:

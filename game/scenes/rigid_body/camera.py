@@ -7,6 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, linear
+
 Array = NDArray[np.float64]
 HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
 
@@ -17,7 +19,7 @@ def camera_matrix(turn: float, tilt: float) -> Array:
     turn, tilt: degrees; tilt above 0 looks from above.
     """
     a, t = math.radians(turn), math.radians(tilt)
-    ca, sa, ct, st = math.cos(a), math.sin(a), math.cos(t), math.sin(t)
+    ca, sa, ct, st = elementary.cos(a), elementary.sin(a), elementary.cos(t), elementary.sin(t)
     return np.array(((ca, 0.0, sa), (sa * st, ct, -ca * st), (-sa * ct, st, ca * ct)))
 
 
@@ -28,19 +30,19 @@ def hit_sphere(
 
     view: of `camera_matrix`; places (n, 3) m; point: picture coordinates, m.
     """
-    seen = places @ view.T
-    off = (seen[:, 0] - point[0]) ** 2 + (seen[:, 1] - point[1]) ** 2
+    seen = linear.product(places, view.T)
+    off = elementary.square(seen[:, 0] - point[0]) + elementary.square(seen[:, 1] - point[1])
     inside = off <= radii * radii
     if not inside.any():
         return None
     near = np.where(inside, seen[:, 2] + np.sqrt(np.maximum(radii * radii - off, 0.0)), -np.inf)
     index = int(np.argmax(near))
-    return index, view.T @ np.array((point[0], point[1], near[index]))
+    return index, linear.product(view.T, np.array((point[0], point[1], near[index])))
 
 
 def on_plane(view: Array, center: Array, point: tuple[float, float]) -> Array:
     """The place (3,) m at a point of the picture in the plane across the view through ``center``."""
-    return view.T @ np.array((point[0], point[1], float(view[2] @ center)))
+    return linear.product(view.T, np.array((point[0], point[1], float(linear.product(view[2], center)))))
 
 
 def box_edges(half: Array) -> Array:

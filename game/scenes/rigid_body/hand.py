@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.scenes.rigid_body.bodies import A
 from game.scenes.rigid_body.camera import camera_matrix, hit_sphere, on_plane
 from game.scenes.rigid_body.edits import Edits
@@ -69,7 +68,7 @@ class Hand(Part):
 
     def new_radius(self) -> float:
         """Radius (m) of the sphere that is being added."""
-        drawn = math.dist(self.start, self.target)
+        drawn = elementary.dist(self.start, self.target)
         return CLICK_RADIUS if drawn < LEAST_RADIUS else min(drawn, MOST_RADIUS)
 
     def _view(self) -> np.ndarray:

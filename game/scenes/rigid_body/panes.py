@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import linear
 from game.scenes.rigid_body.bodies import A, B
 from game.scenes.rigid_body.camera import HOME, box_edges, camera_matrix
 from game.stage import Frame
@@ -25,7 +26,7 @@ class Panes:
         self.shown = (A, B) if twin else (A,)
         turned = np.abs(camera_matrix(*HOME))
         half = np.array(window, dtype=np.float64)
-        x, y = (turned @ half).tolist()[:2]
+        x, y = (linear.product(turned, half)).tolist()[:2]
         self._half_picture = (x, y + TITLE_HEIGHT if twin else y)
         if twin:
             right, _, near = turned[0].tolist()

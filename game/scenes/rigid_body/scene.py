@@ -118,7 +118,7 @@ class RigidBodyScene(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        given = level.content if level is not None and level.content is not None else self.default_content
+        given = self.content_of(level)
         self.model = RigidModel(given, self.parameters, self.active)
         self.hand = Hand(self.model)
         self.view = RigidView(self.model, self.hand)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from game.physics.kernels import elementwise
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
@@ -23,13 +26,15 @@ class Shapes(NamedTuple):
 def boards_of(points: Floats, thick: float) -> Shapes:
     """What a floor is made of, ``thick`` m deep; a polygon for each smooth run."""
     along = np.diff(points, axis=0)
-    angles = np.arctan2(along[:, 1], along[:, 0])
-    turns = np.abs(np.angle(np.exp(1j * np.diff(angles))))
+    angles = elementwise.arctan2(along[:, 1], along[:, 0])
+    turns = np.abs(np.remainder(np.diff(angles) + math.pi, math.tau) - math.pi)
     cuts = [0, *(np.flatnonzero(turns > SMOOTH) + 1).tolist(), len(along)]
     parts = []
     for first, last in pairwise(cuts):
         run = points[first : last + 1]
-        normals = np.stack([np.sin(angles[first:last]), -np.cos(angles[first:last])], axis=1)
+        normals = np.stack(
+            [elementwise.sin(angles[first:last]), -elementwise.cos(angles[first:last])], axis=1
+        )
         both = np.concatenate([normals[:1], 0.5 * (normals[1:] + normals[:-1]), normals[-1:]])
         parts.append(np.concatenate([run, (run + thick * both)[::-1]]))
     return joined(parts)

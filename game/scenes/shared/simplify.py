@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise, linear
+
 Floats = NDArray[np.float64]
 
 
@@ -19,12 +21,12 @@ def simplified(points: Floats, tolerance: float) -> Floats:
             continue
         a, way = points[first], points[last] - points[first]
         between = points[first + 1 : last] - a
-        length = float(np.hypot(*way))
+        length = float(elementwise.hypot(*way))
         if length > 0.0:
-            along = np.clip(between @ way / length**2, 0.0, 1.0)
-            away = np.hypot(*(between - along[:, None] * way).T)
+            along = np.clip(linear.product(between, way) / (length * length), 0.0, 1.0)
+            away = elementwise.hypot(*(between - along[:, None] * way).T)
         else:
-            away = np.hypot(*between.T)
+            away = elementwise.hypot(*between.T)
         k = int(away.argmax())
         if away[k] > tolerance:
             middle = first + 1 + k

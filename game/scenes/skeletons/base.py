@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
 from game.scenes.shared.expectations import Caption, captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.skeletons.guide import steps_of
 from game.scenes.skeletons.hand import FigureHand
@@ -15,7 +16,7 @@ from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, Vie
 from game.scenes.skeletons.model import FigureModel
 from game.scenes.skeletons.parameters import BINDING, FigureParameters
 from game.scenes.skeletons.rig import Rig, WeightRules
-from game.stage import Frame, Hint, Parameter, Pointer, Scene, SceneAction, WarmUp
+from game.stage import Frame, Hint, Parameter, Pointer, SceneAction, WarmUp
 
 PLAIN = FigureContent(
     bones=(
@@ -55,7 +56,7 @@ MAKING = {
 }  # hints by the tool in the hand, where they are not those of the scene
 
 
-class FigureScene(Scene):
+class FigureScene(ModelScene):
     """Base of C02 and C03. A subclass says what the poses are and what a step makes of them."""
 
     effects = SKINNING | JOINT_LIMITS
@@ -76,8 +77,7 @@ class FigureScene(Scene):
         )
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None else None
-        self.make_parts(self.default_content if content is None else content)
+        self.make_parts(self.content_of(level))
         captions_of(self.model.content.expected, self.readouts())  # refuses an unknown readout
 
     def make_parts(self, content: FigureContent) -> None:
@@ -87,20 +87,11 @@ class FigureScene(Scene):
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
 
-    def state(self) -> NamedTuple:
-        return self.model.state()
-
-    def restore(self, state: Any) -> None:
-        self.model.restore(state)
-
     def parameter_changed(self, name: str) -> None:
         if name in BINDING:
             self.model.bind_again()
         elif name == "tool":
             self.hand.take_tool()
-
-    def effects_changed(self) -> None:
-        self.model.follow_effects(self.active)
 
     def pointer(self, event: Pointer) -> None:
         self.hand.take_pointer(event)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from game.physics.animation import Skeleton
 from game.physics.animation.skeleton_editing import NOWHERE, SHORTEST, bone_at
+from game.physics.kernels import elementary
 from game.scenes.skeletons.bench import Bench, Turn, reach_of, remembered, with_message
 from game.scenes.skeletons.level import (
     MOST_BONES,
@@ -72,14 +73,14 @@ def _take(bench: Bench, rig: Rig, point: Point) -> Turn:
     skeleton, reach = rig.skeleton, reach_of(bench.figure)
     root = int(np.argmax(skeleton.parents < 0))
     start = skeleton.bases[root].tolist()
-    if math.dist(start, point) <= 0.6 * reach:
+    if elementary.dist(start, point) <= 0.6 * reach:
         grip = (point[0] - start[0], point[1] - start[1])
         return Turn(_hold(bench, rig, root, "root", grip))
     bone = bone_at(skeleton, point, reach)
     if bone == NOWHERE:
         return Turn(msgspec.structs.replace(bench, chosen=NOWHERE))
     x, y = skeleton.bases[bone].tolist()
-    toward = math.atan2(point[1] - y, point[0] - x)
+    toward = elementary.atan2(point[1] - y, point[0] - x)
     return Turn(_hold(bench, rig, bone, "bone", (float(skeleton.angles[bone]) - toward, 0.0)))
 
 
@@ -95,9 +96,9 @@ def _drag(bench: Bench, rig: Rig, point: Point, limited: bool) -> Turn:
         pose[-1] += point[1] - bench.grip[1] - base[1]
         return Turn(bench, pose)
     x, y = rig.skeleton.bases[bone].tolist()
-    if math.dist((x, y), point) <= SHORTEST:
+    if elementary.dist((x, y), point) <= SHORTEST:
         return Turn(bench)
-    angle = math.atan2(point[1] - y, point[0] - x) + bench.grip[0]
+    angle = elementary.atan2(point[1] - y, point[0] - x) + bench.grip[0]
     before = float(pose[bone])
     angle = before + math.remainder(
         angle - before, 2.0 * math.pi
@@ -134,13 +135,13 @@ def joint_of(bench: Bench, skeleton: Skeleton) -> tuple[float, float]:
         x, y = skeleton.ends[parent].tolist()
         return x, y
     (x, y), along = skeleton.bases[parent].tolist(), skeleton.world_angle(parent)
-    return x + bench.socket * math.cos(along), y + bench.socket * math.sin(along)
+    return x + bench.socket * elementary.cos(along), y + bench.socket * elementary.sin(along)
 
 
 def _socket_at(skeleton: Skeleton, bone: int, point: Point) -> float:
     """How far (m) along a bone a point is."""
     (x, y), along = skeleton.bases[bone].tolist(), skeleton.world_angle(bone)
-    far = (point[0] - x) * math.cos(along) + (point[1] - y) * math.sin(along)
+    far = (point[0] - x) * elementary.cos(along) + (point[1] - y) * elementary.sin(along)
     return min(max(far, 0.0), float(skeleton.lengths[bone]))
 
 
@@ -159,7 +160,7 @@ def _grow(bench: Bench, rig: Rig, point: Point, on_it: bool) -> Turn:
         return Turn(with_message(bench, f"There is room for {MOST_BONES} bones."))
     x, y = joint_of(bench, rig.skeleton)
     dx, dy = point[0] - x, point[1] - y
-    turn = math.degrees(math.atan2(dy, dx) - rig.skeleton.world_angle(parent))
+    turn = math.degrees(elementary.atan2(dy, dx) - rig.skeleton.world_angle(parent))
     made = BoneEntry(
         name=fresh_name(figure), parent=figure.bones[parent].name, length=math.sqrt(dx * dx + dy * dy),
         angle=math.remainder(turn, 360.0), place=None if bench.socket is None else (bench.socket, 0.0),
@@ -238,9 +239,9 @@ def figure_bone(bench: Bench) -> BoneEntry:
 def _draw(bench: Bench, rig: Rig, point: Point) -> Turn:
     """A click with the pen: another corner of the skin, or its end at the first one."""
     drawn = bench.drawn
-    if len(drawn) >= 3 and math.dist(point, drawn[0]) <= 0.6 * reach_of(bench.figure):
+    if len(drawn) >= 3 and elementary.dist(point, drawn[0]) <= 0.6 * reach_of(bench.figure):
         return finish(bench, rig)
-    if drawn and math.dist(point, drawn[-1]) <= SHORTEST:
+    if drawn and elementary.dist(point, drawn[-1]) <= SHORTEST:
         return Turn(bench)
     if len(drawn) >= MOST_POINTS:
         return Turn(with_message(bench, f"A skin has {MOST_POINTS} points at most."))

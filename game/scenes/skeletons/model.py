@@ -82,7 +82,7 @@ class FigureModel(Part):
         self.make_rig(self.bench.figure)
         self.take_poses(now)
 
-    def follow_effects(self, active: EffectSet) -> None:
+    def change_effects(self, active: EffectSet) -> None:
         """Other effects are on."""
         self.active = active
 

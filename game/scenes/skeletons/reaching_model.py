@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.physics.animation import JOINT_LIMITS, SKINNING, Solution, Solver
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.scenes.skeletons.level import FigureContent, bone_named
 from game.scenes.skeletons.model import Array, FigureModel
 from game.scenes.skeletons.parameters import SHOWN, ReachingParameters
@@ -49,7 +50,7 @@ class ReachingModel(FigureModel):
         if chain is not None:
             self.target[:] = chain.target
             end = self.rig.skeleton.ends[self.inside[-1]].tolist()
-            self.measured = [Solution(math.dist(end, chain.target), 0, 0, "")] * len(SHOWN)
+            self.measured = [Solution(elementary.dist(end, chain.target), 0, 0, "")] * len(SHOWN)
             self.trail[:] = self.measured[0].error
 
     def refresh(self) -> None:
@@ -115,7 +116,7 @@ class ReachingModel(FigureModel):
         if self.solver is None or error <= tolerance:
             return ""
         chain, skeleton = self.solver.chain, self.rig.skeleton
-        distance = math.dist(skeleton.bases[self.inside[0]].tolist(), self.target.tolist())
+        distance = elementary.dist(skeleton.bases[self.inside[0]].tolist(), self.target.tolist())
         if not chain.hole - tolerance <= distance <= chain.reach + tolerance:
             return "out of reach"
         steady = np.abs(self.trail[k, -STEADY:] - error).max() <= STEADINESS * error
@@ -143,8 +144,8 @@ class ReachingModel(FigureModel):
         if chain is not None and chain.path is not None:
             path = chain.path
             turn = 2.0 * math.pi * path.rate * self.time
-            self.target[0] = path.centre[0] + path.reach[0] * math.cos(turn)
-            self.target[1] = path.centre[1] + path.reach[1] * math.sin(path.turns * turn)
+            self.target[0] = path.centre[0] + path.reach[0] * elementary.cos(turn)
+            self.target[1] = path.centre[1] + path.reach[1] * elementary.sin(path.turns * turn)
 
     def solve_all(self, first: int) -> None:
         """Let every method go on from its own pose, the one of number ``first`` first; the figure is left in

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from game.physics.animation import Binding, Skeleton, Skinner, bind_given, bind_weights
 from game.physics.animation.outlines import points_inside, rounded, sum_areas
 from game.physics.animation.weights import distances_to_bones, weigh
+from game.physics.kernels import elementary, elementwise
 from game.scenes.skeletons.level import FigureContent, SkinEntry, bone_named
 
 Array = NDArray[np.float64]
@@ -97,10 +98,10 @@ class Rig:
         """The pose (n + 2,) in which the figure is at a time (s), moving by itself."""
         by, rate, phase = self.swings.T
         pose = self.start
-        pose[:-2] += by * np.sin(2.0 * math.pi * (rate * time + phase))
+        pose[:-2] += by * elementwise.sin(2.0 * math.pi * (rate * time + phase))
         turn = 2.0 * math.pi * self.figure.sway_rate * time
-        pose[-2] += self.figure.sway[0] * math.sin(turn)
-        pose[-1] += self.figure.sway[1] * math.sin(2.0 * turn)
+        pose[-2] += self.figure.sway[0] * elementary.sin(turn)
+        pose[-1] += self.figure.sway[1] * elementary.sin(2.0 * turn)
         return pose
 
     @property

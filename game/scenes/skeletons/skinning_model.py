@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, elementwise
 from game.scenes.skeletons.model import Array, FigureModel
 from game.scenes.skeletons.parameters import SkinningParameters
 
@@ -41,8 +42,8 @@ class SkinningModel(FigureModel):
         self.take_pose(state.pose)
         self.time = float(state.clock[0])
 
-    def follow_effects(self, active: EffectSet) -> None:
-        super().follow_effects(active)
+    def change_effects(self, active: EffectSet) -> None:
+        super().change_effects(active)
         if SKINNING not in active:
             for blend in BLENDS:
                 self.watch.forget(blend)
@@ -84,13 +85,13 @@ class SkinningModel(FigureModel):
             bone = int(skeleton.parents[bone])
         chain = np.array(line[::-1])
         turned = np.concatenate(([0.0], np.cumsum(skeleton.angles[chain])))
-        c, s = np.cos(turned), np.sin(turned)
+        c, s = elementwise.cos(turned), elementwise.sin(turned)
         x, y = skeleton.offsets[chain].T
         lengths = np.concatenate((np.zeros(1), skeleton.lengths[chain[-1:]]))
         across = (*(c[:-1] * x - s[:-1] * y), *(lengths * c[[0, -1]]))
         upwards = (*(s[:-1] * x + c[:-1] * y), *(lengths * s[[0, -1]]))
         exact = (math.fsum(across), math.fsum(upwards))
-        return math.dist(skeleton.ends[chain[-1]].tolist(), exact)
+        return elementary.dist(skeleton.ends[chain[-1]].tolist(), exact)
 
     def largest_bend(self) -> float:
         """Of the joint that is bent most, ° from where it was bound."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.scenes.shared.tables.course import AIMING, ROLLING
 from game.scenes.shared.tables.cue import AIMING as CUE_AIMING
 from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
@@ -123,7 +124,7 @@ class SnookerHand(Part):
     def _move(self, event: Pointer) -> None:
         """What is held follows the pointer; else the cue turns to it."""
         course, grip, parameters = self.course, self.course.grip, self.course.parameters
-        self.moved = max(self.moved, math.dist((event.x, event.y), self.pressed_at))
+        self.moved = max(self.moved, elementary.dist((event.x, event.y), self.pressed_at))
         if grip == "power":
             course.set_power(layout.power_at(event.x, MAX_SPEED))
         elif grip == "spin":

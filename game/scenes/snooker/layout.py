@@ -11,6 +11,7 @@ import math
 
 from game.billiards.table.snooker import BALL_RADIUS, COLOURS
 from game.billiards.table.table import CUSHION_DEPTH, SNOOKER_LENGTH, SNOOKER_WIDTH
+from game.physics.kernels import elementary
 from game.scenes.shared.tables.boxes import Box
 from game.stage import Frame
 
@@ -78,7 +79,7 @@ def chip_place(colour: int) -> tuple[float, float]:
 
 def chip_at(x: float, y: float) -> int | None:
     """The colour to be nominated at a point."""
-    return next((c for c in COLOURS if math.dist(chip_place(c), (x, y)) <= 1.4 * CHIP), None)
+    return next((c for c in COLOURS if elementary.dist(chip_place(c), (x, y)) <= 1.4 * CHIP), None)
 
 
 def power_at(x: float, top_speed: float) -> float:
@@ -90,14 +91,14 @@ def power_at(x: float, top_speed: float) -> float:
 def spin_at(x: float, y: float, most: float) -> tuple[float, float]:
     """Offset of the tip (left, up) in radii at a point of the spin picture, at most ``most`` off."""
     up, left = (SPIN[0] - x) / SPIN_RADIUS, (SPIN[1] - y) / SPIN_RADIUS
-    length = math.hypot(up, left)
+    length = elementary.hypot(up, left)
     shrink = min(1.0, most / length) if length > 0.0 else 1.0
     return left * shrink, up * shrink
 
 
 def on_spin(x: float, y: float) -> bool:
     """True on the picture of the cue ball."""
-    return math.dist(SPIN, (x, y)) <= 1.2 * SPIN_RADIUS
+    return elementary.dist(SPIN, (x, y)) <= 1.2 * SPIN_RADIUS
 
 
 def on_elevation(x: float, y: float) -> bool:
@@ -109,9 +110,9 @@ def on_elevation(x: float, y: float) -> bool:
 
 def elevation_at(x: float, y: float) -> float:
     """Elevation, degrees, that its picture says at a point."""
-    return math.degrees(min(max(math.atan2(ELEVATION[0] - x, y - ELEVATION[1]), 0.0), 0.5 * math.pi))
+    return math.degrees(min(max(elementary.atan2(ELEVATION[0] - x, y - ELEVATION[1]), 0.0), 0.5 * math.pi))
 
 
 def near(place: tuple[float, float], x: float, y: float) -> bool:
     """True on a ball, or close by it."""
-    return math.dist(place, (x, y)) <= REACH * BALL_RADIUS
+    return elementary.dist(place, (x, y)) <= REACH * BALL_RADIUS

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, Any, Literal
 
 import msgspec
@@ -18,6 +17,7 @@ from game.billiards.table.snooker import (
     opening_places,
 )
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
+from game.physics.kernels import elementary
 
 MOUTH = 0.045  # m; a ball may stand so far outside the noses' lines, in a pocket's mouth
 OVERLAP = 1e-6  # m; balls that a stroke has left touching overlap by rounding
@@ -135,7 +135,7 @@ def _check_place(places: Places, number: int, at: tuple[float, float]) -> None:
     if not (-MOUTH <= x <= SNOOKER_WIDTH + MOUTH and -MOUTH <= y <= SNOOKER_LENGTH + MOUTH):
         raise ValueError(f"balls: number {number} at {at} lies outside")
     for other, (px, py) in places.items():
-        if math.hypot(x - px, y - py) < 2.0 * BALL_RADIUS - OVERLAP:
+        if elementary.hypot(x - px, y - py) < 2.0 * BALL_RADIUS - OVERLAP:
             raise ValueError(f"balls: number {number} at {at} lies in number {other}")
 
 

@@ -14,7 +14,7 @@ from game.billiards.game.rules import Call, Verdict
 from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame, snooker_layout
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.shot.cloths import SNOOKER_CLOTH
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of, table_of
 from game.billiards.table.snooker import BALLS

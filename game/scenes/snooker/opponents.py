@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,18 +11,15 @@ from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.shot.cue import strike as struck_ball
 from game.billiards.table.snooker import COLOURS
+from game.physics.kernels import elementwise, linear
 from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.demo_shots import choose_stroke
-from game.scenes.shared.thinker import Question, Thinker, Thought
+from game.scenes.shared.tables.opponents import TableOpponents, check_option
+from game.scenes.shared.thinker import Question, Thought
 from game.scenes.snooker.course import BALL_PER_CUE, Course
 from game.scenes.snooker.parameters import GRADES
 from game.stage import Decision
 
-if TYPE_CHECKING:
-    from game.billiards.search.finding import FoundShot
-
-NEXT_STROKE_S = 0.7  # s of rest before the next stroke of a computer player, or of the table itself
-NEW_FRAME_S = 3.0
 THINK_S = 3.0  # s, that a player thinks at most
 HAND_SEED = 50_021
 
@@ -66,8 +62,8 @@ def simple_stroke(frame: SnookerFrame, seed: int) -> tuple[Stroke, Call]:
     in_play = np.array([number == CUE_BALL or number in on for number in layout.numbers])
     chosen = choose_stroke(layout.positions, layout.radii, in_play, frame.table, seed, 1)
     offset = layout.positions - layout.positions[0]
-    along = offset @ (np.cos(chosen.aim), np.sin(chosen.aim))
-    across = np.abs(offset @ (-np.sin(chosen.aim), np.cos(chosen.aim)))
+    along = linear.product(offset, (elementwise.cos(chosen.aim), elementwise.sin(chosen.aim)))
+    across = np.abs(linear.product(offset, (-elementwise.sin(chosen.aim), elementwise.cos(chosen.aim))))
     rows = [
         k for k in range(1, len(along)) if along[k] > 0.0 and across[k] < 2.0 * layout.radii[k] and in_play[k]
     ]
@@ -81,47 +77,31 @@ def decision_of(stroke: Stroke, call: Call) -> Decision:
     return Decision("stroke", (*stroke, -1.0 if call.ball is None else float(call.ball)))
 
 
-class SnookerOpponents:
-    """Who thinks for computer players, and what was considered last; no part of the state."""
+class SnookerOpponents(TableOpponents):
+    """Computer players of snooker, and the table by itself."""
 
     def __init__(self, course: Course, seed: int) -> None:
-        self.course = course
-        self.thinker = Thinker(think, *WARM_UPS)
-        self.considered: tuple[FoundShot, ...] = ()
+        super().__init__(course, think, WARM_UPS, GRADES)
         self._seed = seed
 
-    @property
-    def question(self) -> Question:
-        """What a computer player at turn is asked."""
-        model = self.course.model
-        key = (model.frame.strokes, model.word)
-        seed = int.from_bytes(key[1].encode()[:6], "little")
-        return Question(key, model.frame, self.course.grade_of(model.game.turn), seed)
+    def instead(self) -> list[Decision]:
+        """The first option, or a simple stroke."""
+        frame = self.course.model.frame
+        if frame.game.options:
+            return [Decision("option", (0.0,))]
+        return [decision_of(*simple_stroke(frame, frame.strokes))]
 
-    def decisions(self, at_once: bool = False) -> list[Decision]:
-        """What the computer player at turn has decided, if it is one and has. at_once: it does so now."""
-        course, game = self.course, self.course.model.game
-        if not at_once and any(course.grade_of(player) in GRADES for player in range(len(game.players))):
-            self.thinker.prepare()
-        computer = not course.person_plays and not course.plays_itself and not game.over
-        if not computer or course.phase != AIMING or course.grip:
-            self.thinker.forget()
-            return []
-        rested = course.rest_s > NEXT_STROKE_S
-        if at_once:
-            thought = self.thinker.answer(self.question) if rested else None
-        else:
-            thought = self.thinker.ask(self.question)
-        if thought is None:
-            return []
-        self.considered = thought.considered
-        if not rested:
-            return []
-        if not thought.decisions:  # it failed; the game goes on
-            if game.options:
-                return [Decision("option", (0.0,))]
-            return [decision_of(*simple_stroke(course.model.frame, course.model.frame.strokes))]
-        return list(thought.decisions)
+    def begin_again(self) -> None:
+        """The next frame."""
+        self.course.next_frame()
+
+    def play_itself(self) -> None:
+        """The first option, or a simple stroke of its own seed."""
+        course, frame = self.course, self.course.model.frame
+        if frame.game.options:
+            course.take_option(0)
+        elif frame.playable:
+            course.begin_stroke(*simple_stroke(frame, self._seed + frame.strokes))
 
     def decide(self, event: Decision) -> None:
         """Let a decision act. ValueError for one that cannot be."""
@@ -135,28 +115,10 @@ class SnookerOpponents:
         elif event.name == "white" and len(values) == 2:
             course.model.move_cue_ball(*values)
         elif event.name == "option" and len(values) == 1:
-            options = course.model.game.options
-            if not 0 <= int(values[0]) < len(options):
-                raise ValueError(f"option {int(values[0])}: there are {len(options)}")
-            course.take_option(int(values[0]))
+            course.take_option(check_option(values[0], course.model.game.options))
         elif event.name == "concede" and not values:
             course.concede(at_once=True)
         else:
             raise ValueError(
                 f"{event.name}: expected stroke, white, option or concede, each with its numbers"
             )
-
-    def play_on(self) -> None:
-        """A new frame when one is over and nobody is there; the table's own strokes while it plays itself."""
-        course = self.course
-        frame = course.model.frame
-        if course.phase != AIMING or not (course.plays_itself or course.plays_alone):
-            return
-        if frame.game.over:
-            if course.rest_s > NEW_FRAME_S:
-                course.next_frame()
-        elif course.plays_itself and course.rest_s > NEXT_STROKE_S:
-            if frame.game.options:
-                course.take_option(0)
-            elif frame.playable:
-                course.begin_stroke(*simple_stroke(frame, self._seed + frame.strokes))

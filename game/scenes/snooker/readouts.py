@@ -8,6 +8,7 @@ import numpy as np
 
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.snooker import BALL_MASS
+from game.physics.kernels import linear
 from game.scenes.shared.tables.course import ROLLING
 from game.scenes.snooker.course import REPLAY, Course
 from game.stage import Readout
@@ -25,7 +26,7 @@ def readouts(course: Course) -> tuple[Readout, ...]:
         moving = trajectory.state_at(min(time, trajectory.end_time)).velocities
         energy = float(0.5 * BALL_MASS * (moving * moving).sum())
         cue_ball = moving[course.model.numbers.index(CUE_BALL)]
-        speed = math.sqrt(float(cue_ball @ cue_ball))
+        speed = math.sqrt(float(linear.product(cue_ball, cue_ball)))
         count = int(np.searchsorted(trajectory.times, time, side="right"))
     return (
         Readout("break", game.run),

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from game.physics.kernels import elementary, linear
 from game.physics.solids import Capsule, Chain, Disc, Material, Polygon, SolidWorld
 from game.physics.solids.joints.layout import (
     ANGLE,
@@ -78,9 +79,9 @@ def _shape(entry: ShapeEntry, material: Material) -> Shape:
     if not (x > 0.0 and y > 0.0):
         raise ValueError("shapes: the radius of a box is less than half of its width and height")
     corners = np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
-    c, s = math.cos(math.radians(entry.angle)), math.sin(math.radians(entry.angle))
+    c, s = elementary.cos(math.radians(entry.angle)), elementary.sin(math.radians(entry.angle))
     if entry.angle:
-        corners = corners @ np.array([[c, s], [-s, c]])
+        corners = linear.product(corners, np.array([[c, s], [-s, c]]))
     return Polygon(corners + entry.at, entry.radius, material)
 
 

@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.state import DYNAMIC
 from game.scenes.solids.bodies import entry_of, joint_entry, whole_joints
 from game.scenes.solids.level import BodyEntry, Point, ShapeEntry
@@ -36,7 +37,7 @@ def cut_bodies(model: SolidModel, start: Point, end: Point) -> int:
 
 def _distance(p: Point, a: Point, b: Point) -> float:
     dx, dy = b[0] - a[0], b[1] - a[1]
-    length = math.hypot(dx, dy)
+    length = elementary.hypot(dx, dy)
     return abs(dx * (p[1] - a[1]) - dy * (p[0] - a[0])) / length if length > 0.0 else math.inf
 
 
@@ -133,14 +134,16 @@ def rounded_outline(corners: Floats, radius: float, pieces: int = ROUND) -> Floa
         return corners
     if len(corners) == 1:
         turns = np.linspace(0.0, 2.0 * math.pi, pieces, endpoint=False)
-        return corners + radius * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+        return corners + radius * np.stack([elementwise.cos(turns), elementwise.sin(turns)], axis=1)
     edges = np.roll(corners, -1, axis=0) - corners
-    facing = np.arctan2(-edges[:, 0], edges[:, 1])  # of the outward normal of the edge after each corner
+    facing = elementwise.arctan2(
+        -edges[:, 0], edges[:, 1]
+    )  # of the outward normal of the edge after each corner
     found = []
     for k in range(len(corners)):
         first = facing[k - 1]
         turn = (facing[k] - first) % (2.0 * math.pi)
         count = max(1, math.ceil(turn / (2.0 * math.pi) * pieces))
         turns = first + turn * np.linspace(0.0, 1.0, count + 1)
-        found.append(corners[k] + radius * np.stack([np.cos(turns), np.sin(turns)], axis=1))
+        found.append(corners[k] + radius * np.stack([elementwise.cos(turns), elementwise.sin(turns)], axis=1))
     return np.concatenate(found)

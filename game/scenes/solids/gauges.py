@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.solids import SolidWorld
 from game.physics.solids.joints.layout import BROKEN, JOINT_NAMES, NO_JOINT
 from game.physics.solids.state import DYNAMIC
@@ -67,11 +68,11 @@ class Gauges(Part):
             return self._between(k, world, time)
         x, y, angle = (now - then for now, then in zip(_pose(world, of), self._starts[k], strict=True))
         if measure == "when":
-            return time if before == 0.0 and math.hypot(x, y) >= entry.level else before
+            return time if before == 0.0 and elementary.hypot(x, y) >= entry.level else before
         rows = world.bodies
         return float({
-            "right": x, "up": y, "sink": -y, "way": math.hypot(x, y), "turn": math.degrees(angle),
-            "speed": math.hypot(*rows.velocities[of].tolist()), "spin": float(rows.spins[of]),
+            "right": x, "up": y, "sink": -y, "way": elementary.hypot(x, y), "turn": math.degrees(angle),
+            "speed": elementary.length(*rows.velocities[of].tolist()), "spin": float(rows.spins[of]),
         }[measure])  # fmt: skip
 
     def _between(self, k: int, world: SolidWorld, time: float) -> float:
@@ -116,14 +117,17 @@ def _pose(world: SolidWorld, body: int) -> tuple[float, float, float]:
 
 
 def _way(now: tuple[float, float, float], then: tuple[float, float, float]) -> float:
-    return math.hypot(now[0] - then[0], now[1] - then[1])
+    return elementary.hypot(now[0] - then[0], now[1] - then[1])
 
 
 def _of_all(world: SolidWorld, measure: str, level: float, before: float) -> float:
     rows, dynamic = world.bodies, world.bodies.flags & DYNAMIC != 0
     places = rows.positions[dynamic]
     if measure == "fastest":
-        return max(before, math.sqrt((rows.velocities[dynamic] ** 2).sum(axis=1).max(initial=0.0)))
+        return max(
+            before,
+            math.sqrt((rows.velocities[dynamic] * rows.velocities[dynamic]).sum(axis=1).max(initial=0.0)),
+        )
     if measure == "gap":
         return max(before, _largest_gap(world))
     if measure == "broken":
@@ -146,7 +150,7 @@ def _largest_gap(world: SolidWorld) -> float:
         c, s = world.bodies.rotations[bodies].T
         x, y = anchors.T
         ends.append(world.bodies.positions[bodies] + np.stack([c * x - s * y, s * x + c * y], axis=1))
-    return math.sqrt(((ends[0] - ends[1]) ** 2).sum(axis=1).max(initial=0.0))
+    return math.sqrt((elementary.square(ends[0] - ends[1])).sum(axis=1).max(initial=0.0))
 
 
 def _load(world: SolidWorld, joint: int, moment: bool) -> float:

@@ -7,6 +7,7 @@ import math
 import msgspec
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.physics.solids.joints.layout import MOUSE
 from game.physics.solids.outlines import signed_area
 from game.physics.solids.state import DYNAMIC
@@ -109,7 +110,7 @@ class SolidHand(Part):
         self.point = point
         if self.holding:
             self.model.world.drag_to(self.grip, point)
-        elif self.verb == "outline" and math.dist(point, self.path[-1]) > 0.2 * self.reach:
+        elif self.verb == "outline" and elementary.dist(point, self.path[-1]) > 0.2 * self.reach:
             self.path.append(point)
 
     def _finish(self) -> str:
@@ -159,7 +160,7 @@ class SolidHand(Part):
 
     def _make(self, verb: str, start: Point, point: Point) -> str:
         (x0, y0), (x1, y1) = start, point
-        long, middle = math.dist(start, point), (0.5 * (x0 + x1), 0.5 * (y0 + y1))
+        long, middle = elementary.dist(start, point), (0.5 * (x0 + x1), 0.5 * (y0 + y1))
         view = self.model.content.view
         if long < LEAST * (view.top - view.bottom):
             return "Drag to say how large it is."
@@ -171,16 +172,16 @@ class SolidHand(Part):
         if verb == "capsule":
             half = 0.5 * long
             shape = ShapeEntry(capsule=((-half, 0.0), (half, 0.0)), radius=0.12 * long)
-            return self._new((shape,), middle, math.degrees(math.atan2(y1 - y0, x1 - x0)))
-        count, first = int(self.parameters.sides), math.atan2(y1 - y0, x1 - x0)
+            return self._new((shape,), middle, math.degrees(elementary.atan2(y1 - y0, x1 - x0)))
+        count, first = int(self.parameters.sides), elementary.atan2(y1 - y0, x1 - x0)
         turns = [first + 2.0 * math.pi * k / count for k in range(count)]
-        corners = tuple((long * math.cos(turn), long * math.sin(turn)) for turn in turns)
+        corners = tuple((long * elementary.cos(turn), long * elementary.sin(turn)) for turn in turns)
         return self._new((ShapeEntry(polygon=corners),), start)
 
     def _make_outline(self, path: list[Point]) -> str:
         """What was drawn, closed; cut into convex parts by the world."""
         outline = simplified(np.array(path), 0.15 * self.reach)
-        if len(outline) < 3 or abs(signed_area(outline)) < self.reach**2:
+        if len(outline) < 3 or abs(signed_area(outline)) < self.reach * self.reach:
             return "Draw all around a body."
         middle = outline.mean(axis=0)
         corners = tuple((float(x), float(y)) for x, y in outline - middle)
@@ -218,7 +219,7 @@ class SolidHand(Part):
         return ""
 
     def _cut(self, start: Point, point: Point) -> str:
-        if math.dist(start, point) < 0.2 * self.reach:
+        if elementary.dist(start, point) < 0.2 * self.reach:
             return ""
         joints = joints_across(self.model.world, start, point, 0.5 * self.reach)
         for joint in joints:
@@ -233,7 +234,7 @@ class SolidHand(Part):
         entry = entry_of(self.model.world, body, int(self.model.tints[body]))
         x, y = entry.position
         place = x + point[0] - start[0], y + point[1] - start[1]
-        if math.dist(start, point) < self.reach:
+        if elementary.dist(start, point) < self.reach:
             place = x, y + 2.0 * float(self.model.world.bodies.reaches[body]) + self.reach
         self.chosen = self.model.add(msgspec.structs.replace(entry, position=place))
         return ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+from game.physics.kernels import elementary
 from game.scenes.solids.level import (
     GROUND,
     BeamEntry,
@@ -37,7 +38,7 @@ def material_of(entry: MaterialEntry) -> dict[str, Any]:
 
 
 def _at(centre: Point, radius: float, angle: float) -> Point:
-    return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
+    return centre[0] + radius * elementary.cos(angle), centre[1] + radius * elementary.sin(angle)
 
 
 # -- beams --------------------------------------------------------------------------------------------
@@ -55,7 +56,7 @@ def add_beam(entry: BeamEntry, made: Made) -> None:
                 shapes=(ShapeEntry(box=entry.size),),
                 position=_at(entry.at, arm, turn),
                 angle=entry.direction,
-                velocity=(-speed * math.sin(turn), speed * math.cos(turn)),
+                velocity=(-speed * elementary.sin(turn), speed * elementary.cos(turn)),
                 spin=entry.spin,
                 kind="fixed" if entry.form == "fixed" else "dynamic",
                 **material_of(entry),
@@ -92,7 +93,7 @@ def add_truss(entry: TrussEntry, made: Made) -> None:
 def _add_bar(entry: TrussEntry, made: Made, ends: tuple[int, int], places: tuple[Point, Point]) -> None:
     """A bar between two knots; it ends short of them, so that bars do not touch each other."""
     (x0, y0), (x1, y1) = places
-    length = math.dist(*places) - 2.4 * entry.thickness
+    length = elementary.dist(*places) - 2.4 * entry.thickness
     if not length > 0.0:
         raise ValueError("trusses: the bars are shorter than they are thick")
     number = len(made.bodies)
@@ -100,7 +101,7 @@ def _add_bar(entry: TrussEntry, made: Made, ends: tuple[int, int], places: tuple
         BodyEntry(
             shapes=(ShapeEntry(box=(length, entry.thickness)),),
             position=(0.5 * (x0 + x1), 0.5 * (y0 + y1)),
-            angle=math.degrees(math.atan2(y1 - y0, x1 - x0)),
+            angle=math.degrees(elementary.atan2(y1 - y0, x1 - x0)),
             **material_of(entry),
         )
     )
@@ -116,8 +117,8 @@ def _add_bar(entry: TrussEntry, made: Made, ends: tuple[int, int], places: tuple
 def add_escapement(entry: EscapementEntry, made: Made) -> None:
     """Graham's dead-beat escapement of 1715: faces that hold a tooth are arcs about the anchor's pivot."""
     half = SPAN * math.pi / entry.teeth
-    pivot = entry.at[0], entry.at[1] + entry.radius / math.cos(half)
-    reach = entry.radius * math.tan(half)  # of the anchor: its arms are tangents to the wheel
+    pivot = entry.at[0], entry.at[1] + entry.radius / elementary.cos(half)
+    reach = entry.radius * elementary.tan(half)  # of the anchor: its arms are tangents to the wheel
     turn, wheel = math.radians(entry.swing), len(made.bodies)
     own = material_of(entry)
     made.bodies.append(BodyEntry(shapes=_wheel(entry, half), position=entry.at, **{**own, "colour": "brass"}))

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids import SolidWorld
 from game.physics.solids.joints.layout import BROKEN, DISTANCE, HERTZ, JOINT_NAMES, LENGTH, NO_JOINT
 from game.physics.solids.state import (
@@ -54,8 +55,8 @@ def energies(world: SolidWorld) -> Energies:
     gx, gy = world.settings.gravity if "gravity" in world.settings.effects.names else (0.0, 0.0)
     weights = mass * rows.gravity_scales[there]
     return Energies(
-        float(0.5 * (mass * (velocities**2).sum(axis=1)).sum()),
-        float(0.5 * (inertia * rows.spins[there] ** 2).sum()),
+        float(0.5 * (mass * (velocities * velocities).sum(axis=1)).sum()),
+        float(0.5 * (inertia * (rows.spins[there] * rows.spins[there])).sum()),
         float(-(weights * (gx * places[:, 0] + gy * places[:, 1])).sum()),
         _elastic(world),
         (mass[:, None] * velocities).sum(axis=0),
@@ -69,7 +70,7 @@ def _elastic(world: SolidWorld) -> float:
     for k in np.flatnonzero(soft & (rows.parameters[:, HERTZ] > 0.0)).tolist():
         ends = np.array([place_of(world, k, 0), place_of(world, k, 1)])
         apart = ends[1] - ends[0]
-        length = float(np.hypot(*apart))
+        length = float(elementwise.hypot(*apart))
         if length == 0.0:
             continue
         weight = 0.0
@@ -77,11 +78,11 @@ def _elastic(world: SolidWorld) -> float:
             arm = end - world.bodies.positions[body]
             cross = float(arm[0] * apart[1] - arm[1] * apart[0]) / length
             weight += float(
-                world.bodies.inverse_masses[body] + world.bodies.inverse_inertias[body] * cross**2
+                world.bodies.inverse_masses[body] + world.bodies.inverse_inertias[body] * (cross * cross)
             )
         if weight > 0.0:
-            stiffness = (2.0 * math.pi * float(rows.parameters[k, HERTZ])) ** 2 / weight
-            total += 0.5 * stiffness * (length - float(rows.parameters[k, LENGTH])) ** 2
+            stiffness = elementary.square(2.0 * math.pi * float(rows.parameters[k, HERTZ])) / weight
+            total += 0.5 * stiffness * elementary.square(length - float(rows.parameters[k, LENGTH]))
     return total
 
 
@@ -151,7 +152,7 @@ def heard_now(world: SolidWorld, heard: Floats, began: float, kinds: NDArray[np.
     found = kinds[pairs].min(axis=1).astype(np.float64)
     # speed times the mass that meets: the impulse of the step in which a contact begins is only a part of it
     lightness = world.bodies.inverse_masses[pairs].sum(axis=1)
-    speeds = rows[:, 3] * np.clip(np.cbrt(1.0 / np.maximum(USUAL_MASS * lightness, 1e-12)), 0.3, 3.0)
+    speeds = rows[:, 3] * np.clip(elementwise.cbrt(1.0 / np.maximum(USUAL_MASS * lightness, 1e-12)), 0.3, 3.0)
     hits = np.stack([began + rows[:, 4], found, speeds, rows[:, 0]], axis=1)
     snaps = [(began, SNAP, SNAP_SPEED, place_of(world, joint, 0)[0]) for joint in broken]
     added = np.concatenate([hits, np.array(snaps).reshape(-1, HEARD_WIDTH)])

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.physics.solids import Disc, Material, SolidSettings, SolidState, SolidWorld, box
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.shared.stopwatch import Stopwatch
@@ -114,7 +115,7 @@ class SolidModel(Part):
         assert entry.swing is not None
         (ax, ay), phase = entry.swing.amplitude, math.radians(entry.swing.phase)
         x, y = self.world.bodies.positions[body].tolist()
-        middle = x - ax * math.sin(phase), y - ay * math.sin(phase)
+        middle = x - ax * elementary.sin(phase), y - ay * elementary.sin(phase)
         return Shake(body, middle, entry.swing.amplitude, entry.swing.rate, phase)
 
     def add(self, entry: BodyEntry) -> int:
@@ -208,7 +209,7 @@ class SolidModel(Part):
 
     def _drive(self, shake: Shake, dt: float) -> None:
         """Give a key-framed body the velocity that takes it to where it is to be."""
-        height = math.sin(shake.rate * (self.time + dt) + shake.phase)
+        height = elementary.sin(shake.rate * (self.time + dt) + shake.phase)
         x, y = self.world.bodies.positions[shake.body].tolist()
         speed = (
             (shake.place[0] + shake.amplitude[0] * height - x) / dt,

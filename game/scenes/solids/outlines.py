@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementwise, linear
 from game.physics.solids.state import DISC, NONE, SEGMENT, Pool, Shapes
 from game.scenes.solids.cutting import rounded_outline
 
@@ -71,10 +72,10 @@ def outlines_of(shapes: Shapes, pool: Pool) -> Outlines:
 def _bevel(corners: Floats) -> tuple[Floats, Floats]:
     """Corners moved inwards, and the outward normal of the edge that begins at each."""
     edges = np.roll(corners, -1, axis=0) - corners
-    lengths = np.hypot(edges[:, 0], edges[:, 1])[:, None]
+    lengths = elementwise.hypot(edges[:, 0], edges[:, 1])[:, None]
     normals = np.stack([edges[:, 1], -edges[:, 0]], axis=1) / np.where(lengths > 0.0, lengths, 1.0)
     before = np.roll(normals, 1, axis=0)
-    heights = corners @ normals.T
+    heights = linear.product(corners, normals.T)
     width = float((heights.max(axis=0) - heights.min(axis=0)).min())
     inset = min(BEVEL * width, MOST_BEVEL)
     share = np.maximum(1.0 + (normals * before).sum(axis=1), 0.3)[:, None]

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids import SolidWorld
 from game.physics.solids.state import DISC, SEGMENT
 from game.scenes.solids.bodies import place_of, whole_joints
@@ -20,14 +19,14 @@ def distance_to(world: SolidWorld, shape: int, point: Point) -> float:
     """From a point to a shape, m; negative within."""
     corners, radius = world.corners(shape), float(world.shapes.radii[shape])
     if world.shapes.kinds[shape] == DISC:
-        return math.dist(point, corners[0]) - radius
+        return elementary.dist(point, corners[0]) - radius
     ends = np.roll(corners, -1, axis=0)
     along = ends - corners
-    lengths = (along**2).sum(axis=1)
+    lengths = (along * along).sum(axis=1)
     at = np.clip(
         ((np.array(point) - corners) * along).sum(axis=1) / np.where(lengths > 0.0, lengths, 1.0), 0, 1
     )
-    nearest = float(np.hypot(*(corners + at[:, None] * along - point).T).min())
+    nearest = float(elementwise.hypot(*(corners + at[:, None] * along - point).T).min())
     if world.shapes.kinds[shape] == SEGMENT or len(corners) == 2:
         return nearest - radius
     sides = along[:, 0] * (point[1] - corners[:, 1]) - along[:, 1] * (point[0] - corners[:, 0])
@@ -37,7 +36,7 @@ def distance_to(world: SolidWorld, shape: int, point: Point) -> float:
 def body_at(world: SolidWorld, bodies: NDArray[np.int64], point: Point, reach: float) -> int:
     """The body of these that a point is in, else the nearest within reach (m); NOBODY if there is none."""
     rows = world.bodies
-    near = np.hypot(*(rows.positions[bodies] - point).T) <= rows.reaches[bodies] + reach
+    near = elementwise.hypot(*(rows.positions[bodies] - point).T) <= rows.reaches[bodies] + reach
     best, found = reach, NOBODY
     for body in bodies[near].tolist():
         for shape in world.shapes_of(body).tolist():
@@ -50,7 +49,7 @@ def body_at(world: SolidWorld, bodies: NDArray[np.int64], point: Point, reach: f
 def bodies_at(world: SolidWorld, bodies: NDArray[np.int64], point: Point) -> list[int]:
     """All bodies of these that a point is in."""
     rows = world.bodies
-    near = bodies[np.hypot(*(rows.positions[bodies] - point).T) <= rows.reaches[bodies]]
+    near = bodies[elementwise.hypot(*(rows.positions[bodies] - point).T) <= rows.reaches[bodies]]
     return [
         body for body in near.tolist()
         if any(distance_to(world, shape, point) <= 0.0 for shape in world.shapes_of(body).tolist())
@@ -62,7 +61,7 @@ def joint_at(world: SolidWorld, point: Point, reach: float) -> int:
     best, found = reach, NOBODY
     for joint in whole_joints(world):
         for end in (0, 1):
-            away = math.dist(place_of(world, joint, end), point)
+            away = elementary.dist(place_of(world, joint, end), point)
             if away < best:
                 best, found = away, joint
     return found
@@ -73,7 +72,7 @@ def joints_across(world: SolidWorld, start: Point, end: Point, reach: float) -> 
     found = []
     for joint in whole_joints(world):
         a, b = place_of(world, joint, 0), place_of(world, joint, 1)
-        if math.dist(a, b) > reach:
+        if elementary.dist(a, b) > reach:
             if _cross(a, b, start, end):
                 found.append(joint)
         elif _distance(a, start, end) < reach:
@@ -93,4 +92,4 @@ def _distance(p: Point, a: Point, b: Point) -> float:
     dx, dy = b[0] - a[0], b[1] - a[1]
     length = dx * dx + dy * dy
     at = 0.0 if length == 0.0 else min(max(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length, 0.0), 1.0)
-    return math.hypot(p[0] - a[0] - at * dx, p[1] - a[1] - at * dy)
+    return elementary.hypot(p[0] - a[0] - at * dx, p[1] - a[1] - at * dy)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-
+from game.physics.kernels import elementary
 from game.scenes.solids.measures import contact_points, energies
 from game.scenes.solids.model import SolidModel
 from game.stage import Readout
@@ -35,7 +34,7 @@ def readouts(model: SolidModel) -> list[Readout]:
         Readout("turning", found.turning, "J"),
         Readout("height", found.height, "J"),
         Readout("elastic", found.elastic, "J"),
-        Readout("momentum", math.hypot(*found.momentum.tolist()), "N s"),
+        Readout("momentum", elementary.length(*found.momentum.tolist()), "N s"),
         Readout("deepest", max(0.0, float(points.depths.max(initial=0.0))), "m"),
         Readout("contacts", len(points.depths)),
         Readout("bodies", len(model.movable())),

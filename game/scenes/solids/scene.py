@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.stacks import stack_study
 from game.levels import Level
 from game.physics.solids.effects import USUAL
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.solids import SOLIDS as ROW
 from game.scenes.solids.figure import draw_contact
 from game.scenes.solids.hand import SolidHand
 from game.scenes.solids.level import ArchEntry, SolidContent, View
-from game.scenes.solids.model import ModelState, SolidModel
+from game.scenes.solids.model import SolidModel
 from game.scenes.solids.parameters import OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
 from game.scenes.solids.readouts import readouts
 from game.scenes.solids.saving import content_of
@@ -22,21 +22,16 @@ from game.scenes.solids.sounds import hearing_of
 from game.scenes.solids.view import WHAT_NEXT, SolidView
 from game.stage import (
     Equation,
-    Frame,
     Hearing,
     Hint,
-    Pointer,
     Readout,
-    Scene,
     SceneAction,
-    SetParameter,
     Strip,
     WarmUp,
 )
-from game.stage.messages import Messages
 
 
-class Solids(Scene):
+class Solids(BuiltScene):
     """Rigid bodies that touch: a contact pushes only, never pulls, and rubs with at most μ times its push. A
     step is cut into substeps; in each, impulses go round over all contacts and joints, and what overlaps is
     driven apart gently: contacts are soft, like stiff damped springs. So a tall stack sinks a little, and
@@ -52,6 +47,8 @@ class Solids(Scene):
     name, task, title = ROW.names
     parameters_type = SolidParameters
     parameters: SolidParameters
+    model: SolidModel
+    hand: SolidHand
     effects = USUAL
     content_type = SolidContent
     study = stack_study
@@ -110,12 +107,11 @@ class Solids(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = SolidModel(content, self.parameters, self.active, self.seed)
         self.hand = SolidHand(self.model)
         self.view = SolidView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name == "tool":
@@ -123,31 +119,8 @@ class Solids(Scene):
         elif name not in OF_PICTURE and name not in OF_TOOLS:
             self.model.change_parameter(name)
 
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def why_idle(self, name: str) -> str:
-        """Substeps go by the quality unless that is one's own."""
-        if name == "substeps" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
-        return ""
-
-    def takes_long(self, event: Any) -> bool:
-        """Another solver is compiled first."""
-        return isinstance(event, SetParameter) and event.name == "solver"
-
-    def state(self) -> ModelState:
-        return self.model.state()
-
-    def restore(self, state: ModelState) -> None:
-        self.model.restore(state)
-
     def save_content(self) -> SolidContent:
         return content_of(self.model)
-
-    def check(self) -> None:
-        """What must always hold in the world."""
-        self.model.world.check()
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
@@ -155,18 +128,12 @@ class Solids(Scene):
         if self.model.advance(dt):
             self.said.say("A joint is broken.")
 
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
-
     def action(self, name: str) -> None:
         if name == "delete":
             self.said.say(self.hand.delete_chosen())
         else:
             self.parameters.tool = name
             self.hand.begin_again()
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     def hearing(self) -> Hearing:
         """Impacts of the last moments, by their materials."""
@@ -184,18 +151,3 @@ class Solids(Scene):
 
     def readouts(self) -> list[Readout]:
         return readouts(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view, lines = self.model.content.view, len(self.model.content.expected)
-        return with_headroom(Frame(view.left, view.bottom, view.right, view.top), lines)
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content = self.model.content
-        if content.expected:
-            frame = self.frame()
-            top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

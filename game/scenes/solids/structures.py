@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.solids.level import (
     GROUND,
     ArchEntry,
@@ -84,7 +85,7 @@ def _arch(entry: ArchEntry) -> Iterator[BodyEntry]:
         outer = entry.radius + 0.5 * entry.thickness
         corners = []
         for radius, turn in ((inner, half), (inner, -half), (outer, -half), (outer, half)):
-            corners.append((radius * math.cos(angle + turn), radius * math.sin(angle + turn)))
+            corners.append((radius * elementary.cos(angle + turn), radius * elementary.sin(angle + turn)))
         middle = np.mean(corners, axis=0)
         own = tuple((float(cx - middle[0]), float(cy - middle[1])) for cx, cy in reversed(corners))
         place = (x + float(middle[0]), y + float(middle[1]))
@@ -106,8 +107,8 @@ def _cards(entry: CardEntry) -> Iterator[BodyEntry]:
     x, y = entry.at
     lean = math.radians(entry.lean)
     size = (entry.thickness, entry.length)
-    foot = 0.5 * (entry.length * math.sin(lean) + entry.thickness * math.cos(lean))
-    high = 0.5 * (entry.length * math.cos(lean) + entry.thickness * math.sin(lean))
+    foot = 0.5 * (entry.length * elementary.sin(lean) + entry.thickness * elementary.cos(lean))
+    high = 0.5 * (entry.length * elementary.cos(lean) + entry.thickness * elementary.sin(lean))
     pitch = 4.0 * foot
     for storey in range(entry.storeys):
         pairs = entry.storeys - storey
@@ -127,7 +128,7 @@ def _cradle(entry: CradleEntry, made: Made) -> None:
     for k in range(entry.balls):
         top = (x + (2.0 * entry.ball + entry.gap) * (k - 0.5 * (entry.balls - 1)), y)
         turn = math.radians(-entry.swing if k < entry.lifted else 0.0)
-        place = (top[0] + entry.length * math.sin(turn), top[1] - entry.length * math.cos(turn))
+        place = (top[0] + entry.length * elementary.sin(turn), top[1] - entry.length * elementary.cos(turn))
         made.joints.append(
             JointEntry(kind="distance", bodies=(GROUND, len(made.bodies)), at=top, other=place)
         )
@@ -139,7 +140,7 @@ def _cradle(entry: CradleEntry, made: Made) -> None:
 def _links(entry: LinksEntry, made: Made) -> None:
     start, end = np.array(entry.start), np.array(entry.end)
     step = (end - start) / entry.links
-    half, angle = 0.5 * float(np.hypot(*step)), math.degrees(math.atan2(step[1], step[0]))
+    half, angle = 0.5 * float(elementwise.hypot(*step)), math.degrees(elementary.atan2(step[1], step[0]))
     before = GROUND
     for k in range(entry.links):
         number = len(made.bodies)
@@ -179,8 +180,8 @@ def _pegs(entry: PegEntry) -> Iterator[BodyEntry]:
 def _heap(entry: HeapEntry, chance: np.random.Generator) -> Iterator[BodyEntry]:
     (x0, y0), (x1, y1) = entry.low, entry.high
     for k in range(entry.count):
-        place = (float(chance.uniform(x0, x1)), float(chance.uniform(y0, y1)))
-        size, turn = float(chance.uniform(*entry.size)), float(chance.uniform(-180.0, 180.0))
+        place = (float(linear.uniform(chance, x0, x1)), float(linear.uniform(chance, y0, y1)))
+        size, turn = float(linear.uniform(chance, *entry.size)), float(linear.uniform(chance, -180.0, 180.0))
         disc = entry.form == "disc" or (entry.form == "mixed" and k % 2 == 0)
         shape = ShapeEntry(disc=size) if disc else ShapeEntry(box=(2.0 * size, 2.0 * size))
         yield BodyEntry(shapes=(shape,), position=place, angle=turn, **material_of(entry))

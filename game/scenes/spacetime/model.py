@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, linear
 from game.physics.spacetime.motion import Grip, Laws
 from game.physics.spacetime.shapes import KINDS
 from game.physics.spacetime.tree import inside
@@ -131,14 +132,14 @@ def _scattered(count: int, seed: int, content: SpaceTimeContent) -> list[TimedBo
     found = []
     for k in range(count):
         column, row = k % columns, k // columns
-        size = content.scale * min(0.5 * min(cell) * 0.9, 0.55) * chance.uniform(0.75, 1.0)
-        heading = chance.uniform(0.0, math.tau)
-        speed = content.speed * chance.uniform(0.4, 1.0)
+        size = content.scale * min(0.5 * min(cell) * 0.9, 0.55) * linear.uniform(chance, 0.75, 1.0)
+        heading = linear.uniform(chance, 0.0, math.tau)
+        speed = content.speed * linear.uniform(chance, 0.4, 1.0)
         found.append(TimedBody(
             KINDS[k % len(KINDS)], int(chance.integers(0, 4)), float(size),
             ((column + 0.5) * cell[0] - HALF[0], (row + 0.5) * cell[1] - HALF[1]),
-            float(chance.uniform(0.0, math.tau)),
-            (float(speed * math.cos(heading)), float(speed * math.sin(heading))),
-            float(chance.uniform(-2.0, 2.0) * content.speed),
+            float(linear.uniform(chance, 0.0, math.tau)),
+            (float(speed * elementary.cos(heading)), float(speed * elementary.sin(heading))),
+            float(linear.uniform(chance, -2.0, 2.0) * content.speed),
         ))  # fmt: skip
     return found

@@ -8,8 +8,8 @@ from typing import Any
 from game.lab.studies.spacetime import budget_study
 from game.levels import Level
 from game.physics.spacetime.effects import TIMED
-from game.physics.spacetime.world import TimedState
 from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.spacetime import SPACETIME
 from game.scenes.spacetime.figure import draw_levels
 from game.scenes.spacetime.hand import SpaceTimeHand
@@ -18,10 +18,10 @@ from game.scenes.spacetime.model import HALF, SpaceTimeModel
 from game.scenes.spacetime.parameters import OF_PICTURE, SpaceTimeParameters
 from game.scenes.spacetime.readouts import readouts_of
 from game.scenes.spacetime.view import SpaceTimeView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, Strip
+from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip
 
 
-class SpaceTime(Scene):
+class SpaceTime(ModelScene):
     """Stars, combs, letters and coast lines tumble in a box. Whether two of them touch is asked only from the
     time on at which they may: place, velocity and a bound of the acceleration say when that is.
 
@@ -35,6 +35,7 @@ class SpaceTime(Scene):
     name, task, title = SPACETIME.names
     parameters_type = SpaceTimeParameters
     parameters: SpaceTimeParameters
+    model: SpaceTimeModel
     effects = TIMED.known
     content_type = SpaceTimeContent
     study = budget_study
@@ -71,18 +72,6 @@ class SpaceTime(Scene):
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE:
             self.model.change_laws()
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> TimedState:
-        return self.model.state()
-
-    def restore(self, state: TimedState) -> None:
-        self.model.restore(state)
-
-    def check(self) -> None:
-        self.model.world.check()
 
     def save_content(self) -> SpaceTimeContent:
         return SpaceTimeContent(bodies=self.model.entries(), expected=self.content.expected)

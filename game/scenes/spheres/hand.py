@@ -59,7 +59,9 @@ class Hand(Part):
         """The sphere under a point, or NOBODY; of several the last one."""
         bodies = self.model.world.bodies
         away = bodies.places()[:, :2] - point
-        under = np.flatnonzero((away * away).sum(axis=1) <= bodies.composition.radii**2)
+        under = np.flatnonzero(
+            (away * away).sum(axis=1) <= bodies.composition.radii * bodies.composition.radii
+        )
         return int(under[-1]) if len(under) else NOBODY
 
     def _press(self, point: Point) -> None:

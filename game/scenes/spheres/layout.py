@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, linear
 from game.physics.spheres.settings import Surroundings, Tables, material_tables, surroundings_of
 from game.physics.spheres.spheres import SphereBodies
 from game.scenes.spheres.level import MOST_SPHERES, WALL, CollisionContent, CradleEntry, HeapEntry, RackEntry
@@ -87,7 +88,7 @@ def _rows_of(content: CollisionContent, seed: int) -> tuple[list[_Row], list[tup
 
 def bodies_of(layout: Layout, real: bool, density: float) -> SphereBodies:
     """Bodies: of mass 1 and inertia 1, or of a density (kg/m³) and solid; masses of their own are kept."""
-    volumes = 4.0 / 3.0 * math.pi * layout.radii**3
+    volumes = 4.0 / 3.0 * math.pi * (layout.radii * layout.radii * layout.radii)
     usual = density * volumes if real else np.ones(len(layout.radii))
     masses = np.where(np.isnan(layout.masses), usual, layout.masses)
     single = np.array_equal(layout.owners, np.arange(len(layout.owners)))
@@ -147,7 +148,7 @@ def _string(content: CollisionContent, i: int) -> tuple[float, ...]:
         raise ValueError(f"strings[{i}].sphere: {len(content.spheres)} spheres are listed")
     place = (*content.spheres[entry.sphere].position, 0.0)[:3]
     tied = (*entry.tied, 0.0)[:3]
-    length = entry.length if entry.length is not None else math.dist(place, tied)
+    length = entry.length if entry.length is not None else elementary.dist(place, tied)
     return float(entry.sphere), *tied, length
 
 
@@ -168,7 +169,11 @@ def _cradle(cradle: CradleEntry) -> list[tuple[float, float, float]]:
         tie = cradle.top[0] + step * i
         aside = swing if i < cradle.drawn else 0.0
         found.append(
-            (tie - cradle.length * math.sin(aside), cradle.top[1] - cradle.length * math.cos(aside), tie)
+            (
+                tie - cradle.length * elementary.sin(aside),
+                cradle.top[1] - cradle.length * elementary.cos(aside),
+                tie,
+            )
         )
     return found
 
@@ -181,9 +186,9 @@ def _heap(content: CollisionContent, heap: HeapEntry, random: np.random.Generato
     for row in range(heap.rows):
         here = layers[row * len(layers) // heap.rows] if layers else kind
         for column in range(heap.columns):
-            x = heap.corner[0] + heap.spacing * (column + 0.5) + space * random.uniform(-1.0, 1.0)
-            y = heap.corner[1] + heap.spacing * (row + 0.5) + space * random.uniform(-1.0, 1.0)
-            radius = heap.radius * (1.0 - heap.odd * random.uniform())
+            x = heap.corner[0] + heap.spacing * (column + 0.5) + space * linear.uniform(random, -1.0, 1.0)
+            y = heap.corner[1] + heap.spacing * (row + 0.5) + space * linear.uniform(random, -1.0, 1.0)
+            radius = heap.radius * (1.0 - heap.odd * linear.uniform(random))
             found.append(_Row(x, y, radius, here))
     return found
 

@@ -10,6 +10,7 @@ import numpy as np
 from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune, UniformGrid
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
+from game.physics.kernels import elementary
 from game.physics.rigid import PUSHES
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.settings import Surroundings, Tables
@@ -192,7 +193,8 @@ class CollisionModel(Part):
         y = min(max(y, view.bottom + radius), view.top - radius)
         real, density = self.parameters.real, self.parameters.density
         new = SphereBodies(
-            [(x, y)], [radius], masses=density * 4.0 / 3.0 * math.pi * radius**3 if real else 1.0,
+            [(x, y)], [radius],
+            masses=density * 4.0 / 3.0 * math.pi * elementary.cube(radius) if real else 1.0,
             inertias="solid" if real else "unit",
         )  # fmt: skip
         self.take_bodies(joined(bodies, new), self.world.surroundings)

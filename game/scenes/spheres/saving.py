@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.scenes.spheres.level import FARTHEST, MOST_WRITTEN, CollisionContent, SphereEntry, StringEntry
 from game.scenes.spheres.model import CollisionModel
 
@@ -56,7 +57,7 @@ def content_of(model: CollisionModel) -> CollisionContent:
 def _masses_of_spheres(model: CollisionModel) -> np.ndarray:
     """Mass (s,) kg of each sphere: a body's is shared by volume, as all of it has one density."""
     composition = model.world.bodies.composition
-    volumes = composition.radii**3
+    volumes = elementary.cube(composition.radii)
     whole = np.bincount(composition.owners, weights=volumes)
     shares: np.ndarray = composition.masses[composition.owners] * (volumes / whole[composition.owners])
     return shares

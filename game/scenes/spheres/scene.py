@@ -133,7 +133,7 @@ class SphereCollisions(Scene):
     )
 
     def build(self, level: Level | None) -> None:
-        given = level.content if level is not None and level.content is not None else self.default_content
+        given = self.content_of(level)
         self.model = CollisionModel(given, self.parameters, self.active, self.seed)
         self.hand = Hand(self.model)
         self.view = CollisionView(self.model, self.hand)

@@ -9,15 +9,16 @@ from game.levels import Level
 from game.physics.constraints import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKS, TEARING
 from game.physics.fields import GRAVITY, GROUND
 from game.scenes.shared.expectations import Caption, captions_of, draw_captions
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import LinkEntry, ParticleEntry, SpringContent
 from game.scenes.springs.links import LinkLaw
-from game.scenes.springs.model import ComparedState, SpringModel, SpringState
+from game.scenes.springs.model import SpringModel
 from game.scenes.springs.parameters import OF_CHOSEN, OF_PICTURE, MassSpringParameters
 from game.scenes.springs.readouts import readouts
 from game.scenes.springs.saving import content_of
 from game.scenes.springs.view import SpringView
-from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
+from game.stage import Frame, Hint, Pointer, Readout, SceneAction, Strip
 from game.stage.messages import Messages
 
 TOOL_HINTS = {
@@ -32,11 +33,12 @@ TOOL_HINTS = {
 STILL = "It stands still while you build: 1, Move, lets it go"
 
 
-class MassSpringScene(Scene):
+class MassSpringScene(ModelScene):
     """Base of C14 and C15. A subclass says how stiff a link is."""
 
     effects = GRAVITY | GROUND | LINKS | AREAS | ATTACHMENTS | TEARING | DAMPING | CONTACTS
     parameters: MassSpringParameters
+    model: SpringModel
     content_type = SpringContent
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
 
@@ -74,7 +76,7 @@ class MassSpringScene(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = SpringModel(content, self.parameters, self.link_law(), self.active)
         self.hand = SpringHand(self.model)
         self.view = SpringView(self.model, self.hand)
@@ -88,15 +90,6 @@ class MassSpringScene(Scene):
             self.hand.begin_again()
         elif name not in OF_PICTURE:
             self.model.change_parameter(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> SpringState | ComparedState:
-        return self.model.state()
-
-    def restore(self, state: SpringState | ComparedState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> SpringContent:
         return content_of(self.model)

@@ -72,5 +72,5 @@ class SoftLaw:
 
     def firmness(self, own: Array) -> Firmness:
         k = np.where(own == NOT_OWN, self.parameters.stiffness, own)
-        soft = np.where(k > 0.0, (1.0 - k) / np.maximum(k, 1e-300) / REFERENCE_HZ**2, SOFTEST)
+        soft = np.where(k > 0.0, (1.0 - k) / np.maximum(k, 1e-300) / (REFERENCE_HZ * REFERENCE_HZ), SOFTEST)
         return Firmness(k, np.minimum(soft, SOFTEST))

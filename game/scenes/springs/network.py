@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.constraints import shapes
+from game.physics.kernels import elementwise
 from game.physics.kernels.limits import LimitError
 from game.scenes.springs.level import (
     BlockEntry,
@@ -132,7 +133,7 @@ def _rope(entry: RopeEntry) -> tuple[shapes.Shape, Slack]:
         shape.inverse_masses[-1] = 1.0 / entry.end_mass
     if entry.slack > 1.0:
         # a little off the straight line: a rope that is too long could else not choose a side
-        bend = np.sin(np.linspace(0.0, np.pi, entry.links + 1))
+        bend = elementwise.sin(np.linspace(0.0, np.pi, entry.links + 1))
         shape.positions[:, 1] -= 1e-3 * bend
     return shape, entry.slack
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS, HEAD_SPOT, eight_ball_rack
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 from game.scenes.shared.tables.demo_shots import free_head_spot
 from game.scenes.shared.tables.level import BallEntry
 
@@ -48,7 +49,7 @@ def free_spot(bed: Table, others: Array, largest: float) -> Array:
     reach = 2.1 * largest
 
     def is_free(place: Array) -> bool:
-        return not len(others) or bool(np.sqrt(((others - place) ** 2).sum(axis=1)).min() > reach)
+        return not len(others) or bool(np.sqrt((elementary.square(others - place)).sum(axis=1)).min() > reach)
 
     spot = free_head_spot(bed, BALL_RADIUS, is_free)
     return np.array([0.5 * bed.width, HEAD_SPOT * bed.length]) if spot is None else spot

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
+from game.scenes.shared.rails.curves import NOBODY, bent, drawn, nearest_curve
 from game.scenes.shared.rails.level import Point
-from game.scenes.shared.simplify import simplified
 from game.scenes.tracks.level import BallEntry
 from game.scenes.tracks.model import COLOURS, REACH, TracksModel
 from game.stage import Part, Pointer
 
 NEAR = 0.03  # of the height in view
 FARTHEST = 1e4  # m
-NOBODY = -1
 SHARES = {"disc": 0.5, "sphere": 0.4, "ring": 1.0}
 MOST_TRACKS, MOST_BALLS = 40, 2_000
 
@@ -60,23 +56,12 @@ class TrackHand(Part):
     def ball_at(self, point: Point) -> int:
         """The ball under a point, or NOBODY."""
         rows = self.model.world.balls.rows
-        away = np.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
+        away = elementwise.hypot(*(rows[:, X : Y + 1] - point).T) - rows[:, RADIUS]
         return int(away.argmin()) if len(rows) and away.min() < self.reach else NOBODY
 
     def track_at(self, point: Point) -> int:
         """The track with a point near a point, or NOBODY."""
-        best, found = 2.0 * self.reach, NOBODY
-        for k, curve in enumerate(self.model.world.curves):
-            points = np.asarray(curve.points)
-            ends = np.roll(points, -1, axis=0) if curve.closed else points[1:]
-            starts = points if curve.closed else points[:-1]
-            along = ends - starts
-            at = ((np.array(point) - starts) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-300)
-            near = starts + np.clip(at, 0.0, 1.0)[:, None] * along
-            away = float(np.hypot(*(near - point).T).min())
-            if away < best:
-                best, found = away, k
-        return found
+        return nearest_curve(self.model.world.curves, point, 2.0 * self.reach)
 
     def _press(self, point: Point) -> str:
         tool = self.parameters.tool
@@ -112,7 +97,7 @@ class TrackHand(Part):
         self.point = point
         if self.held != NOBODY:
             self.model.hold(self.held, point)
-        elif self.path and math.dist(point, self.path[-1]) > 0.1 * self.reach:
+        elif self.path and elementary.dist(point, self.path[-1]) > 0.1 * self.reach:
             self.path.append(point)
         elif self.bent != NOBODY:
             return self._bend(before, point)
@@ -121,11 +106,7 @@ class TrackHand(Part):
     def _bend(self, before: Point, point: Point) -> str:
         """Move the points of a track, the nearer the farther."""
         curves = list(self.model.world.curves)
-        curve = curves[self.bent]
-        points = np.array(curve.points, dtype=np.float64)
-        away = np.hypot(*(points - before).T) / self.parameters.bending
-        points += np.exp(-(away**2))[:, None] * (np.array(point) - np.array(before))
-        curves[self.bent] = Curve(points, curve.closed, curve.corner)
+        curves[self.bent] = bent(curves[self.bent], before, point, self.parameters.bending)
         return self._lay(curves)
 
     def _lay(self, curves: list[Curve]) -> str:
@@ -142,13 +123,13 @@ class TrackHand(Part):
         if self.held != NOBODY:
             self.model.world.put_down(self.held, 0.5 * self.reach)
         if path:
-            points = simplified(np.array(path), 0.12 * self.reach)
-            if len(points) < 2 or float(np.hypot(*np.diff(points, axis=0).T).sum()) < 2.0 * self.reach:
+            curve = drawn(path, self.reach)
+            if curve is None:
                 words = "Drag to draw a track."
             elif len(self.model.world.curves) >= MOST_TRACKS:
                 words = f"There is room for {MOST_TRACKS} tracks."
             else:
-                words = self._lay([*self.model.world.curves, Curve(points, corner=50.0)])
+                words = self._lay([*self.model.world.curves, curve])
         self.begin_again()
         return words
 

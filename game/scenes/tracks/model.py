@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
+from game.physics.kernels import elementary
 from game.physics.solids.tracks import Curve, TrackSettings, TrackState, TrackWorld
 from game.physics.solids.tracks.motion import (
     BOUNCE,
@@ -182,9 +183,9 @@ class TracksModel(Part):
             noted[1] = crossing
         elif gauge.measure == "leaves" and noted[0] == NOT_YET and on:
             if self.world.balls.pieces[gauge.of, PIECE] == FREE:
-                noted[0] = math.degrees(math.atan2(abs(x - gauge.about[0]), y - gauge.about[1]))
+                noted[0] = math.degrees(elementary.atan2(abs(x - gauge.about[0]), y - gauge.about[1]))
         elif gauge.measure == "speed":
-            noted[0] = math.hypot(row[VX], row[VY])
+            noted[0] = elementary.hypot(row[VX], row[VY])
         elif gauge.measure == "high":
             noted[0] = y
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.physics.solids.tracks.motion import FREE, PIECE, VX, VY
 from game.scenes.tracks.model import TracksModel
 from game.stage import Readout
@@ -26,7 +25,7 @@ def readouts(model: TracksModel) -> list[Readout]:
     total = way + turn + height
     lost = float(model.energies.sum()) - total
     lost = lost if abs(lost) > ROUNDING * (way + turn + abs(height)) else 0.0
-    speed = math.hypot(balls.rows[0, VX], balls.rows[0, VY]) if there else 0.0
+    speed = elementary.hypot(balls.rows[0, VX], balls.rows[0, VY]) if there else 0.0
     return [
         *rows,
         Readout("speed", speed, "m/s"),

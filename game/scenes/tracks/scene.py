@@ -3,28 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.loops import loop_study
 from game.levels import Level
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
-from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.model_scene import BuiltScene
+from game.scenes.shared.rails.curves import NOBODY
 from game.scenes.shared.rails.level import TrackEntry
 from game.scenes.tracks import TRACKS
 from game.scenes.tracks.figure import draw_rolling
-from game.scenes.tracks.hand import NOBODY, TrackHand
+from game.scenes.tracks.hand import TrackHand
 from game.scenes.tracks.level import BallEntry, TrackContent
-from game.scenes.tracks.model import TracksModel, TracksState
+from game.scenes.tracks.model import TracksModel
 from game.scenes.tracks.parameters import OF_PICTURE, OF_TOOLS, TOOLS, TrackParameters
 from game.scenes.tracks.readouts import readouts
 from game.scenes.tracks.saving import content_of
 from game.scenes.tracks.view import WHAT_NEXT, TrackView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
-from game.stage.messages import Messages
+from game.stage import Equation, Hint, Readout, SceneAction, Strip
 
 
-class Tracks(Scene):
+class Tracks(BuiltScene):
     """A ball on a track has one coordinate, the way of its centre. The track is a smooth curve through its
     points, so it costs the ball nothing: a loop that is drawn by 50 chords is passed from the same height as
     one of 800, where every corner of chords takes some of the speed.
@@ -41,6 +41,8 @@ class Tracks(Scene):
     name, task, title = TRACKS.names
     parameters_type = TrackParameters
     parameters: TrackParameters
+    model: TracksModel
+    hand: TrackHand
     effects = EffectSet([GRAVITY])
     content_type = TrackContent
     study = loop_study
@@ -84,27 +86,17 @@ class Tracks(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = TracksModel(content, self.parameters, self.active)
         self.hand = TrackHand(self.model)
         self.view = TrackView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name == "tool":
             self.hand.begin_again()
         elif name not in OF_PICTURE and name not in OF_TOOLS:
             self.model.change_parameter(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> TracksState:
-        return self.model.state()
-
-    def restore(self, state: TracksState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> TrackContent:
         return content_of(self.model)
@@ -115,15 +107,9 @@ class Tracks(Scene):
         held = self.hand.held
         self.model.advance(dt, held if held < len(self.model.energies) else NOBODY)
 
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
-
     def action(self, name: str) -> None:
         self.parameters.tool = name
         self.hand.begin_again()
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 
@@ -134,17 +120,3 @@ class Tracks(Scene):
 
     def readouts(self) -> list[Readout]:
         return readouts(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return Frame(view.left, view.bottom, view.right, view.top)
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content = self.model.content
-        if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

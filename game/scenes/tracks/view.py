@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import ANGLE, RADIUS, VX, VY, X, Y
+from game.scenes.shared.rails.curves import NOBODY
 from game.scenes.shared.rails.lines import lines_of
-from game.scenes.tracks.hand import NOBODY, TrackHand
+from game.scenes.tracks.hand import TrackHand
 from game.scenes.tracks.model import COLOURS, SHOWN_BALLS, TRAIL, TracksModel, TracksState
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-
+from game.physics.kernels import elementary
 from game.scenes.two_balls.level import HEIGHT, WIDTH
 from game.scenes.two_balls.model import NOTHING, Grasp, TwoBalls
 from game.stage import Part, Pointer
@@ -39,11 +38,11 @@ class TwoBallsHand(Part):
         """The arrow head or the ball at a place, arrows first."""
         for index, ball in enumerate(self.model.balls):
             head = (ball.position[0] + ARROW * ball.velocity[0], ball.position[1] + ARROW * ball.velocity[1])
-            long = math.dist(head, ball.position) > 0.5 * ball.radius
-            if self.model.parameters.vectors and long and math.dist(head, (x, y)) < REACH:
+            long = elementary.dist(head, ball.position) > 0.5 * ball.radius
+            if self.model.parameters.vectors and long and elementary.dist(head, (x, y)) < REACH:
                 return Grasp(index, arrow=True)
         for index, ball in enumerate(self.model.balls):
-            if math.dist(ball.position, (x, y)) <= ball.radius:
+            if elementary.dist(ball.position, (x, y)) <= ball.radius:
                 return Grasp(index)
         return NOTHING
 

@@ -13,6 +13,7 @@ from game.billiards.lecture.ball_collision import Collision
 from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, WALLS
 from game.billiards.table import passing
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, linear
 from game.scenes.two_balls import record
 from game.scenes.two_balls.level import HEIGHT, WIDTH, LectureBallsContent, entry_of
 from game.scenes.two_balls.parameters import LectureBallsParameters
@@ -104,7 +105,7 @@ class TwoBalls(Part):
         for ball, before in zip(self.balls, old, strict=True):
             ball.position, ball.velocity = before.position, before.velocity
 
-    def set_effects(self, effects: EffectSet) -> None:
+    def change_effects(self, effects: EffectSet) -> None:
         """Compute these effects from now on."""
         self.effects = effects
         self.renew_balls()
@@ -171,8 +172,8 @@ class TwoBalls(Part):
         turn = math.radians(chosen.direction)
         lost = min(chosen.deceleration, speed) / speed if speed > 0.0 else 0.0
         return (
-            chosen.acceleration * math.cos(turn) - lost * vx,
-            chosen.acceleration * math.sin(turn) - lost * vy,
+            chosen.acceleration * elementary.cos(turn) - lost * vx,
+            chosen.acceleration * elementary.sin(turn) - lost * vy,
         )
 
     def release(self) -> None:
@@ -185,7 +186,9 @@ class TwoBalls(Part):
         self.rest_s = self.hold_s = 0.0
         random = np.random.default_rng((self.seed, self.starts))
         for ball in self.balls:
-            ball.set_speed_and_angle(random.uniform(8.0, 22.0), random.uniform(-math.pi, math.pi))
+            ball.set_speed_and_angle(
+                linear.uniform(random, 8.0, 22.0), linear.uniform(random, -math.pi, math.pi)
+            )
 
     def _note_collision(self, c: Collision) -> None:
         """Keep the record of a collision, and hold the picture if asked to."""

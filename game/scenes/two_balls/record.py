@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from game.billiards.lecture.ball import Ball, Overshoot
 from game.billiards.lecture.ball_collision import Collision
 from game.billiards.lecture.settings import RULES
+from game.physics.kernels import elementary
 
 Array = NDArray[np.float64]
 
@@ -46,7 +47,7 @@ def write_collision(row: Array, c: Collision) -> None:
 def momentum_lost(momenta: Array | tuple[float, ...]) -> float:
     """Size of the difference of two momenta (before x, y, after x, y); 0 if it is no more than rounding."""
     px, py, qx, qy = momenta
-    lost = math.sqrt((qx - px) ** 2 + (qy - py) ** 2)
+    lost = math.sqrt(elementary.square(qx - px) + elementary.square(qy - py))
     size = math.sqrt(px * px + py * py) + math.sqrt(qx * qx + qy * qy)
     return lost if lost > ROUNDING * size else 0.0
 

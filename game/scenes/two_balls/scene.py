@@ -9,18 +9,19 @@ from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEE
 from game.billiards.table import passing
 from game.lab.studies.billiards.lecture_table import one_collision_study
 from game.levels import Level
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.two_balls import LECTURE_BALLS, view
 from game.scenes.two_balls.figure import draw_exchange
 from game.scenes.two_balls.hand import TwoBallsHand
 from game.scenes.two_balls.level import FRAME_RATE, LectureBallsContent
-from game.scenes.two_balls.model import LectureBallsState, TwoBalls
+from game.scenes.two_balls.model import TwoBalls
 from game.scenes.two_balls.parameters import LectureBallsParameters
 from game.scenes.two_balls.readouts import readouts_of
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip, WarmUp
 from game.ui.painters import ball as ball_painter
 
 
-class LectureBalls(Scene):
+class LectureBalls(ModelScene):
     """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the
     position in every frame. A ball beyond a wall is put back by its overshoot and turned round. When the
     circles overlap, the program finds the angle of the line of centres, moves both balls by half of the
@@ -37,6 +38,7 @@ class LectureBalls(Scene):
     name, task, title = LECTURE_BALLS.names
     parameters_type = LectureBallsParameters
     parameters: LectureBallsParameters
+    model: TwoBalls
     effects = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED
     study = one_collision_study
     dt = 1.0 / FRAME_RATE
@@ -102,17 +104,8 @@ class LectureBalls(Scene):
         if name in ("bounce", "friction", "minimum_speed"):
             self.model.renew_balls()
 
-    def effects_changed(self) -> None:
-        self.model.set_effects(self.active)
-
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.grasp)
-
-    def state(self) -> LectureBallsState:
-        return self.model.state()
-
-    def restore(self, state: LectureBallsState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> LectureBallsContent:
         return self.model.content_now()

@@ -11,6 +11,8 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementwise
+
 _STRAIGHT = 1.0 - 1e-9  # cosine above which the arc between two unit quaternions is as good as its chord
 
 
@@ -54,12 +56,12 @@ def blend_quaternions(
     cosine = np.sum(np.multiply(before, now), axis=-1, keepdims=True)
     start = np.where(cosine < 0.0, np.negative(before), before)
     cosine = np.minimum(np.abs(cosine), 1.0)
-    angle = np.arccos(cosine)
-    sine = np.sin(angle)
+    angle = elementwise.arccos(cosine)
+    sine = elementwise.sin(angle)
     straight = cosine > _STRAIGHT
     divisor = np.where(straight, 1.0, sine)
-    first = np.where(straight, 1.0 - alpha, np.sin((1.0 - alpha) * angle) / divisor)
-    second = np.where(straight, alpha, np.sin(alpha * angle) / divisor)
+    first = np.where(straight, 1.0 - alpha, elementwise.sin((1.0 - alpha) * angle) / divisor)
+    second = np.where(straight, alpha, elementwise.sin(alpha * angle) / divisor)
     result = first * start + second * now
     length = np.sqrt(np.sum(result * result, axis=-1, keepdims=True))
     result = np.where(length > 0.0, result / np.where(length > 0.0, length, 1.0), now)

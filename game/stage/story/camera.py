@@ -12,6 +12,7 @@ import math
 from typing import NamedTuple
 
 from game.physics.animation import Keyframes
+from game.physics.kernels import elementary
 from game.stage.declarations import Frame
 
 EVERY_S = 0.1  # s of film between keys
@@ -34,7 +35,7 @@ class View(NamedTuple):
     @property
     def width(self) -> float:
         """m across."""
-        return math.exp(self.log_width)
+        return elementary.exp(self.log_width)
 
     def frame(self, turned: bool = False) -> Frame:
         """What is in the picture at least; ``turned``: the picture's width is along the world's y."""
@@ -49,7 +50,7 @@ def view_of(frame: Frame, turned: bool = False) -> View:
     if turned:
         across, up = up, across
     width = max(across, up * ASPECT, 1e-9)
-    return View(0.5 * (frame.left + frame.right), 0.5 * (frame.bottom + frame.top), math.log(width))
+    return View(0.5 * (frame.left + frame.right), 0.5 * (frame.bottom + frame.top), elementary.log(width))
 
 
 def kept_inside(view: View, x: float, y: float, turned: bool = False) -> View:
@@ -125,7 +126,7 @@ class CameraPath:
             return
         speed = self._speed(keys, film_s, aim, place)
         lead = ahead + LOOK_AHEAD_S if aim.target else 0.0
-        width = math.exp(aim.log_width)
+        width = elementary.exp(aim.log_width)
         most = (
             (LEAD * width / ASPECT, LEAD * width) if self._turned else (LEAD * width, LEAD * width / ASPECT)
         )
@@ -147,7 +148,7 @@ class CameraPath:
             return 0.0, 0.0
         before = keys[-1]
         passed = film_s - before.seen_s
-        share = 1.0 - math.exp(-passed / SMOOTHING_S)
+        share = 1.0 - elementary.exp(-passed / SMOOTHING_S)
         now = [(a - b) / passed for a, b in zip(place, before.place, strict=True)]
         vx, vy = (old + (new - old) * share for old, new in zip(before.speed, now, strict=True))
         return vx, vy

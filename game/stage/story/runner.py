@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from game.physics.kernels import elementary
 from game.stage.declarations import Readout
 from game.stage.events import StageEvent
 from game.stage.parameters import ParameterError
@@ -284,7 +285,7 @@ class Runner:
             width = WHOLE
         log_width = (
             self._aim.log_width if width is None
-            else whole.log_width if isinstance(width, str) else math.log(width)
+            else whole.log_width if isinstance(width, str) else elementary.log(width)
         )  # fmt: skip
         if line.cut:
             self.path.cut()

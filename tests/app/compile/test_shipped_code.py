@@ -85,7 +85,7 @@ class TestTheProcess:
         names: list[str] = []
         monkeypatch.setattr(preparing, "prepare_all", lambda entries: names.extend(e.name for e in entries))
         monkeypatch.setattr("os.nice", lambda more: 0, raising=False)
-        monkeypatch.setenv("CAROM_PREBUILT", "as it was")
+        monkeypatch.setenv("CAROM_PREBUILT", __file__)
         monkeypatch.setattr("game.scenes.CATALOGUE", CATALOGUE)
         return names
 

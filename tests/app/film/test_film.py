@@ -29,7 +29,7 @@ from game.app.film.video import VideoError, VideoWriter, check_video
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
 from game.billiards.game.summary import summarize
 from game.billiards.players.match import Match, Round
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
 from game.stage import Sound

@@ -8,7 +8,7 @@ import pytest
 
 from game.billiards import Physics, SimulationError, Table, eight_ball_rack, make_shot, simulate, strike
 from game.billiards.laws.contacts import BALL_MODELS, CUSHION_MODELS
-from game.billiards.shot.shot import FRICTIONLESS
+from game.billiards.shot.physics import FRICTIONLESS
 from game.billiards.simulation import FIRST_CAPACITY
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import POCKET_NAMES

@@ -7,7 +7,7 @@ import pytest
 
 from game.billiards.game.frame import Frame
 from game.billiards.game.goals import described, missed
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.table import POCKET_NAMES, Table
 from game.levels import level_files, load_level
 from game.scenes.billiards.level import BilliardsContent, ball_set, game_of, layout_for

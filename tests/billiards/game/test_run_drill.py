@@ -12,7 +12,7 @@ from game.billiards.game.games.run_drill import RunDrill
 from game.billiards.game.goals import Goal, Pot
 from game.billiards.game.rules import Pocketing, ShotSummary
 from game.billiards.game.table_lengths import table_lengths
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import BALL_RADIUS
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, Table
 

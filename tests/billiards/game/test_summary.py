@@ -8,7 +8,7 @@ import pytest
 from game.billiards import Table, make_shot, simulate
 from game.billiards.game.arrangement import arrange, racked
 from game.billiards.game.summary import pass_on, summarize
-from game.billiards.shot.shot import FRICTIONLESS, Physics
+from game.billiards.shot.physics import FRICTIONLESS, Physics
 from game.billiards.table.rack import BALL_RADIUS as R
 
 POOL = Table.pool()

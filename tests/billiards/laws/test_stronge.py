@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from game.billiards.laws.state import BALL_CUSHION
-from game.billiards.shot.shot import Physics, Shot, ShotError, make_shot
+from game.billiards.shot.physics import Physics, ShotError
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot.shot_file import parse_shot
 from game.billiards.shot.shot_writing import shot_data
 from game.billiards.simulation import simulate_exact

@@ -25,8 +25,8 @@ from game.billiards.lecture.shot import (
     lecture_settings_for,
 )
 from game.billiards.lecture.table import LectureTable
+from game.billiards.shot.physics import FRICTIONLESS
 from game.billiards.shot.sampled import MAX_SAMPLES
-from game.billiards.shot.shot import FRICTIONLESS
 from game.billiards.table.table import checked_table
 from tests.paths import TESTS
 

@@ -26,7 +26,7 @@ from game.billiards.search.candidates import AIM, COLUMNS, SPREAD, WINDOW
 from game.billiards.search.fans import make_styles
 from game.billiards.search.outcomes import DOWN
 from game.billiards.search.strokes import AZIMUTH, Board
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.shot.shot_file import parse_shot
 from game.billiards.shot.shot_writing import shot_data
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS

@@ -8,7 +8,8 @@ import pytest
 from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, BALL_POCKET
 from game.billiards.rhythm.hearing import TOGETHER, clicks_of
 from game.billiards.shot.impacts import FALL, QUIETEST, heard_impacts
-from game.billiards.shot.shot import FRICTIONLESS, make_shot
+from game.billiards.shot.physics import FRICTIONLESS
+from game.billiards.shot.shot import make_shot
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.billiards.table.table import Table

@@ -8,7 +8,7 @@ import pytest
 from game.billiards.rhythm.candidates import EXTRA, FARTHEST_MISS, STROKE, Candidates, are_apart
 from game.billiards.rhythm.hearing import clicks_of
 from game.billiards.rhythm.search import MOST_BEATS, RhythmSearch, check_beats, rhythm_of
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
 

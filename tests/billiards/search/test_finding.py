@@ -25,7 +25,7 @@ from game.billiards.search.rating import MISSED, SCORED, WON
 from game.billiards.search.safety import look_for_push_out, look_for_safety
 from game.billiards.search.strokes import STEADY, Board, Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import HEAD_SPOT
 from tests.billiards.search.search_tables import POOL, scattered, unlike_balls
 

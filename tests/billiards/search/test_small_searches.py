@@ -13,7 +13,7 @@ from game.billiards.game.summary import summarize
 from game.billiards.players.opponents import Grade, decide
 from game.billiards.search.looking import Effort
 from game.billiards.search.strokes import STEADY
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from tests.billiards.search.search_tables import POOL
 
 LEAST = Effort(

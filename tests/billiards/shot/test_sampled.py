@@ -7,8 +7,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from game.billiards import Table, make_shot
+from game.billiards.shot.physics import ShotError
 from game.billiards.shot.sampled import sampled_trajectory
-from game.billiards.shot.shot import ShotError
 
 TIMES = np.array([0.0, 0.2, 0.5])
 SPINS = np.array([[2.0, -1.0, 3.0], [4.0, -2.0, 6.0], [1.0, 5.0, 2.0]])  # rad/s at the samples

@@ -35,8 +35,8 @@ from game.billiards.laws.state import (
     X,
     Y,
 )
+from game.billiards.shot.physics import FRICTIONLESS
 from game.billiards.shot.sampled import MAX_SAMPLES, SampledTrajectory
-from game.billiards.shot.shot import FRICTIONLESS
 from game.billiards.stepped.contacts import meet_ball
 from game.billiards.stepped.play import MAX_EVENTS
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS

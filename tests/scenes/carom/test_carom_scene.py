@@ -14,7 +14,7 @@ from game.billiards.table.carom import BALL_RADIUS, RED, WHITE, YELLOW, fits
 from game.levels import LevelError, parse_level
 from game.scenes.carom import layout
 from game.scenes.carom.level import CaromContent
-from game.scenes.carom.opponents import NEW_GAME_S
+from game.scenes.carom.opponents import CaromOpponents
 from game.scenes.carom.parameters import GRADES
 from game.scenes.carom.scene import CaromScene
 from game.stage import Action, Decision, Pointer, SetParameter, Stage, replay_scene
@@ -368,7 +368,7 @@ def test_a_match_of_two_machines_begins_again():
     scene.model.frame = scene.model.frame.replace(
         game=msgspec.structs.replace(scene.model.frame.game, ended=True)
     )
-    seconds(stage, NEW_GAME_S + 1.0)
+    seconds(stage, CaromOpponents.stays_s + 1.0)
     assert not scene.model.frame.game.ended and scene.model.frame.game.turn == 1
 
 

@@ -127,6 +127,14 @@ def test_a_missed_deadline_does_not_hold_up_the_story():
 # -- one and the same ------------------------------------------------------------------------------
 
 
+def test_the_picture_is_at_a_moment_of_its_own_between_two_steps():
+    runner = Runner(story(), stage_of(story(), StoryBall))
+    assert runner.shown_s == 0.0
+    runner.stage.advance(10.25 * DT)
+    assert runner.film_s == pytest.approx(10.0 * DT)
+    assert runner.shown_s == pytest.approx(9.25 * DT)
+
+
 def test_it_is_the_same_headless_in_frames_and_as_a_replay():
     runner = played()
     headless = rehearse(story(), StoryBall)
@@ -299,6 +307,8 @@ def test_kept_inside_moves_the_view_no_further_than_it_must():
     assert kept_inside(view, 4.7, -2.6) == view
     moved = kept_inside(view, 6.0, -3.7)
     assert (moved.x, moved.y) == (pytest.approx(6.0 - 4.8), pytest.approx(-3.7 + 2.7))
+    moved = kept_inside(view, -6.0, 3.7)
+    assert (moved.x, moved.y) == (pytest.approx(4.8 - 6.0), pytest.approx(3.7 - 2.7))
     turned = kept_inside(view, 6.0, 0.0, turned=True)
     assert turned.x == pytest.approx(6.0 - 2.7)
 

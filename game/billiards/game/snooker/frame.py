@@ -15,7 +15,7 @@ from game.billiards.game.snooker.stroke import Seen
 from game.billiards.laws.state import BALL_BALL
 from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.billiards.shot.paths import Paths
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.snooker import (
     APART,
@@ -31,6 +31,7 @@ from game.billiards.table.snooker import (
     touching,
 )
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary, elementwise, linear
 
 TIP_CONTACT_S = 0.001  # s that a tip stays at the ball (Alciatore: 1 to 2 ms, from memory)
 FINE_EDGE = math.radians(75.0)  # a cut so thin is the fine edge that 2.19(b) lets pass
@@ -79,8 +80,8 @@ class SnookerFrame(Frame, frozen=True, eq=False):
             for spoke in range(max(1, 6 * ring)):
                 angle = 2.0 * math.pi * spoke / max(1, 6 * ring)
                 at = (
-                    x + 0.1 * BALL_RADIUS * ring * math.cos(angle),
-                    y + 0.1 * BALL_RADIUS * ring * math.sin(angle),
+                    x + 0.1 * BALL_RADIUS * ring * elementary.cos(angle),
+                    y + 0.1 * BALL_RADIUS * ring * elementary.sin(angle),
                 )
                 if self._hand() == "in the D":
                     at = nearest_in_the_d(*at)
@@ -92,11 +93,13 @@ class SnookerFrame(Frame, frozen=True, eq=False):
         left, right, lower, upper = bed_for(self.table, BALL_RADIUS)
         if not (left <= x <= right and lower <= y <= upper):
             return False
-        if self._hand() == "in the D" and math.dist(nearest_in_the_d(x, y), (x, y)) > 1e-9:
+        if self._hand() == "in the D" and elementary.dist(nearest_in_the_d(x, y), (x, y)) > 1e-9:
             return False
         reach = 2.0 * BALL_RADIUS + 0.5 * APART
         return all(
-            math.hypot(px - x, py - y) > reach for number, px, py in self.layout.places if number != CUE_BALL
+            elementary.hypot(px - x, py - y) > reach
+            for number, px, py in self.layout.places
+            if number != CUE_BALL
         )
 
     def with_cue_ball(self) -> Frame:
@@ -193,8 +196,8 @@ def pushes(trajectory: Trajectory, places: Places) -> bool:
         return False
     velocity = trajectory.shot.balls[cue, 2:4]
     line = trajectory.shot.positions[other] - trajectory.shot.positions[cue]
-    size = math.hypot(*velocity) * math.hypot(*line)
-    return size > 0.0 and float(velocity @ line) / size > math.cos(FINE_EDGE)
+    size = elementary.length(*velocity) * elementary.length(*line)
+    return size > 0.0 and float(linear.product(velocity, line)) / size > elementary.cos(FINE_EDGE)
 
 
 def nearest_gap(trajectory: Trajectory, on: tuple[int, ...]) -> float:
@@ -217,8 +220,8 @@ def nearest_gap(trajectory: Trajectory, on: tuple[int, ...]) -> float:
 def _distance_to(path: np.ndarray, x: float, y: float) -> float:
     """Distance of a point from a path (n, 2), m."""
     if len(path) < 2:
-        return float(np.hypot(*(path[0] - (x, y))))
+        return float(elementwise.hypot(*(path[0] - (x, y))))
     start, along = path[:-1], np.diff(path, axis=0)
     square = np.maximum((along * along).sum(axis=1), 1e-300)
     share = np.clip((((x, y) - start) * along).sum(axis=1) / square, 0.0, 1.0)
-    return float(np.hypot(*(start + share[:, None] * along - (x, y)).T).min())
+    return float(elementwise.hypot(*(start + share[:, None] * along - (x, y)).T).min())

@@ -17,6 +17,7 @@ from game.billiards.table.snooker import (
     in_the_d,
     touching,
 )
+from game.physics.kernels import elementary
 
 Places = dict[int, Point]
 Discs = tuple[tuple[float, float, float], ...]  # of curved cushions: x, y, radius m
@@ -37,24 +38,24 @@ def _blocking(places: Places, start: Point, end: Point, skip: tuple[int, ...]) -
             continue
         px, py = x - start[0], y - start[1]
         share = 0.0 if square == 0.0 else min(max((px * dx + py * dy) / square, 0.0), 1.0)
-        near = math.hypot(px - share * dx, py - share * dy)
+        near = elementary.hypot(px - share * dx, py - share * dy)
         if share > 0.0 and near < REACH - SLACK:
-            found.append((math.hypot(px, py), ball))
+            found.append((elementary.hypot(px, py), ball))
     return sorted(found)
 
 
 def _ghost(start: Point, ball: Point, aside: float) -> Point:
     """Where a ball going from start is at the contact with another; aside: -1 to 1, the two finest edges."""
     dx, dy = ball[0] - start[0], ball[1] - start[1]
-    distance = math.hypot(dx, dy)
+    distance = elementary.hypot(dx, dy)
     if distance <= REACH:
         return start
-    half = math.asin(REACH / distance)
-    angle = math.atan2(dy, dx) + aside * half
-    along = distance * math.cos(aside * half)
-    across = distance * math.sin(aside * half)
+    half = elementary.asin(REACH / distance)
+    angle = elementary.atan2(dy, dx) + aside * half
+    along = distance * elementary.cos(aside * half)
+    across = distance * elementary.sin(aside * half)
     reach = along - math.sqrt(max(REACH * REACH - across * across, 0.0))
-    return start[0] + reach * math.cos(angle), start[1] + reach * math.sin(angle)
+    return start[0] + reach * elementary.cos(angle), start[1] + reach * elementary.sin(angle)
 
 
 def full_path(places: Places, on: tuple[int, ...]) -> bool:
@@ -101,8 +102,8 @@ def _curve_distance(start: Point, end: Point, curves: Discs) -> float:
     for x, y, radius in curves:
         px, py = x - start[0], y - start[1]
         share = 0.0 if square == 0.0 else min(max((px * dx + py * dy) / square, 0.0), 1.0)
-        if math.hypot(px - share * dx, py - share * dy) < BALL_RADIUS + radius - SLACK:
-            nearest = min(nearest, math.hypot(px, py) - radius)
+        if elementary.hypot(px - share * dx, py - share * dy) < BALL_RADIUS + radius - SLACK:
+            nearest = min(nearest, elementary.hypot(px, py) - radius)
     return nearest
 
 
@@ -141,8 +142,8 @@ def _d_places(places: Places) -> list[Point]:
         for spoke in range(D_SPOKES + 1):
             angle = math.pi * (1.0 + spoke / D_SPOKES)
             r = D_RADIUS * ring / D_RINGS
-            x, y = MIDDLE + r * math.cos(angle), BAULK + r * math.sin(angle)
-            clear = all(math.hypot(x - px, y - py) > REACH + FROZEN for px, py in places.values())
+            x, y = MIDDLE + r * elementary.cos(angle), BAULK + r * elementary.sin(angle)
+            clear = all(elementary.hypot(x - px, y - py) > REACH + FROZEN for px, py in places.values())
             if clear and in_the_d(x, min(y, BAULK)):
                 found.append((x, min(y, BAULK)))
     return found

@@ -20,6 +20,7 @@ import math
 from game.billiards.laws.contacts import ALCIATORE_FRICTION
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import BALL_FRICTION, BALL_LAW, BALL_LIMIT, MASS, RADIUS, VX, VY, WX, WY, WZ
+from game.physics.kernels import elementary
 
 
 @inner_kernel(inline="always")
@@ -30,7 +31,7 @@ def friction_limit(slip, impulse, physics):
     """
     mu = physics[BALL_FRICTION]
     if physics[BALL_LAW] == ALCIATORE_FRICTION:
-        mu = 0.009951 + 0.108 * math.exp(-1.088 * slip)
+        mu = 0.009951 + 0.108 * elementary.exp(-1.088 * slip)
     return mu * physics[BALL_LIMIT] * impulse
 
 

@@ -31,6 +31,7 @@ from game.billiards.laws.state import (
     WY,
     WZ,
 )
+from game.physics.kernels import elementary
 
 STEPS = 64
 
@@ -52,7 +53,7 @@ def compliant_impulse(sx, sy, closing, restitution, friction, compliance):
         step = 0.5 * math.pi / STEPS * scale
         for k in range(STEPS):
             turn = 0.5 * math.pi * (k + 0.5) / STEPS
-            limit = friction * closing * (math.sin(turn) if phase == 0 else math.cos(turn))
+            limit = friction * closing * (elementary.sin(turn) if phase == 0 else elementary.cos(turn))
             ux += 0.5 * step * sx
             uy += 0.5 * step * sy
             stretch = math.sqrt(ux * ux + uy * uy)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import IK_METHODS, Solutions, Solver, chain_skeleton
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 BONES, TARGETS = 10, 40
@@ -50,7 +51,7 @@ def reachable() -> tuple[Array, Array]:
     rng = np.random.default_rng(11)
     start = rng.uniform(-0.5, 0.5, BONES)
     radii, angles = 0.9 * np.sqrt(rng.random(TARGETS)), rng.uniform(-math.pi, math.pi, TARGETS)
-    return start, np.column_stack([radii * np.cos(angles), radii * np.sin(angles)])
+    return start, np.column_stack([radii * elementwise.cos(angles), radii * elementwise.sin(angles)])
 
 
 class Run:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from game.lab.studies.animation.keyframing_paths import line_study, spread_study
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import Keyframes
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 SAMPLES = 100_001
@@ -36,12 +37,12 @@ METHODS: dict[str, tuple[str, float, float]] = {  # label, order over even keys,
 
 def wave(t: Array) -> Array:
     """The motion, m."""
-    return np.asarray(np.exp(np.sin(2.0 * np.pi * t)))
+    return np.asarray(elementwise.exp(elementwise.sin(2.0 * np.pi * t)))
 
 
 def wave_slope(t: Array) -> Array:
     """Its velocity, m/s."""
-    return np.asarray(2.0 * np.pi * np.cos(2.0 * np.pi * t) * wave(t))
+    return np.asarray(2.0 * np.pi * elementwise.cos(2.0 * np.pi * t) * wave(t))
 
 
 def key_times(keys: int, uneven: bool) -> Array:

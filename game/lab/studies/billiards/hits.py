@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from game.billiards.shot.physics import FRICTIONLESS, Physics
 from game.billiards.shot.sampled import SAMPLE_VX, SAMPLE_VY, SampledTrajectory
-from game.billiards.shot.shot import FRICTIONLESS, Physics, make_shot
+from game.billiards.shot.shot import make_shot
 from game.billiards.simulation import simulate
 from game.billiards.table.rack import BALL_RADIUS, eight_ball_rack
 from game.billiards.table.table import Table

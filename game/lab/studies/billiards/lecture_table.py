@@ -86,7 +86,8 @@ class ExactShot:
 
     def __init__(self, table: Table, start: Array, velocities: Array, end: Array, time: float) -> None:
         # the exact table's kernels are many: loaded when a study runs, not with the scene
-        from game.billiards.shot.shot import FRICTIONLESS, make_shot
+        from game.billiards.shot.physics import FRICTIONLESS
+        from game.billiards.shot.shot import make_shot
         from game.billiards.simulation import simulate
 
         self.simulated_s = time

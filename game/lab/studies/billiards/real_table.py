@@ -21,6 +21,7 @@ from game.billiards.fitting.tables import START_OF_CAROM, FittedTable, target_of
 from game.billiards.fitting.tracks import TableSize
 from game.billiards.simulation import simulate
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.physics.kernels import elementary
 
 EXACT = {"han": "han-2005", "mathavan": "mathavan-2010", "stronge": "stronge-2000"}
 STEPS = {"stepped": (1 / 200, 1 / 500, 1 / 1000, 1 / 2000, 1 / 5000), "lecture": (1 / 100, 1 / 200, 1 / 500)}
@@ -63,7 +64,7 @@ class Shown(Trial):
 
     def outcome(self) -> Outcome:
         places = [self.played.state_at(time - self.start).positions[0] for time in self.track.times.tolist()]
-        off = ((np.array(places) - self.track.places) ** 2).sum(axis=1)
+        off = (elementary.square(np.array(places) - self.track.places)).sum(axis=1)
         return Outcome(math.sqrt(float(off.mean())), len(self.played.times))
 
 

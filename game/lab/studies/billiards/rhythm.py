@@ -10,7 +10,7 @@ import numpy as np
 
 from game.billiards.rhythm.candidates import STROKE, Candidates
 from game.billiards.rhythm.search import FASTEST, SLOWEST, RhythmSearch
-from game.billiards.shot.shot import Physics
+from game.billiards.shot.physics import Physics
 from game.billiards.table.table import Table
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
 

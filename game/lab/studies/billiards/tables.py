@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 
 from game.billiards.laws.state import BALL_JAW
-from game.billiards.shot.shot import FRICTIONLESS, Physics, Shot, make_shot
+from game.billiards.shot.physics import FRICTIONLESS, Physics
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
@@ -24,6 +25,7 @@ from game.lab.ranges import counts_between
 from game.lab.studies.billiards.effects import effects_study
 from game.lab.studies.billiards.hits import missed_hits_study, overlap_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.physics.kernels import elementary
 
 STEPS_PER_S = {"stepped": (20.0, 20_000.0), "lecture": (20.0, 2_000.0)}  # the range of the scene's knobs
 PLACES = [[0.35, 0.5], [0.75, 1.25], [0.95, 2.1]]  # m
@@ -37,7 +39,7 @@ LOSSLESS_TIME = 1.2  # s; ball 0 meets ball 1, which meets two cushions
 def three_ball_shot(physics: Physics, spin: tuple[float, float, float]) -> Shot:
     """Three balls on a bare table, the first one struck."""
     shot = make_shot(Table.bare(1.27, 2.54), PLACES, physics=physics)
-    return shot.struck(0, (SPEED * math.cos(AIM), SPEED * math.sin(AIM)), spin)
+    return shot.struck(0, (SPEED * elementary.cos(AIM), SPEED * elementary.sin(AIM)), spin)
 
 
 def contacts_of(trajectory: Trajectory) -> list[tuple[int, ...]]:

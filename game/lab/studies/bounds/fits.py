@@ -26,6 +26,7 @@ from game.physics.bounds import (
     thinnest_box,
     thinnest_capsule,
 )
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 STEPS_DEGREES = (45.0, 30.0, 20.0, 15.0, 10.0, 6.0, 4.0, 2.5, 1.5, 1.0, 0.6, 0.4, 0.25, 0.1)
@@ -39,13 +40,13 @@ def shapes(count: int) -> list[Array]:
     random = np.random.default_rng(8)
     made = []
     for i in range(count):
-        aspect = float(np.exp(random.uniform(0.0, math.log(20.0))))
+        aspect = float(elementwise.exp(random.uniform(0.0, elementary.log(20.0))))
         if i % 2:
             points = random.normal(size=(30, 2)) * (aspect, 1.0)
         else:
             points = np.array([(0.0, 0.0), (aspect, 0.0), (aspect, 1.0), (0.0, 1.0)])
         angle = random.uniform(0.0, math.pi)
-        c, s = math.cos(angle), math.sin(angle)
+        c, s = elementary.cos(angle), elementary.sin(angle)
         x, y = points[:, 0], points[:, 1]
         made.append(np.column_stack((c * x - s * y, s * x + c * y)))
     return made

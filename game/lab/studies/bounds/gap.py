@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.bounds import BoundingTree, Query, build_tree
+from game.physics.kernels import elementary, elementwise
 
 Array = NDArray[np.float64]
 GAPS = tuple(np.geomspace(0.02, 2e-4, 12).tolist())
 SEGMENTS = 1024  # of each arc
-ARC_DEGREES = tuple(60.0 * 2.0 ** (0.25 * i) for i in range(4))
+ARC_DEGREES = tuple(60.0 * elementary.pow(2.0, 0.25 * i) for i in range(4))
 TREES: dict[str, tuple[str, str]] = {
     "aabb": ("aabb", "search"),
     "obb": ("obb", "search"),
@@ -30,7 +31,7 @@ TREES: dict[str, tuple[str, str]] = {
 def arc(radius: float, degrees: float) -> Array:
     """A part of a circle about the origin, m."""
     angle = np.radians(17.0 + degrees * np.arange(SEGMENTS + 1) / SEGMENTS)
-    return radius * np.column_stack((np.cos(angle), np.sin(angle)))
+    return radius * np.column_stack((elementwise.cos(angle), elementwise.sin(angle)))
 
 
 @lru_cache(maxsize=32)

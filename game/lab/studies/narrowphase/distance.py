@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from game.lab.studies.narrowphase.support import LEAST, NO_PAIR, packed_pebbles, support_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.kernels import elementary, elementwise
 from game.physics.narrowphase import ConvexPolygon, PolygonSet, Proximities, gjk_batch, vclip_batch
 
 Array = NDArray[np.float64]
@@ -29,7 +30,7 @@ PER_QUERY = "CPU time for one query"
 
 def poses_of(places: Array, angles: Array) -> Array:
     """Poses (k, 4) x, y, cos, sin."""
-    return np.column_stack((places, np.cos(angles), np.sin(angles)))
+    return np.column_stack((places, elementwise.cos(angles), elementwise.sin(angles)))
 
 
 class Queries:
@@ -42,7 +43,7 @@ class Queries:
         self.shapes = [packed_pebbles(corners, PAIRS, seed) for seed in (1, 2)]
         random = np.random.default_rng(corners)
         far, around = random.uniform(2.1, 4.0, PAIRS), random.uniform(0.0, 2.0 * math.pi, PAIRS)
-        self.places = np.column_stack((far * np.cos(around), far * np.sin(around)))
+        self.places = np.column_stack((far * elementwise.cos(around), far * elementwise.sin(around)))
         self.starts = random.uniform(0.0, 2.0 * math.pi, (2, PAIRS))
         self.turn, self.method, self.tolerance, self.warm = turn, method, tolerance, warm
         self.found: list[Proximities] = []
@@ -94,7 +95,13 @@ class Queries:
 def tolerance_settings() -> list[Setting]:
     """Tolerances from a tenth to rounding, for three sizes."""
     return [
-        Setting(f"corners-{n}", 10.0**-exponent, {}, {"exponent": -float(exponent)}, 1.0 + math.log2(n))
+        Setting(
+            f"corners-{n}",
+            elementary.pow(10.0, -exponent),
+            {},
+            {"exponent": -float(exponent)},
+            1.0 + elementary.log2(n),
+        )
         for exponent in range(1, 15)
         for n in SIZES
     ]
@@ -113,7 +120,7 @@ def present_tolerance(parameters: Mapping[str, Any]) -> Setting | None:
     corners = int(parameters["corners"])
     if corners < 3:
         return None
-    return Setting(f"corners-{corners}", 10.0 ** float(parameters["exponent"]), {}, scene)
+    return Setting(f"corners-{corners}", elementary.pow(10.0, float(parameters["exponent"])), {}, scene)
 
 
 def own_corners(parameters: Mapping[str, Any]) -> str:
@@ -131,7 +138,7 @@ class Coins(Queries):
     def __init__(self, corners: int, turn: float, method: str, warm: bool = True) -> None:
         super().__init__(corners, turn, method, warm=warm)
         turns = np.arange(corners) * (2.0 * math.pi / corners)
-        coin = ConvexPolygon(np.column_stack((np.cos(turns), np.sin(turns))))
+        coin = ConvexPolygon(np.column_stack((elementwise.cos(turns), elementwise.sin(turns))))
         self.shapes = [PolygonSet([coin] * PAIRS)] * 2
 
     def outcome(self) -> Outcome:

@@ -78,7 +78,7 @@ def _settings() -> list[Setting]:
             for tolerance in TOLERANCES
         ),
         *(
-            Setting(GRID, 2.0 / (side - 1), {"places": float(side)}, {"grid": side}, side**3)
+            Setting(GRID, 2.0 / (side - 1), {"places": float(side)}, {"grid": side}, side * side * side)
             for side in GRIDS
         ),
     ]

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.kernels import elementwise
 from game.physics.kernels.lean import lean_kernel
 from game.physics.narrowphase import PolygonSet
 from game.physics.narrowphase.features import Polygon
@@ -28,7 +29,9 @@ def pebbles(corners: int, count: int, seed: int) -> list[Array]:
     shapes = []
     for _ in range(count):
         turns = (np.arange(corners) + random.uniform(-0.3, 0.3, corners)) * (2.0 * math.pi / corners)
-        shapes.append(np.column_stack((np.cos(turns), random.uniform(0.5, 1.0) * np.sin(turns))))
+        shapes.append(
+            np.column_stack((elementwise.cos(turns), random.uniform(0.5, 1.0) * elementwise.sin(turns)))
+        )
     return shapes
 
 
@@ -66,7 +69,7 @@ class Supports:
         self.vertices = packed_pebbles(corners, 1, corners).vertices
         random = np.random.default_rng(7)
         turns = 0.01 * np.arange(DIRECTIONS) if way != "climb-far" else random.uniform(0.0, 7.0, DIRECTIONS)
-        self.directions = np.column_stack((np.cos(turns), np.sin(turns)))
+        self.directions = np.column_stack((elementwise.cos(turns), elementwise.sin(turns)))
         self.found = np.zeros(DIRECTIONS, dtype=np.int64)
 
     def reset(self) -> None:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from game.physics.kernels import elementary
 from game.physics.solids import Capsule, Disc, Material, SolidSettings, SolidWorld, box
 
 G = 9.81  # m/s²
@@ -35,7 +36,7 @@ def tilted(settings: SolidSettings, degrees: float, friction: float) -> SolidWor
     """A world with a floor whose top is y = 0, tilted by turning gravity: downhill is +x."""
     turn = math.radians(degrees)
     world = SolidWorld(settings)
-    world.set(gravity=(G * math.sin(turn), -G * math.cos(turn)))
+    world.set(gravity=(G * elementary.sin(turn), -G * elementary.cos(turn)))
     world.add_body(box(400.0, 1.0, material=Material(friction=friction)), (0.0, -0.5), kind="fixed")
     return world
 
@@ -74,7 +75,7 @@ def column_sinks(settings: SolidSettings) -> float:
     world = tilted(settings, 0.0, 0.6)
     bodies = [world.add_body(box(1.0, 1.0), (0.0, 0.5 + k)) for k in range(10)]
     x, y = run(world, 3.0).bodies.positions[bodies[-1]].tolist()
-    return math.hypot(x, y - 9.5)
+    return elementary.hypot(x, y - 9.5)
 
 
 def heavy_on_light(settings: SolidSettings) -> float:
@@ -84,7 +85,7 @@ def heavy_on_light(settings: SolidSettings) -> float:
         world.add_body(box(1.0, 1.0), (0.0, 0.5 + k))
     heavy = world.add_body(box(1.0, 1.0, material=Material(1000.0)), (0.0, 3.5))
     x, y = run(world, 2.0).bodies.positions[heavy].tolist()
-    return math.hypot(x, y - 3.5)
+    return elementary.hypot(x, y - 3.5)
 
 
 def double_rod(settings: SolidSettings) -> float:
@@ -96,7 +97,7 @@ def double_rod(settings: SolidSettings) -> float:
     world.add_joint("pin", base, rods[0], (0.0, 0.0))
     world.add_joint("pin", rods[0], rods[1], (1.0, 0.0))
     angles = run(world, 1.0).bodies.angles[rods] + 0.5 * math.pi
-    return math.hypot(angles[0] + 1.2077162381906033, angles[1] + 0.814391023091329)
+    return elementary.hypot(angles[0] + 1.2077162381906033, angles[1] + 0.814391023091329)
 
 
 def domino_speed(settings: SolidSettings) -> float:
@@ -129,7 +130,7 @@ def stands(settings: SolidSettings, degrees: float) -> bool:
     paper = Material(friction=0.4)
     world = SolidWorld(settings)
     world.add_body(box(20.0, 1.0, material=paper), (0.0, -0.5), kind="fixed")
-    x, y = radius + 0.5 * math.sin(turn), radius + 0.5 * math.cos(turn)
+    x, y = radius + 0.5 * elementary.sin(turn), radius + 0.5 * elementary.cos(turn)
     cards = [
         world.add_body(Capsule((0.0, -0.5), (0.0, 0.5), radius, paper), (-x, y), -turn),
         world.add_body(Capsule((0.0, -0.5), (0.0, 0.5), radius, paper), (x, y), turn),

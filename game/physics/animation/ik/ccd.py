@@ -8,9 +8,8 @@ Arrays as in `ik_chain`.
 
 from __future__ import annotations
 
-import math
-
 from game.physics.animation.ik.chain import ANGLE, LOWER, UPPER, place_points, turn_between
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 
@@ -26,7 +25,7 @@ def relax_by_cycle(base, links, target, points, numbers):
         before = links[ANGLE, i]
         links[ANGLE, i] = min(max(before + turn, links[LOWER, i]), links[UPPER, i])
         turn = links[ANGLE, i] - before
-        c, s = math.cos(turn), math.sin(turn)
+        c, s = elementary.cos(turn), elementary.sin(turn)
         dx, dy = x - px, y - py
         x, y = px + c * dx - s * dy, py + s * dx + c * dy
     place_points(base, links, ANGLE, points)

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.animation.skeleton import Array, Skeleton, SkeletonError
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 FULL_TURN = 2.0 * math.pi
@@ -40,8 +41,8 @@ def place_points(base, links, row, points):
     points[0, 0], points[0, 1] = x, y
     for i in range(links.shape[1]):
         angle += links[row, i]
-        x += links[LENGTH, i] * math.cos(angle)
-        y += links[LENGTH, i] * math.sin(angle)
+        x += links[LENGTH, i] * elementary.cos(angle)
+        y += links[LENGTH, i] * elementary.sin(angle)
         points[i + 1, 0], points[i + 1, 1] = x, y
 
 
@@ -108,7 +109,7 @@ def copy_row(links, source, goal):
 def turn_between(ax, ay, bx, by):
     """Angle (rad) from one direction to another, the short way; 0 if one of them is none."""
     cross, dot = ax * by - ay * bx, ax * bx + ay * by
-    return math.atan2(cross, dot) if cross != 0.0 or dot != 0.0 else 0.0
+    return elementary.atan2(cross, dot) if cross != 0.0 or dot != 0.0 else 0.0
 
 
 class Chain(NamedTuple):
@@ -146,7 +147,7 @@ def chain_of(skeleton: Skeleton, start: int, end: int) -> Chain:
     links[LENGTH] = [math.sqrt(x * x + y * y) for x, y in vectors]
     if not links[LENGTH].sum() > 0.0:
         raise SkeletonError("chain: has no length")
-    directions = np.array([math.atan2(y, x) for x, y in vectors])
+    directions = np.array([elementary.atan2(y, x) for x, y in vectors])
     turns = directions - np.concatenate([[0.0], directions[:-1]])
     return Chain(
         np.array(bones, dtype=np.int64), links, turns, np.zeros((len(bones) + 1, 2)), np.zeros(3),

@@ -27,6 +27,7 @@ from game.physics.animation.ik.chain import (
     place_points,
     turn_between,
 )
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 
@@ -75,7 +76,7 @@ def _reach_forward(base, links, points):
     True if a limit held a link back.
     """
     held = False
-    x, y, ux, uy = base[0], base[1], math.cos(base[2]), math.sin(base[2])
+    x, y, ux, uy = base[0], base[1], elementary.cos(base[2]), elementary.sin(base[2])
     for i in range(links.shape[1]):
         before = links[ANGLE, i]
         turn = turn_between(ux, uy, points[i + 1, 0] - x, points[i + 1, 1] - y)
@@ -83,7 +84,7 @@ def _reach_forward(base, links, points):
         free, turn = turn, min(max(turn, links[LOWER, i]), links[UPPER, i])
         held = held or turn != free
         links[ANGLE, i] = turn
-        c, s = math.cos(turn), math.sin(turn)
+        c, s = elementary.cos(turn), elementary.sin(turn)
         ux, uy = c * ux - s * uy, s * ux + c * uy
         points[i, 0], points[i, 1] = x, y
         x, y = x + links[LENGTH, i] * ux, y + links[LENGTH, i] * uy

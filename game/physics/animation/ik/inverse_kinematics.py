@@ -26,6 +26,7 @@ from game.physics.animation.ik.chain import (
 )
 from game.physics.animation.ik.solver import ENDINGS, METHODS, solve_links
 from game.physics.animation.skeleton import LARGEST, Array, Skeleton, SkeletonError
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 Point = Sequence[float] | Array  # (2,)
@@ -58,7 +59,7 @@ def take_base(first, parents, bases, world, base):
     p = parents[first]
     base[0], base[1], base[2] = bases[first, 0], bases[first, 1], 0.0
     if p >= 0:
-        base[2] = math.atan2(world[p, 1, 0], world[p, 0, 0])
+        base[2] = elementary.atan2(world[p, 1, 0], world[p, 0, 0])
 
 
 @kernel(_nrt=False)

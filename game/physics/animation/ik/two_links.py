@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from game.physics.animation.skeleton import SkeletonError
+from game.physics.kernels import elementary
 
 
 def two_link_angles(
@@ -19,6 +20,8 @@ def two_link_angles(
         raise SkeletonError(f"links: expected finite lengths above 0 m, got {first!r} and {second!r}")
     x, y = float(target[0]), float(target[1])
     cosine = (x * x + y * y - first * first - second * second) / (2.0 * first * second)
-    bend = math.acos(min(max(cosine, -1.0), 1.0)) * (1.0 if elbow_down else -1.0)
-    toward = math.atan2(y, x) if x != 0.0 or y != 0.0 else 0.0
-    return toward - math.atan2(second * math.sin(bend), first + second * math.cos(bend)), bend
+    bend = elementary.acos(min(max(cosine, -1.0), 1.0)) * (1.0 if elbow_down else -1.0)
+    toward = elementary.atan2(y, x) if x != 0.0 or y != 0.0 else 0.0
+    return toward - elementary.atan2(
+        second * elementary.sin(bend), first + second * elementary.cos(bend)
+    ), bend

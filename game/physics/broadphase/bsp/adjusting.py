@@ -32,6 +32,7 @@ from game.physics.broadphase.bsp.nodes import (
     split,
     walk,
 )
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel
 
@@ -133,7 +134,7 @@ def _owes(tree, node, total, larger):
         tree.cuts[node, DEBT] = 0.0
         return False
     tree.cuts[node, DEBT] += too_many
-    return tree.cuts[node, DEBT] > REBUILD * total * np.log2(1.0 * total)
+    return tree.cuts[node, DEBT] > REBUILD * total * elementary.log2(1.0 * total)
 
 
 @inner_kernel

@@ -48,6 +48,7 @@ from game.physics.broadphase.kinetic.sweep import Order, keep_candidates, merge_
 from game.physics.broadphase.naive import scan_boxes
 from game.physics.broadphase.ordering import LOW_HALF
 from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
+from game.physics.kernels import elementwise
 
 MANY = 0.3  # share of the boxes from which on all get new bounds: one sweep finds each pair once then
 GROWTH_OF_BOUNDS = 1.0  # of a box's size, by which its motion may lengthen its bound
@@ -60,7 +61,7 @@ def directions_of(slabs: int) -> NDArray[np.float64]:
     if slabs not in SLABS:
         raise ValueError(f"slabs = {slabs!r}: expected one of {', '.join(map(str, SLABS))}")
     angles = np.arange(slabs // 2) * (2.0 * np.pi / slabs)
-    return np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    return np.stack([elementwise.cos(angles), elementwise.sin(angles)], axis=1)
 
 
 class KineticSweep(BroadPhase):

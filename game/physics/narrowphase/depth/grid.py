@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 
@@ -29,7 +30,7 @@ def _gap(one, of_one, pose, other, of_other):
 def overlap_of(a, b, x, y, angle):
     """The deepest overlap (m) of a part of A, turned by ``angle`` and moved by (x, y), with one of B; at most
     0 if they have no common interior."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     deepest = -math.inf
     bx, by = -(c * x + s * y), s * x - c * y  # B as A sees it
     for i in range(a.starts.shape[0] - 1):
@@ -49,14 +50,14 @@ def grid_search(a, b, gyration, reach, counts, slack, answer):
     reach: m; places from -reach to reach and angles whose turn alone is not longer. counts: (2,) places of an
     axis and angles, odd so that 0 is one of them. slack: m of overlap that is none.
     """
-    most = math.pi if reach >= 2.0 * gyration else 2.0 * math.asin(0.5 * reach / gyration)
+    most = math.pi if reach >= 2.0 * gyration else 2.0 * elementary.asin(0.5 * reach / gyration)
     answer[:] = 0.0
     answer[0] = math.inf
     side, turns = counts
     for t in range(turns):
         step = (t + 1) // 2 * (1 if t % 2 else -1)
         angle = most * step / (turns // 2)
-        turn = 2.0 * gyration * math.sin(0.5 * angle)
+        turn = 2.0 * gyration * elementary.sin(0.5 * angle)
         if abs(turn) >= answer[0]:
             break
         for i in range(side):

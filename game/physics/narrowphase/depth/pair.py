@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementwise
 from game.physics.narrowphase.depth import search as searching
 from game.physics.narrowphase.depth.grid import grid_search, overlap_of
 from game.physics.narrowphase.depth.shape import Shape
@@ -88,8 +89,8 @@ class ShapePair:
 
     def sigmas(self, angles: ArrayLike) -> Floats:
         """(n,) m: the object norm of the shortest motion with each angle."""
-        turns = 2.0 * self.a.gyration * np.sin(0.5 * np.asarray(angles))
-        return np.asarray(np.hypot(self.depths(angles)[:, 0], turns))
+        turns = 2.0 * self.a.gyration * elementwise.sin(0.5 * np.asarray(angles))
+        return np.asarray(elementwise.hypot(self.depths(angles)[:, 0], turns))
 
     def generalised(self, tolerance: float = TOLERANCE) -> Escape:
         """The shortest motion by the object norm, to ``tolerance`` (m, at least 1e-9 of the shapes' reach).

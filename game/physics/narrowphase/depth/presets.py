@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.physics.narrowphase.depth.shape import Shape
 
 Part = list[tuple[float, float]]
@@ -18,7 +19,7 @@ def _box(left: float, bottom: float, right: float, top: float) -> Part:
 
 def _ring(count: int, radius: float = 1.0, start: float = 0.0) -> Part:
     turns = [start + 2.0 * math.pi * k / count for k in range(count)]
-    return [(radius * math.cos(t), radius * math.sin(t)) for t in turns]
+    return [(radius * elementary.cos(t), radius * elementary.sin(t)) for t in turns]
 
 
 def _star(points: int, inner: float) -> list[Part]:
@@ -35,7 +36,7 @@ def _gear(teeth: int) -> list[Part]:
     for k in range(teeth):
         a, b = core[2 * k], core[(2 * k + 1) % (2 * teeth)]
         middle = (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]))
-        out = 1.0 / math.hypot(*middle)
+        out = 1.0 / elementary.length(*middle)
         tips = [
             (middle[0] * out + 0.55 * (p[0] - middle[0]), middle[1] * out + 0.55 * (p[1] - middle[1]))
             for p in (a, b)

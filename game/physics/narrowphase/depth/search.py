@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.depth.sums import build_differences, shrink
 from game.physics.narrowphase.depth.union import nearest_free
@@ -33,7 +34,7 @@ ANSWER = 7
 @inner_kernel
 def _turn_norm(gyration, angle):
     """The object norm (m) of a turn alone."""
-    return 2.0 * gyration * abs(math.sin(0.5 * angle))
+    return 2.0 * gyration * abs(elementary.sin(0.5 * angle))
 
 
 @inner_kernel
@@ -43,7 +44,7 @@ def _try_angle(pair, angle, most, answer):
     build_differences(a, b, angle, differences)
     shrink(a, b, 0.0, differences)
     d, x, y = nearest_free(differences, slack, most)
-    sigma = math.hypot(d, _turn_norm(gyration, angle))
+    sigma = elementary.hypot(d, _turn_norm(gyration, angle))
     if d < most and sigma < answer[FOUND]:
         answer[FOUND], answer[FOUND_X], answer[FOUND_Y], answer[FOUND_ANGLE] = sigma, x, y, angle
     answer[EVALUATIONS] += 1.0
@@ -58,11 +59,13 @@ def _parallel_angle(a, b, middle, half):
     for i in range(a.starts.shape[0] - 1):
         for p in range(a.starts[i], a.starts[i + 1]):
             p2 = p + 1 if p + 1 < a.starts[i + 1] else a.starts[i]
-            heading = math.atan2(a.corners[p, 1] - a.corners[p2, 1], a.corners[p, 0] - a.corners[p2, 0])
+            heading = elementary.atan2(a.corners[p, 1] - a.corners[p2, 1], a.corners[p, 0] - a.corners[p2, 0])
             for j in range(b.starts.shape[0] - 1):
                 for q in range(b.starts[j], b.starts[j + 1]):
                     q2 = q + 1 if q + 1 < b.starts[j + 1] else b.starts[j]
-                    other = math.atan2(b.corners[q2, 1] - b.corners[q, 1], b.corners[q2, 0] - b.corners[q, 0])
+                    other = elementary.atan2(
+                        b.corners[q2, 1] - b.corners[q, 1], b.corners[q2, 0] - b.corners[q, 0]
+                    )
                     away = other - heading - middle
                     away -= 2.0 * math.pi * math.floor(away / (2.0 * math.pi) + 0.5)
                     if abs(away) <= least:
@@ -77,9 +80,9 @@ def _look(pair, row, most, answer):
     a, b, differences, gyration, slack = pair
     row[SIGMA] = _try_angle(pair, row[MIDDLE], most, answer)
     nearest = max(0.0, abs(row[MIDDLE]) - row[HALF])
-    shrink(a, b, 2.0 * math.sin(0.5 * row[HALF]), differences)
+    shrink(a, b, 2.0 * elementary.sin(0.5 * row[HALF]), differences)
     d, _, _ = nearest_free(differences, slack, most)
-    row[BOUND] = max(row[BOUND], math.hypot(d, _turn_norm(gyration, nearest)))
+    row[BOUND] = max(row[BOUND], elementary.hypot(d, _turn_norm(gyration, nearest)))
 
 
 @lean_kernel

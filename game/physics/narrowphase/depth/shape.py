@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.narrowphase.depth.grid import overlap_of
 from game.physics.narrowphase.depth.sums import Parts
 
@@ -41,9 +42,9 @@ class Shape:
         middle = pieces[:, 1:3].sum(axis=0) / self.area
         self.centroid: Floats = middle + anchor
         self.corners: Floats = corners - middle
-        polar = float(pieces[:, 3].sum()) / self.area - float(middle @ middle)
+        polar = float(pieces[:, 3].sum()) / self.area - float(linear.product(middle, middle))
         self.gyration = math.sqrt(max(polar, 0.0))
-        far = np.hypot(*self.corners.T)
+        far = elementwise.hypot(*self.corners.T)
         self.reaches: Floats = np.maximum.reduceat(far, self.starts[:-1])
         self._refuse_overlaps()
 
@@ -70,17 +71,17 @@ class Shape:
 
     def placed(self, x: float, y: float, angle: float) -> list[Floats]:
         """The corners (n, 2) m of each part, the centroid at (x, y) m, turned by ``angle`` rad."""
-        turned = self.corners @ _turn(angle) + (x, y)
+        turned = linear.product(self.corners, _turn(angle)) + np.array((x, y))
         return np.split(turned, self.starts[1:-1])
 
     def norm(self, x: float, y: float, angle: float) -> float:
         """The object norm (m) of a motion: root of the mean square displacement of all points."""
-        return math.hypot(x, y, 2.0 * self.gyration * math.sin(0.5 * angle))
+        return elementary.length(x, y, 2.0 * self.gyration * elementary.sin(0.5 * angle))
 
 
 def _turn(angle: float) -> Floats:
     """What rows (x, y) are multiplied by, on the right."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     return np.array(((c, s), (-s, c)))
 
 
@@ -100,12 +101,12 @@ def _checked(number: int, points: Any) -> Floats:
     if not 1e-50 < extent < 1e50:
         raise ValueError(f"part {number}: its extent must be within 1e-50 to 1e50 m")
     edges = np.roll(part, -1, axis=0) - part
-    lengths = np.hypot(*edges.T)
+    lengths = elementwise.hypot(*edges.T)
     if lengths.min() <= SAME * extent:
         raise ValueError(f"part {number}: corners {int(np.argmin(lengths))} and the next coincide")
     after = np.roll(edges, -1, axis=0)
     crosses = edges[:, 0] * after[:, 1] - edges[:, 1] * after[:, 0]
-    heading = np.arctan2(crosses, np.sum(edges * after, axis=1))
+    heading = elementwise.arctan2(crosses, np.sum(edges * after, axis=1))
     if heading.sum() < 0.0:
         raise ValueError(f"part {number}: goes clockwise")
     if heading.min() < -SAME:
@@ -124,7 +125,7 @@ def _moments(part: Floats) -> tuple[float, float, float, float]:
     u, v = part[1:-1] - root, part[2:] - root
     areas = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
     area = float(areas.sum())
-    first = areas @ (u + v) / 3.0
-    second = float(areas @ (np.sum(u * u + v * v + u * v, axis=1))) / 6.0
-    polar = second + 2.0 * float(root @ first) + area * float(root @ root)
+    first = linear.product(areas, u + v) / 3.0
+    second = float(linear.product(areas, np.sum(u * u + v * v + u * v, axis=1))) / 6.0
+    polar = second + 2.0 * float(linear.product(root, first)) + area * float(linear.product(root, root))
     return area, float(first[0] + area * root[0]), float(first[1] + area * root[1]), polar

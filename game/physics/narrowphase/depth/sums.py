@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel
 
 Floats = NDArray[np.float64]
@@ -78,7 +79,7 @@ def _add_difference(a, i, b, j, c, s, planes, row):
 @inner_kernel
 def build_differences(a, b, angle, differences):
     """All B_j - A_i for A turned by ``angle`` (rad) about its centroid."""
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     row, polygon = 0, 0
     for i in range(a.starts.shape[0] - 1):
         for j in range(b.starts.shape[0] - 1):

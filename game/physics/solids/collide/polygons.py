@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import touch_points
 
@@ -149,7 +150,9 @@ def clip_chosen(first, second, faces, flip, reach, manifold, features):
         bits = clip_faces(p1, q1, p2, q2, (nx, ny), (ra, rb), reach, manifold)
         lower, upper = i << 8 | j_next, i_next << 8 | j
     spread = abs((manifold[5] - manifold[2]) * ny - (manifold[6] - manifold[3]) * nx)
-    spread /= min(math.hypot(q1[0] - p1[0], q1[1] - p1[1]), math.hypot(q2[0] - p2[0], q2[1] - p2[1]))
+    spread /= min(
+        elementary.hypot(q1[0] - p1[0], q1[1] - p1[1]), elementary.hypot(q2[0] - p2[0], q2[1] - p2[1])
+    )
     return keep_points(bits, lower, upper, manifold, features), spread
 
 
@@ -164,7 +167,7 @@ def faces_graze(first, second, faces, normal):
     a, b = p1[1] * nx - p1[0] * ny, q1[1] * nx - q1[0] * ny
     c, d = p2[1] * nx - p2[0] * ny, q2[1] * nx - q2[0] * ny
     shared = min(max(a, b), max(c, d)) - max(min(a, b), min(c, d))
-    lengths = math.hypot(q1[0] - p1[0], q1[1] - p1[1]), math.hypot(q2[0] - p2[0], q2[1] - p2[1])
+    lengths = elementary.hypot(q1[0] - p1[0], q1[1] - p1[1]), elementary.hypot(q2[0] - p2[0], q2[1] - p2[1])
     return abs(shared) < SLIVER * min(lengths[0], lengths[1])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from game.physics.kernels import elementary
 from game.physics.solids.joints.layout import (
     BREAK_FORCE,
     BREAK_TORQUE,
@@ -58,7 +59,7 @@ class JointOptions:
     def __post_init__(self) -> None:
         if self.length is not None:
             checked_number("length", self.length, 0.0, LARGEST)
-        if not math.hypot(*checked_pair("axis", self.axis)) > 0.0:
+        if not elementary.length(*checked_pair("axis", self.axis)) > 0.0:
             raise ValueError(f"axis = {self.axis!r}: expected a direction")
         try:
             low, high = (float(limit) for limit in self.limits)
@@ -76,7 +77,7 @@ class JointOptions:
     def direction(self) -> tuple[float, float]:
         """The axis, of length 1."""
         x, y = self.axis
-        size = math.hypot(x, y)
+        size = elementary.hypot(x, y)
         return x / size, y / size
 
     def write(self, joints: Joints, slot: int) -> None:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.solids.joints.layout import BROKEN, MOUSE, NO_JOINT, Joints
 
 Ints = NDArray[np.int32]
@@ -81,7 +82,7 @@ def plan_joints(joints: Joints, moving: NDArray[np.bool_]) -> JointPlan:
         for body in joints.bodies[k].tolist():
             if moving[body]:
                 at_body.setdefault(body, []).append(k)
-    if sum(len(group) ** 2 for group in at_body.values()) > MOST_UPDATES:
+    if sum(elementary.square(len(group)) for group in at_body.values()) > MOST_UPDATES:
         return empty_plan()
     neighbours: dict[int, set[int]] = {k: set() for k in ids}
     for group in at_body.values():

@@ -157,4 +157,8 @@ def line_weight(joints, k, at):
     row, line = joints.rows, joints.lines
     square = line[k, at + UX] * line[k, at + UX] + line[k, at + UY] * line[k, at + UY]
     weight = square * (row[k, JIMA] + row[k, JIMB])
-    return weight + row[k, JIIA] * line[k, at + LA] ** 2 + row[k, JIIB] * line[k, at + LB] ** 2
+    return (
+        weight
+        + row[k, JIIA] * (line[k, at + LA] * line[k, at + LA])
+        + row[k, JIIB] * (line[k, at + LB] * line[k, at + LB])
+    )

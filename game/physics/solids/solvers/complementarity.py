@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import linear
 from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.layout import (
     DRIVE,
@@ -186,8 +187,8 @@ def joint_conditions(
                     torques,
                     row[RATE] * line[LINE_GAP] if kind == EQUAL else -float(joints.parameters[k, SPEED]),
                 )
-                weight = (u[0] ** 2 + u[1] ** 2) * (row[JIMA] + row[JIMB])
-                weight += row[JIIA] * torques[0] ** 2 + row[JIIB] * torques[1] ** 2
+                weight = (u[0] * u[0] + u[1] * u[1]) * (row[JIMA] + row[JIMB])
+                weight += row[JIIA] * (torques[0] * torques[0]) + row[JIIB] * (torques[1] * torques[1])
                 equal.give[-1] = weight * (LEAST_GIVE + (row[GIVE] / row[MASS] if slot != DRIVE else 0.0))
                 equal.to.append(to)
             else:
@@ -207,10 +208,10 @@ def complementarity_problem(
     p, d = len(pushes), len(drags)
     j = np.concatenate([pushes, drags, -drags])
     a, q = np.zeros((p + 3 * d, p + 3 * d)), np.zeros(p + 3 * d)
-    a[: p + 2 * d, : p + 2 * d] = j @ inverse @ j.T
+    a[: p + 2 * d, : p + 2 * d] = linear.product(linear.product(j, inverse), j.T)
     slide_wanted = np.array(tangents.wanted + drives.wanted)
     wanted = np.concatenate([normals.wanted, limits.wanted, slide_wanted, -slide_wanted])
-    q[: p + 2 * d] = j @ free + wanted
+    q[: p + 2 * d] = linear.product(j, free) + wanted
     for i in range(d):
         slack = p + 2 * d + i
         a[p + i, slack] = a[p + d + i, slack] = 1.0
@@ -234,13 +235,15 @@ def solve_substep(bodies: Any, rows: Any, joints: Any, scratch: Any, numbers: An
     free = motion[:, VX : W + 1].ravel().copy()
     e = equal.matrix()
     if len(e):  # equal lines are always kept: what is left moves within them
-        hold = np.linalg.solve(
-            e @ m @ e.T + np.diag(equal.give),
-            np.concatenate([(e @ m), (e @ free + equal.wanted)[:, None]], axis=1),
+        hold = linear.solve(
+            linear.product(linear.product(e, m), e.T) + np.diag(equal.give),
+            np.concatenate(
+                [(linear.product(e, m)), (linear.product(e, free) + equal.wanted)[:, None]], axis=1
+            ),
         )
         along, across = hold[:, :-1], hold[:, -1]
-        free = free - m @ e.T @ across
-        m = m - m @ e.T @ along
+        free = free - linear.product(linear.product(m, e.T), across)
+        m = m - linear.product(linear.product(m, e.T), along)
     a, q, j = complementarity_problem(m, free, (normals, tangents, limits, drives), frictions, most)
     size = np.ones(len(q))
     size[: len(j)] = 1.0 / np.sqrt(np.maximum(np.diag(a)[: len(j)], 1e-300))
@@ -253,12 +256,12 @@ def solve_substep(bodies: Any, rows: Any, joints: Any, scratch: Any, numbers: An
         raise ArithmeticError("complementarity: no solution was found by pivots")
     z = largest * size * z
     impulses = z[: len(j)]
-    after = free + m @ j.T @ impulses
+    after = free + linear.product(linear.product(m, j.T), impulses)
     p, d = len(normals.to) + len(limits.to), len(tangents.to) + len(drives.to)
     give_back(normals.to + limits.to, impulses[:p])
     give_back(tangents.to + drives.to, impulses[p : p + d] - impulses[p + d : p + 2 * d])
     if len(e):
-        give_back(equal.to, -(across + along @ j.T @ impulses))
+        give_back(equal.to, -(across + linear.product(linear.product(along, j.T), impulses)))
     motion[:, VX : W + 1] = after.reshape(n, 3)
 
 

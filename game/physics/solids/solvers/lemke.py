@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import linear
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 Floats = NDArray[np.float64]
@@ -114,7 +115,7 @@ def _values(a: Floats, q: Floats, basis: NDArray[np.int64]) -> Floats | None:
     active = np.sort(basis[(basis >= size) & (basis < 2 * size)] - size)
     if len(active):
         try:
-            z[active] = np.linalg.solve(a[np.ix_(active, active)], -q[active])
+            z[active] = linear.solve(a[np.ix_(active, active)], -q[active])
         except np.linalg.LinAlgError:
             return None
     scale = 1.0 + float(np.abs(z).max(initial=0.0))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import ASLEEP, DA, DC, DS, DX, DY, DYNAMIC, USED, VX, VY, W
 
@@ -59,7 +58,7 @@ def cosine_sine(angle):
         c = 1.0 - q * (0.5 - q * (1.0 / 24.0 - q * (1.0 / 720.0 - q / 40320.0)))
         s = angle * (1.0 - q * (1.0 / 6.0 - q * (1.0 / 120.0 - q * (1.0 / 5040.0 - q / 362880.0))))
         return c, s
-    return math.cos(angle), math.sin(angle)
+    return elementary.cos(angle), elementary.sin(angle)
 
 
 @inner_kernel

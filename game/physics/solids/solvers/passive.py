@@ -187,7 +187,10 @@ def hold_push(bodies, scratch, numbers):
             continue
         fx, fy = speeds[i, FREE], speeds[i, FREE + 1]
         fastest = math.sqrt(fx * fx + fy * fy) + abs(speeds[i, FREE + 2]) * reach
-        after = math.sqrt(motion[i, VX] ** 2 + motion[i, VY] ** 2) + abs(motion[i, W]) * reach
+        after = (
+            math.sqrt(motion[i, VX] * motion[i, VX] + motion[i, VY] * motion[i, VY])
+            + abs(motion[i, W]) * reach
+        )
         excess = pushed - numbers.push - max(fastest, after)
         if excess > 0.0:
             part = numbers.h * excess / pushed

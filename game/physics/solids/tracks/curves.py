@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.outlines import checked_points, without_doubles
 
 Floats = NDArray[np.float64]
@@ -61,9 +62,9 @@ class Pieces(NamedTuple):
 def moved_aside(points: ArrayLike, distance: float) -> Floats:
     """The curve (n, 2) at so many m to the left of an open one, for a track on which a centre follows it."""
     given = np.asarray(points, dtype=np.float64)
-    chords = np.hypot(*np.diff(given, axis=0).T)
+    chords = elementwise.hypot(*np.diff(given, axis=0).T)
     slopes = tangents(given, chords, closed=False)
-    lengths = np.hypot(slopes[:, 0], slopes[:, 1])[:, None]
+    lengths = elementwise.hypot(slopes[:, 0], slopes[:, 1])[:, None]
     moved: Floats = given + distance * np.stack([-slopes[:, 1], slopes[:, 0]], axis=1) / lengths
     return moved
 
@@ -128,10 +129,10 @@ def _runs(curve: Curve, number: int) -> list[Floats]:
     """Cubic pieces of a curve in its own direction, smooth between corners."""
     points = curve.checked()
     ring = np.concatenate([points, points[:1]]) if curve.closed else points
-    chords = np.hypot(*np.diff(ring, axis=0).T)
+    chords = elementwise.hypot(*np.diff(ring, axis=0).T)
     ways = np.diff(ring, axis=0) / chords[:, None]
     before = np.roll(ways, 1, axis=0)
-    turns = np.degrees(np.abs(np.arctan2(
+    turns = np.degrees(np.abs(elementwise.arctan2(
         before[:, 0] * ways[:, 1] - before[:, 1] * ways[:, 0], (before * ways).sum(axis=1)
     )))  # fmt: skip
     first = 0 if curve.closed else 1
@@ -183,13 +184,13 @@ def _with_vertices(ring: list[Floats]) -> list[Floats]:
         after = ring[(k + 1) % len(ring)]
         ux, uy = (row[c + 1] + 2.0 * row[c + 2] + 3.0 * row[c + 3] for c in (CX, CY))
         vx, vy = after[CX + 1], after[CY + 1]
-        turn = math.atan2(ux * vy - uy * vx, ux * vx + uy * vy)
+        turn = elementary.atan2(ux * vy - uy * vx, ux * vx + uy * vy)
         if abs(abs(turn) - math.pi) < 1e-9:
             turn = -math.pi
         if turn < -1e-7:
             vertex = np.zeros(PIECE_WIDTH)
             vertex[KIND], vertex[CX], vertex[CY] = VERTEX, after[CX], after[CY]
-            vertex[PHI], vertex[SWEEP] = math.atan2(ux, -uy), turn
+            vertex[PHI], vertex[SWEEP] = elementary.atan2(ux, -uy), turn
             vertex[FROM] = vertex[TO] = row[TO]
             vertex[TRACK], vertex[AROUND] = row[TRACK], row[AROUND]
             found.append(vertex)

@@ -12,6 +12,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
+
 Floats = NDArray[np.float64]
 
 NODES = 64  # of the quadrature, whose integrand is smooth
@@ -22,12 +24,12 @@ def cycloid_through(width: float, depth: float) -> tuple[float, float]:
     low, high = 1e-9, 2.0 * math.pi - 1e-9
     for _ in range(100):
         middle = 0.5 * (low + high)
-        if (middle - math.sin(middle)) * depth < width * (1.0 - math.cos(middle)):
+        if (middle - elementary.sin(middle)) * depth < width * (1.0 - elementary.cos(middle)):
             low = middle
         else:
             high = middle
     end = 0.5 * (low + high)
-    return depth / (1.0 - math.cos(end)), end
+    return depth / (1.0 - elementary.cos(end)), end
 
 
 def arc_radius(width: float, depth: float) -> float:
@@ -52,16 +54,16 @@ def arc_time(width: float, depth: float, gravity: float, share: float = 0.0) -> 
     """s, along the arc of a circle that begins upright: the integral of dφ / sqrt(sin φ), with φ = u²."""
     _check(width, depth, gravity, share)
     radius = arc_radius(width, depth)
-    end = math.sqrt(math.atan2(depth, radius - width))
+    end = math.sqrt(elementary.atan2(depth, radius - width))
     nodes, weights = _quadrature()
     u = 0.5 * end * (nodes + 1.0)
-    total = 0.5 * end * float((weights * 2.0 * u / np.sqrt(np.sin(u * u))).sum())
+    total = 0.5 * end * float((weights * 2.0 * u / np.sqrt(elementwise.sin(u * u))).sum())
     return math.sqrt(0.5 * (1.0 + share) * radius / gravity) * total
 
 
 def rolling_acceleration(slope: float, gravity: float, share: float) -> float:
     """m/s² of the centre down an incline of ``slope`` rad, while it does not slip: g sin / (1 + k)."""
-    return gravity * math.sin(slope) / (1.0 + share)
+    return gravity * elementary.sin(slope) / (1.0 + share)
 
 
 def loop_drop(radius: float, ball: float, share: float) -> float:
@@ -77,7 +79,7 @@ def leaving_angle(drop: float, radius: float, ball: float, share: float) -> floa
     never comes above the middle.
     """
     cosine = (2.0 * drop / (radius - ball) - 2.0) / (3.0 + share)
-    return math.acos(cosine) if 0.0 <= cosine < 1.0 else math.nan
+    return elementary.acos(cosine) if 0.0 <= cosine < 1.0 else math.nan
 
 
 def crossing_share(x0: float, x1: float, way0: float, way1: float, level: float) -> float:

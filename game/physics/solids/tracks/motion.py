@@ -244,7 +244,7 @@ def meet_second(pieces, balls, b, i, j):
             break
         hit_by(ball, b, ax, ay)
     from_a, from_b = ball[b, VX] * ax + ball[b, VY] * ay, ball[b, VX] * bx + ball[b, VY] * by
-    if ball[b, VX] ** 2 + ball[b, VY] ** 2 < STILL * STILL:
+    if ball[b, VX] * ball[b, VX] + ball[b, VY] * ball[b, VY] < STILL * STILL:
         balls.pieces[b, WEDGE] = j
         ball[b, VX], ball[b, VY], ball[b, SPEED], ball[b, SPIN] = 0.0, 0.0, 0.0, 0.0
     elif from_b < STILL:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.tracks.curves import CX, CY, FROM, KIND, PHI, SWEEP, TO, VERTEX
 
@@ -16,7 +17,7 @@ def place_on(rows, i, t, r):
     """Centre (x, y) of a ball that touches piece i at t, normal, curvature of its way, and dt by its way."""
     if rows[i, KIND] == VERTEX:
         phi = rows[i, PHI] + rows[i, SWEEP] * t
-        nx, ny = math.cos(phi), math.sin(phi)
+        nx, ny = elementary.cos(phi), elementary.sin(phi)
         return rows[i, CX] + r * nx, rows[i, CY] + r * ny, nx, ny, -1.0 / r, -1.0 / (r * rows[i, SWEEP])
     x = rows[i, CX] + t * (rows[i, CX + 1] + t * (rows[i, CX + 2] + t * rows[i, CX + 3]))
     y = rows[i, CY] + t * (rows[i, CY + 1] + t * (rows[i, CY + 2] + t * rows[i, CY + 3]))
@@ -73,7 +74,7 @@ def nearest_on(rows, i, x, y):
         distance = math.sqrt(dx * dx + dy * dy)
         if distance == 0.0:
             return FAR, 0.0, 0.0, 0.0
-        turn = rows[i, PHI] - math.atan2(dy, dx)
+        turn = rows[i, PHI] - elementary.atan2(dy, dx)
         turn -= 2.0 * math.pi * math.floor(turn / (2.0 * math.pi))
         if turn > -rows[i, SWEEP]:
             return FAR, 0.0, 0.0, 0.0

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.shapes import checked_number, checked_pair
 from game.physics.solids.tracks.curves import TRACK, Curve, grid_of, pieces_of
 from game.physics.solids.tracks.motion import (
@@ -126,7 +127,7 @@ class TrackWorld:
             before = one.rows.copy()
             settle_balls(self.pieces, one, np.array([track], dtype=np.int32), float(reach))
             if one.pieces[0, PIECE] != FREE:
-                reach = float(np.hypot(*(one.rows[0, X : Y + 1] - before[0, X : Y + 1])))
+                reach = float(elementwise.hypot(*(one.rows[0, X : Y + 1] - before[0, X : Y + 1])))
                 best = track
             one.rows[:] = before
             one.pieces[:] = FREE
@@ -153,8 +154,8 @@ class TrackWorld:
         """(n, 3) J of each ball: of its way, of its spin, of its height above y = 0."""
         rows = self.balls.rows
         mass, gravity = rows[:, MASS], self.settings.gravity
-        way = 0.5 * mass * (rows[:, VX] ** 2 + rows[:, VX + 1] ** 2)
-        turn = 0.5 * mass * rows[:, SHARE] * (rows[:, RADIUS] * rows[:, SPIN]) ** 2
+        way = 0.5 * mass * (rows[:, VX] * rows[:, VX] + rows[:, VX + 1] * rows[:, VX + 1])
+        turn = 0.5 * mass * rows[:, SHARE] * elementary.square(rows[:, RADIUS] * rows[:, SPIN])
         height = -mass * (gravity[0] * rows[:, X] + gravity[1] * rows[:, Y])
         return np.stack([way, turn, height], axis=1)
 

@@ -4,11 +4,10 @@ stop, and how many of how many tries must do it.
 
 from __future__ import annotations
 
-import math
-
 from game.billiards.game.goals import Goal, Pot, Zone
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.rack import BALL_RADIUS
+from game.physics.kernels import elementary
 from game.scenes.billiards import layout
 from game.scenes.billiards.level import BilliardsContent, PlacedBall
 from game.scenes.billiards.modes import SetUp
@@ -70,7 +69,7 @@ class DrillMaker(Part):
     def draw_zone(self, x: float, y: float) -> None:
         """The zone as large as the pointer is far from its middle."""
         if self.zone is not None:
-            radius = math.hypot(x - self.zone[0], y - self.zone[1])
+            radius = elementary.hypot(x - self.zone[0], y - self.zone[1])
             self.zone = (*self.zone[:2], min(max(radius, LEAST_ZONE), LARGEST_ZONE))
 
     def clear_zone(self) -> None:

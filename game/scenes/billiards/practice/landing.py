@@ -15,6 +15,7 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.search.outcomes import GIVEN_UP, SCRATCH
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -43,7 +44,7 @@ class Landing(NamedTuple):
         """Radius, m, of the circle round the middle in which half of the ends lie; nan without any."""
         if not len(self.ends):
             return float("nan")
-        return float(np.median(np.hypot(*(self.ends - self.middle).T)))
+        return float(np.median(elementwise.hypot(*(self.ends - self.middle).T)))
 
 
 def landings(board: Board, stroke: Stroke, noise: Noise) -> Iterator[Landing]:

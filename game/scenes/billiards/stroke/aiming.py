@@ -6,6 +6,7 @@ import math
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
+from game.physics.kernels import elementary
 from game.scenes.billiards.parameters import LARGEST_TIP, STEEPEST_DEG, BilliardsParameters
 from game.scenes.billiards.stroke.motion import cue_speed_of, power_in_range, power_of
 from game.scenes.shared.tables.cue import PULLING, CueControl
@@ -140,7 +141,7 @@ class Aiming(Part):
         self.follows = True
         if self.locked:
             return
-        bearing = math.atan2(event.y - ball[1], event.x - ball[0])
+        bearing = elementary.atan2(event.y - ball[1], event.x - ball[0])
         if event.shift:
             self.fine_at = bearing
         elif abs(math.remainder(bearing - self.fine_at, 2.0 * math.pi)) < STICKY:
@@ -153,7 +154,7 @@ class Aiming(Part):
     def turn_finely(self, event: Pointer, ball: Point) -> None:
         """Turn the cue by notches of the wheel."""
         self.cue.point_to(self.cue.aim - NOTCH * event.wheel * (FINER if event.shift else 1.0))
-        self.fine_at = math.atan2(event.y - ball[1], event.x - ball[0])
+        self.fine_at = elementary.atan2(event.y - ball[1], event.x - ball[0])
         self._stand()
 
     def nudge(self, name: str) -> None:
@@ -170,7 +171,7 @@ class Aiming(Part):
 
     def pull(self, event: Pointer, ball: Point) -> None:
         """The cue is drawn back, which sets the power."""
-        self.moved = max(self.moved, math.dist((event.x, event.y), self.cue.data[3:5].tolist()))
+        self.moved = max(self.moved, elementary.dist((event.x, event.y), self.cue.data[3:5].tolist()))
         self.cue.pointer(event, *ball, ready=True)
         self.set_power(self.cue.speed)
 
@@ -181,7 +182,7 @@ class Aiming(Part):
 
     def release(self, event: Pointer, ball: Point) -> str:
         """Let go of the cue: "strike", "click", or "" if the pull was taken back."""
-        self.moved = max(self.moved, math.dist((event.x, event.y), self.cue.data[3:5].tolist()))
+        self.moved = max(self.moved, elementary.dist((event.x, event.y), self.cue.data[3:5].tolist()))
         if self.moved <= CLICK:
             self.take_back()
             return "click"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
@@ -11,6 +9,7 @@ from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.table.aim import first_contact
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary
 
 
 def call_for(frame: Frame, call: Call, stroke: Stroke) -> Call:
@@ -27,7 +26,7 @@ def call_for(frame: Frame, call: Call, stroke: Stroke) -> Call:
     if ball is None or ball == CUE_BALL or ball not in balls.numbers:
         return call
     if call.pocket is None and first.kind == "ball" and balls.numbers[first.target] == ball:
-        direction = math.atan2(first.normal[1], first.normal[0])
+        direction = elementary.atan2(first.normal[1], first.normal[0])
         onward = first_contact(first.target, direction, balls.positions, balls.radii, in_play, table)
         pocket = onward.target if onward.kind == "pocket" else nearest_pocket(table, onward.ghost)
         return Call(ball, pocket)

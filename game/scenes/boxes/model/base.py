@@ -13,6 +13,7 @@ from game.physics.broadphase.effects import BOUNDARY, BOXES, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.scenes.boxes.level import HEIGHT, WIDTH, BoxesContent
 from game.scenes.boxes.model.arrays import LOWER, UPPER, Array, BoxArrays, BoxesState, listed_boxes
 from game.scenes.boxes.parameters import BoxesParameters
@@ -266,7 +267,7 @@ class BoxesModel(Part):
             return
         random = np.random.default_rng((self.seed, self.steps, 3, len(self.boxes)))
         angle = 2.0 * math.pi * random.random()
-        velocity = self.parameters.speed * np.array([[math.cos(angle), math.sin(angle)]])
+        velocity = self.parameters.speed * np.array([[elementary.cos(angle), elementary.sin(angle)]])
         self.add(lower[None], upper[None], velocity)
         self.pair_up()
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.workloads import MovingBoxes
+from game.physics.kernels import elementary
 
 COUNTS = (8, 16, 32, 64, 128, 256, 512, 1024, 2048)  # boxes, at which the crossover is looked for
 STEPS, FIRST = 7, 3  # steps that are timed, and those before them
@@ -50,7 +51,7 @@ def crossing(slow: Curve, fast: Curve) -> float:
     the least number if it always is.
     """
     counts = sorted(set(slow) & set(fast))
-    lead = [math.log(slow[n] / fast[n]) for n in counts]
+    lead = [elementary.log(slow[n] / fast[n]) for n in counts]
     behind = [i for i, value in enumerate(lead) if value <= 0.0]
     if not counts or (behind and behind[-1] == len(counts) - 1):
         return math.nan
@@ -58,7 +59,7 @@ def crossing(slow: Curve, fast: Curve) -> float:
         return float(counts[0])
     i = behind[-1]
     part = -lead[i] / (lead[i + 1] - lead[i])
-    return counts[i] * (counts[i + 1] / counts[i]) ** part
+    return counts[i] * elementary.pow(counts[i + 1] / counts[i], part)
 
 
 def cost_of_a_step(phase: BroadPhase, boxes: MovingBoxes, dt: float) -> float:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from game.physics.broadphase import SweepAndPrune
 from game.physics.broadphase.effects import MOTION
 from game.physics.broadphase.workloads import expected_swaps
+from game.physics.kernels import elementary
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.arrays import Array
 from game.scenes.boxes.model.compared import ComparedModel
@@ -85,5 +86,5 @@ class SweepAndPruneModel(ComparedModel):
         boxes = self.boxes
         if MOTION not in self.active or not len(boxes):
             return 0.0
-        speed = float(np.sqrt((boxes.velocities[boxes.ids] ** 2).sum(axis=1)).mean())
+        speed = float(np.sqrt((elementary.square(boxes.velocities[boxes.ids])).sum(axis=1)).mean())
         return expected_swaps(len(boxes), speed * self.parameters.step_length, (WIDTH, HEIGHT))

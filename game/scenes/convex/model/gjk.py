@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.narrowphase import (
     ConvexPolygon,
     Feature,
@@ -33,7 +34,7 @@ class GjkModel(PairModel):
     def _options(self) -> dict[str, Any]:
         """What the parameters say to a query."""
         return {
-            "tolerance": 10.0**self.parameters.exponent,
+            "tolerance": elementary.pow(10.0, self.parameters.exponent),
             "method": self.parameters.method,
             "deep": EXACT_ANSWER in self.active,
         }

@@ -10,6 +10,7 @@ import math
 import msgspec
 import numpy as np
 
+from game.physics.kernels import elementary
 from game.scenes.shared.outlines.board import (
     NOBODY,
     Board,
@@ -62,7 +63,7 @@ def take_pointer(board: Board, event: Pointer, rules: Rules, tool: str, reach: f
 def _take(board: Board, point: Point, rules: Rules, reach: float, corners: bool, turning: bool) -> Board:
     """Press: a handle, a corner or an outline is taken; what it was can be undone from here."""
     chosen = board.chosen
-    if chosen != NOBODY and math.dist(point, handle_of(board.outlines[chosen])) <= reach:
+    if chosen != NOBODY and elementary.dist(point, handle_of(board.outlines[chosen])) <= reach:
         return _hold(board, chosen, "turn", point)
     index = outline_at(board, point, reach)
     if index == NOBODY:
@@ -75,7 +76,7 @@ def _take(board: Board, point: Point, rules: Rules, reach: float, corners: bool,
 def _hold(board: Board, index: int, held: str, point: Point, corner: int = NOBODY) -> Board:
     outline = board.outlines[index]
     x, y = outline.position
-    grip = (point[0] - x, point[1] - y, outline.angle - math.atan2(point[1] - y, point[0] - x))
+    grip = (point[0] - x, point[1] - y, outline.angle - elementary.atan2(point[1] - y, point[0] - x))
     board = with_outlines(board, board.outlines)
     return msgspec.structs.replace(board, chosen=index, corner=corner, held=held, grip=grip)
 
@@ -100,7 +101,7 @@ def _take_corner(board: Board, index: int, point: Point, rules: Rules, reach: fl
 def _own(outline: Outline, point: Point) -> Point:
     """A world point as the outline has it."""
     dx, dy = point[0] - outline.position[0], point[1] - outline.position[1]
-    c, s = math.cos(outline.angle), math.sin(outline.angle)
+    c, s = elementary.cos(outline.angle), elementary.sin(outline.angle)
     return c * dx + s * dy, c * dy - s * dx
 
 
@@ -111,7 +112,7 @@ def _drag(board: Board, point: Point) -> Board:
     if board.held == "body":
         return with_fields(board, index, position=(point[0] - board.grip[0], point[1] - board.grip[1]))
     if board.held == "turn":
-        angle = math.remainder(math.atan2(point[1] - y, point[0] - x) + board.grip[2], 2.0 * math.pi)
+        angle = math.remainder(elementary.atan2(point[1] - y, point[0] - x) + board.grip[2], 2.0 * math.pi)
         return with_fields(board, index, angle=angle)
     points = list(outline.points)
     points[board.corner] = _own(outline, point)
@@ -145,9 +146,9 @@ def _take_back(board: Board) -> Board:
 def _draw(board: Board, point: Point, rules: Rules, reach: float) -> Board:
     """A click with the pen: another corner, or the end at the first corner (closed) or the last (open)."""
     drawn = board.drawn
-    if len(drawn) >= 3 and math.dist(point, drawn[0]) <= reach:
+    if len(drawn) >= 3 and elementary.dist(point, drawn[0]) <= reach:
         return finish(board, rules, True)
-    if drawn and math.dist(point, drawn[-1]) <= 0.5 * reach:
+    if drawn and elementary.dist(point, drawn[-1]) <= 0.5 * reach:
         return finish(board, rules, not rules.may_be_open)
     if len(drawn) >= rules.most_points:
         return telling(board, f"An outline has {rules.most_points} points at most.")

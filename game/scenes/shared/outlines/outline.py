@@ -9,6 +9,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, linear
+
 Point = tuple[float, float]
 HANDLE_SHARE = 0.55  # of an outline's size, where its handle for turning is
 
@@ -25,8 +27,8 @@ class Outline(msgspec.Struct, frozen=True):
 def placed(outline: Outline) -> NDArray[np.float64]:
     """Corners (n, 2) in the world, m."""
     points = np.array(outline.points).reshape(-1, 2)
-    c, s = math.cos(outline.angle), math.sin(outline.angle)
-    return points @ np.array([[c, s], [-s, c]]) + outline.position
+    c, s = elementary.cos(outline.angle), elementary.sin(outline.angle)
+    return linear.product(points, np.array([[c, s], [-s, c]])) + outline.position
 
 
 def outline_through(corners: Sequence[Point], closed: bool) -> Outline:
@@ -46,7 +48,7 @@ def handle_of(outline: Outline) -> Point:
     """Where the handle for turning is, m."""
     reach = HANDLE_SHARE * size_of(outline)
     x, y = outline.position
-    return x - reach * math.sin(outline.angle), y + reach * math.cos(outline.angle)
+    return x - reach * elementary.sin(outline.angle), y + reach * elementary.cos(outline.angle)
 
 
 def is_inside(point: Point, corners: NDArray[np.float64]) -> bool:
@@ -61,7 +63,7 @@ def is_inside(point: Point, corners: NDArray[np.float64]) -> bool:
 def nearest_edge(point: Point, corners: NDArray[np.float64], closed: bool) -> tuple[int, float]:
     """The edge (by its first corner) that is nearest to a point, and its distance, m."""
     if len(corners) == 1:
-        return 0, math.dist(point, corners[0].tolist())
+        return 0, elementary.dist(point, corners[0].tolist())
     a = corners if closed else corners[:-1]
     edges = (np.roll(corners, -1, axis=0) if closed else corners[1:]) - a
     off = np.array(point) - a

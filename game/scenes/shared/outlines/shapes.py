@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.particles.random_numbers import uniform_pair
 
 Array = NDArray[np.float64]
@@ -25,10 +26,10 @@ def coast(seed: int, segments: int, size: float, bays: float, roughness: float) 
         height, phase = uniform_pair(seed, k, 0)
         share = roughness * (0.3 + height) * SMOOTH / k
         if k <= SMOOTH:
-            share = bays * (0.35 + height) / k**0.7
-        radius += share * np.sin(k * angle + 2.0 * np.pi * phase)
+            share = bays * (0.35 + height) / elementary.pow(k, 0.7)
+        radius += share * elementwise.sin(k * angle + 2.0 * np.pi * phase)
     radius = size * np.maximum(radius, 0.12)
-    return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))
+    return np.column_stack((radius * elementwise.cos(angle), radius * elementwise.sin(angle)))
 
 
 def gear(teeth: int, radius: float, depth: float, steps: int) -> Array:
@@ -39,7 +40,7 @@ def gear(teeth: int, radius: float, depth: float, steps: int) -> Array:
         for near, far, r in ((0.02, 0.30, radius - depth), (0.44, 0.74, radius)):
             for k in range(steps + 1):
                 angle = pitch * (i + near + (far - near) * k / steps)
-                points.append((r * math.cos(angle), r * math.sin(angle)))
+                points.append((r * elementary.cos(angle), r * elementary.sin(angle)))
     return np.array(points)
 
 
@@ -58,12 +59,12 @@ def hand(size: float, mirrored: bool, spread: float, steps: int) -> Array:
     points = [(-0.13, -0.52), (-0.145, -0.36)]
     for x, y, degrees, length, breadth in FINGERS:
         angle = math.radians(90.0 + spread * (degrees - 90.0))
-        c, s = math.cos(angle), math.sin(angle)
+        c, s = elementary.cos(angle), elementary.sin(angle)
         half = 0.5 * breadth
         points.append((x - s * half, y + c * half))
         for k in range(steps + 1):
             turn = 0.5 * math.pi - math.pi * k / steps
-            u, v = length - half + half * math.cos(turn), half * math.sin(turn)
+            u, v = length - half + half * elementary.cos(turn), half * elementary.sin(turn)
             points.append((x + c * u - s * v, y + s * u + c * v))
         points.append((x + s * half, y - c * half))
     points += [(0.215, -0.12), (0.15, -0.36), (0.13, -0.52)]
@@ -76,21 +77,21 @@ def hand(size: float, mirrored: bool, spread: float, steps: int) -> Array:
 def arc(radius: float, start: float, sweep: float, segments: int) -> Array:
     """An open arc about the origin from one angle on, degrees."""
     angle = np.radians(start + sweep * np.arange(segments + 1) / segments)
-    return radius * np.column_stack((np.cos(angle), np.sin(angle)))
+    return radius * np.column_stack((elementwise.cos(angle), elementwise.sin(angle)))
 
 
 def spiral(inner: float, outer: float, turns: float, segments: int) -> Array:
     """An open spiral of Archimedes."""
     share = np.arange(segments + 1) / segments
     angle, radius = 2.0 * np.pi * turns * share, inner + (outer - inner) * share
-    return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))
+    return np.column_stack((radius * elementwise.cos(angle), radius * elementwise.sin(angle)))
 
 
 def star(points: int, outer: float, inner: float) -> Array:
     """A closed star."""
     angle = np.pi * (0.5 + np.arange(2 * points) / points)
     radius = np.where(np.arange(2 * points) % 2 == 0, outer, inner)
-    return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))
+    return np.column_stack((radius * elementwise.cos(angle), radius * elementwise.sin(angle)))
 
 
 def comb(teeth: int, width: float, height: float) -> Array:

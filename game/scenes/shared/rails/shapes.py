@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve, moved_aside
 from game.physics.solids.tracks.descent import arc_radius, cycloid_through
 from game.scenes.shared.rails.level import TrackEntry
@@ -47,14 +48,14 @@ def _cycloid(width: float, depth: float, count: int) -> Floats:
     """From its cusp at (0, 0) through (width, -depth)."""
     wheel, end = cycloid_through(width, depth)
     turn = np.linspace(0.0, end, count)
-    return wheel * np.stack([turn - np.sin(turn), np.cos(turn) - 1.0], axis=1)
+    return wheel * np.stack([turn - elementwise.sin(turn), elementwise.cos(turn) - 1.0], axis=1)
 
 
 def _arc(width: float, depth: float, count: int) -> Floats:
     """Of a circle, from (0, 0), upright at first, through (width, -depth)."""
     radius = arc_radius(width, depth)
-    turn = np.linspace(0.0, math.atan2(depth, radius - width), count)
-    return radius * np.stack([1.0 - np.cos(turn), -np.sin(turn)], axis=1)
+    turn = np.linspace(0.0, elementary.atan2(depth, radius - width), count)
+    return radius * np.stack([1.0 - elementwise.cos(turn), -elementwise.sin(turn)], axis=1)
 
 
 def _whirl(outer: float, inner: float, count: int) -> Floats:
@@ -64,16 +65,16 @@ def _whirl(outer: float, inner: float, count: int) -> Floats:
     turn = np.linspace(0.0, 4.0 * math.pi, count)
     share = turn / (4.0 * math.pi)
     reach = outer + (inner - outer) * share * share * (3.0 - 2.0 * share)
-    return np.stack([reach * np.sin(turn), outer - reach * np.cos(turn)], axis=1)
+    return np.stack([reach * elementwise.sin(turn), outer - reach * elementwise.cos(turn)], axis=1)
 
 
 def _loop(radius: float, height: float, count: int) -> Floats:
     """A ramp of that height, a loop that begins and ends at (0, 0), and a straight way on."""
     length = RAMP * height
     ramp_x = np.linspace(-length, 0.0, max(count // 2, 8), endpoint=False)
-    ramp = np.stack([ramp_x, height * (ramp_x / length) ** 2], axis=1)
+    ramp = np.stack([ramp_x, height * elementary.square(ramp_x / length)], axis=1)
     turn = np.linspace(0.0, 2.0 * math.pi, count + 1)
-    loop = radius * np.stack([np.sin(turn), 1.0 - np.cos(turn)], axis=1)
+    loop = radius * np.stack([elementwise.sin(turn), 1.0 - elementwise.cos(turn)], axis=1)
     way = np.linspace(0.0, 4.0 * radius, max(count // 3, 6))[1:]
     return np.concatenate([ramp, loop, np.stack([way, np.zeros_like(way)], axis=1)])
 
@@ -81,20 +82,20 @@ def _loop(radius: float, height: float, count: int) -> Floats:
 def _circle(width: float, height: float, count: int) -> Floats:
     """Round (0, 0), anticlockwise from its lowest point."""
     turn = np.linspace(-0.5 * math.pi, 1.5 * math.pi, count, endpoint=False)
-    return np.stack([width * np.cos(turn), height * np.sin(turn)], axis=1)
+    return np.stack([width * elementwise.cos(turn), height * elementwise.sin(turn)], axis=1)
 
 
 def _spiral(outer: float, inner: float, count: int) -> Floats:
     """Two and a half turns about (0, 0), from the left at the height of its middle."""
     turn = np.linspace(math.pi, 6.0 * math.pi, count)
     reach = outer + (inner - outer) * (turn - math.pi) / (5.0 * math.pi)
-    return np.stack([reach * np.cos(turn), reach * np.sin(turn)], axis=1)
+    return np.stack([reach * elementwise.cos(turn), reach * elementwise.sin(turn)], axis=1)
 
 
 def _waves(length: float, height: float, count: int) -> Floats:
     """Eight waves of that height and length each."""
     x = np.linspace(0.0, 8.0 * length, count)
-    return np.stack([x, height * np.sin(2.0 * math.pi * x / length)], axis=1)
+    return np.stack([x, height * elementwise.sin(2.0 * math.pi * x / length)], axis=1)
 
 
 _FORMS = {

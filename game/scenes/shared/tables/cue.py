@@ -10,6 +10,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.stage import Pointer
 
 AIMING, PULLING, STRIKING = 0.0, 1.0, 2.0
@@ -104,16 +105,16 @@ class CueControl:
 
     def _move(self, event: Pointer, ball_x: float, ball_y: float) -> None:
         if self.phase == PULLING:
-            back = -(event.x - self.data[3]) * math.cos(self.aim) - (event.y - self.data[4]) * math.sin(
-                self.aim
-            )
+            back = -(event.x - self.data[3]) * elementary.cos(self.aim) - (
+                event.y - self.data[4]
+            ) * elementary.sin(self.aim)
             self.data[1] = MAX_SPEED * min(max(back / FULL_PULL, 0.0), 1.0)
             self.data[6] = self._gap_of_pull()
             return
         dx, dy = event.x - ball_x, event.y - ball_y
         if dx * dx + dy * dy < 1e-12 or self.phase == STRIKING:
             return
-        bearing = math.atan2(dy, dx)
+        bearing = elementary.atan2(dy, dx)
         if event.shift:
             self.point_to(self.aim + FINE * math.remainder(bearing - self.data[5], 2.0 * math.pi))
         else:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from game.billiards.table.aim import first_contact
 from game.billiards.table.rack import HEAD_SPOT
 from game.billiards.table.table import Table
+from game.physics.kernels import elementary, elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -27,9 +28,12 @@ def scattered_orientations(count: int, seed: int) -> Array:
     """Unit quaternions (count, 4) of balls with their numbers up, as the table is drawn, a little tilted."""
     random = np.random.default_rng((seed, count))
     axes = random.normal(size=(count, 3))
-    halves = random.uniform(0.1, 0.35, count)
-    x, y, z = (np.sin(halves) * axes.T) / np.sqrt((axes * axes).sum(axis=1))
-    w, quarter = np.cos(halves), math.sqrt(0.5)  # after a quarter turn about z, half of which has this sine
+    halves = linear.uniform(random, 0.1, 0.35, count)
+    x, y, z = (elementwise.sin(halves) * axes.T) / np.sqrt((axes * axes).sum(axis=1))
+    w, quarter = (
+        elementwise.cos(halves),
+        math.sqrt(0.5),
+    )  # after a quarter turn about z, half of which has this sine
     return np.stack((w - z, x + y, y - x, z + w), axis=1) * quarter
 
 
@@ -37,7 +41,7 @@ def free_head_spot(table: Table, radius: float, is_free: Callable[[Array], bool]
     """The head spot (2,) m, or the free place nearest to it along the middle; None without one."""
     spot = np.array([0.5 * table.width, HEAD_SPOT * table.length])
     for k in range(400):
-        place = spot + np.array([0.0, (k + 1) // 2 * (-1) ** k * 0.5 * radius])
+        place = spot + np.array([0.0, (k + 1) // 2 * (1 - 2 * (k % 2)) * 0.5 * radius])
         if is_free(place):
             return place
     return None
@@ -72,7 +76,7 @@ def choose_stroke(
             if pot is not None and (best is None or pot[0] < best[0]):
                 best = pot
     if best is None:
-        nearest = min(others, key=lambda ball: float(np.sum((positions[ball] - cue_ball) ** 2)))
+        nearest = min(others, key=lambda ball: float(np.sum(elementary.square(positions[ball] - cue_ball))))
         return ChosenStroke(
             _bearing(cue_ball, positions[nearest]) + random.normal(0.0, 0.01), 3.0 + 2.0 * random.random()
         )
@@ -80,7 +84,7 @@ def choose_stroke(
 
 
 def _bearing(start: Array, end: Array) -> float:
-    return math.atan2(float(end[1] - start[1]), float(end[0] - start[0]))
+    return elementary.atan2(float(end[1] - start[1]), float(end[0] - start[0]))
 
 
 def _pot(
@@ -88,23 +92,25 @@ def _pot(
 ) -> tuple[float, float, float] | None:
     """Difficulty, aim and speed of sending a ball straight into a pocket; None if the path is not open."""
     path = pocket[:2] - positions[ball]
-    distance = math.sqrt(float(path @ path))
+    distance = math.sqrt(float(linear.product(path, path)))
     if distance < 1e-6:
         return None
     ghost = positions[ball] - path / distance * (radii[0] + radii[ball])
     run = ghost - positions[0]
-    length = math.sqrt(float(run @ run))
+    length = math.sqrt(float(linear.product(run, run)))
     if length < 1e-6:
         return None
-    cosine = float(run @ path) / (length * distance)
-    if cosine < math.cos(STEEPEST_CUT):
+    cosine = float(linear.product(run, path)) / (length * distance)
+    if cosine < elementary.cos(STEEPEST_CUT):
         return None
     aim = _bearing(positions[0], ghost)
     first = first_contact(0, aim, positions, radii, in_play, table)
     if first.kind != "ball" or first.target != ball:
         return None
-    onward = first_contact(ball, math.atan2(float(path[1]), float(path[0])), positions, radii, in_play, table)
+    onward = first_contact(
+        ball, elementary.atan2(float(path[1]), float(path[0])), positions, radii, in_play, table
+    )
     if onward.kind != "pocket":
         return None
-    difficulty = (length * distance + 0.3 * distance) / cosine**2
+    difficulty = (length * distance + 0.3 * distance) / (cosine * cosine)
     return difficulty, aim, min(1.2 + 1.1 * (length + distance / cosine), 6.0)

@@ -19,6 +19,7 @@ from game.billiards.game.frame import Frame
 from game.billiards.search.outcomes import GIVEN_UP, POCKET
 from game.billiards.search.strokes import AZIMUTH, Board, Noise, draw_noise, with_noise
 from game.billiards.table.table import Table
+from game.physics.kernels import elementwise
 
 Array = NDArray[np.float64]
 
@@ -26,7 +27,7 @@ HAND = Noise().scaled(1.9)  # of a practised person, as steady as an expert amon
 SLICE_S = 0.002  # s that a picture may wait for it
 BATCH = 4  # strokes between two looks at the clock
 # rad; how far off the aim is tried, from the middle out, and how often the last gap is halved then
-OFFSETS: Array = math.radians(0.01) * np.power(1.35, np.arange(20.0), dtype=np.float64)
+OFFSETS: Array = math.radians(0.01) * elementwise.power(1.35, np.arange(20.0))
 HALVINGS = 5
 SAMPLES, FIRST_SAMPLES = 128, 32  # of the hand's strokes: all of them, and those of the first figure
 SEED = 84

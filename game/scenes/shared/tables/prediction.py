@@ -18,6 +18,7 @@ from game.billiards.laws.state import (
     BALL_POCKET,
 )
 from game.billiards.shot.paths import Paths
+from game.physics.kernels import elementary, elementwise, linear
 
 Array = NDArray[np.float64]
 
@@ -130,7 +131,7 @@ def _bounces(paths: Paths, seen: Array, cue: int) -> tuple[tuple[float, float], 
 
 def _beginning(points: Array) -> Array:
     """The first SET_OFF of a path (n, 2) m."""
-    way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    way = np.concatenate([[0.0], np.cumsum(elementwise.hypot(*np.diff(points, axis=0).T))])
     count = int(np.searchsorted(way, SET_OFF))
     if count == len(points):
         return points
@@ -145,8 +146,12 @@ def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]
         return 0.0
     along = approach[-1] - approach[-2]
     normal = np.array(place) - ghost
-    size = math.sqrt(float(along @ along) * float(normal @ normal))
-    return math.acos(min(max(float(along @ normal) / size, -1.0), 1.0)) if size > 0.0 else 0.0
+    size = math.sqrt(float(linear.product(along, along)) * float(linear.product(normal, normal)))
+    return (
+        elementary.acos(min(max(float(linear.product(along, normal)) / size, -1.0), 1.0))
+        if size > 0.0
+        else 0.0
+    )
 
 
 def _length(points: Array) -> float:

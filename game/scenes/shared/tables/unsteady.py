@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.shot.cue import strike
+from game.physics.kernels import elementary
 
 # how many times `game.billiards.search.strokes.Noise`, the hand of a master; 2.8 is that of a club player
 HANDS = {"none": 0.0, "steady": 1.0, "average": 2.8}
@@ -41,10 +40,10 @@ def spread_of(stroke: Stroke, hand: str, radius: float) -> float:
     noise = Noise().scaled(HANDS[hand])
     aside = noise.tip / radius
     turned = _squirt(stroke.tip_left + 0.5 * aside) - _squirt(stroke.tip_left - 0.5 * aside)
-    return math.hypot(noise.azimuth, turned)
+    return elementary.hypot(noise.azimuth, turned)
 
 
 def _squirt(tip_left: float) -> float:
     """Direction of a ball struck along x, rad; the tip in ball radii."""
     x, y, _ = strike(1.0, 0.0, 0.0, tip_left).velocity
-    return math.atan2(y, x)
+    return elementary.atan2(y, x)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.state import DYNAMIC
 from game.scenes.solids.bodies import place_of, whole_joints
 from game.scenes.solids.measures import contact_points, energies
@@ -98,7 +98,7 @@ class RaceModel(Part):
         x, y = world.bodies.positions[self.watched].tolist()
         points = contact_points(world)
         gap = max(
-            (math.dist(place_of(world, j, 0), place_of(world, j, 1)) for j in whole_joints(world)),
+            (elementary.dist(place_of(world, j, 0), place_of(world, j, 1)) for j in whole_joints(world)),
             default=0.0,
         )
         return Result(
@@ -114,7 +114,7 @@ class RaceModel(Part):
         """Speed m/s of the fastest body of solver k."""
         rows = self.worlds[k].world.bodies
         dynamic = rows.flags & DYNAMIC != 0
-        return float(np.hypot(*rows.velocities[dynamic].T).max(initial=0.0))
+        return float(elementwise.hypot(*rows.velocities[dynamic].T).max(initial=0.0))
 
     def state(self) -> RaceState:
         """All that later steps depend on."""

@@ -10,13 +10,14 @@ from game.lab.studies.stacks import race_study
 from game.levels import Level
 from game.physics.solids import SOLVERS
 from game.physics.solids.effects import USUAL
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.solids import RACE
 from game.scenes.solids.race.figure import draw_loop_of_impulses
-from game.scenes.solids.race.model import RaceModel, RaceState
+from game.scenes.solids.race.model import RaceModel
 from game.scenes.solids.race.parameters import RaceParameters, field_of, short_of, titled
 from game.scenes.solids.race.view import RaceView
-from game.stage import Equation, Frame, Hint, Readout, Scene, SceneAction, SetParameter, Strip, Table, WarmUp
+from game.stage import Equation, Frame, Hint, Readout, SceneAction, SetParameter, Strip, Table, WarmUp
 from game.stage.messages import Messages
 from game.ui.look.numerals import format_si
 
@@ -28,7 +29,7 @@ def _series(what: str) -> tuple[str, ...]:
     return tuple(f"{words}: {what}" for words in NAMES.values())
 
 
-class SolverRace(Scene):
+class SolverRace(ModelScene):
     """Bodies that press on each other make one large problem: all impulses at once, none of them a
     pull. No two ways to solve it agree, and all are given the same bodies here, the same step, as many
     substeps and sweeps.
@@ -42,6 +43,7 @@ class SolverRace(Scene):
     name, task, title = RACE.names
     parameters_type = RaceParameters
     parameters: RaceParameters
+    model: RaceModel
     effects = USUAL
     study = race_study
     may_be_infinite = frozenset(f"worlds.{k}.world.joints" for k in range(20))
@@ -95,9 +97,6 @@ class SolverRace(Scene):
     def parameter_changed(self, name: str) -> None:
         self.model.change()
 
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
     def why_idle(self, name: str) -> str:
         """Substeps go by the quality unless that is one's own."""
         if name == "substeps" and self.parameters.tier != "own":
@@ -107,12 +106,6 @@ class SolverRace(Scene):
     def takes_long(self, event: Any) -> bool:
         """Another solver is compiled first."""
         return isinstance(event, SetParameter) and event.name in SWITCHES
-
-    def state(self) -> RaceState:
-        return self.model.state()
-
-    def restore(self, state: RaceState) -> None:
-        self.model.restore(state)
 
     def check(self) -> None:
         """What must always hold in every world."""
