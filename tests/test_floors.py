@@ -101,7 +101,7 @@ FUSED = {
     ),
 }
 # what touches files in physics/ is the kernels' disk cache and nothing else
-MACHINERY = {"physics/kernels/jit.py", "physics/kernels/jit_cache.py", "physics/kernels/jit_sources.py"}
+MACHINERY = {f"physics/kernels/{name}.py" for name in ("jit", "jit_cache", "jit_sources", "prebuilt")}
 NOT_IN_PHYSICS = {"time", "datetime", "io", "os", "shutil", "pathlib", "tempfile", "random", "platformdirs"}
 
 

@@ -22,6 +22,7 @@ from game.app.commands import (
     match,
     open_text,
     play,
+    precompile,
     record,
     replay,
     run,
@@ -38,7 +39,7 @@ from game.definition import DefinitionError
 
 COMMANDS = (
     play, run, listing, stories, replay, open_text, selftest, accuracy, shot, fit, tracks, match, record,
-    fuzz, bench,
+    fuzz, bench, precompile,
 )  # fmt: skip
 
 

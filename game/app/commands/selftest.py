@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import subprocess
 import sys
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -18,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from game.app.commands import given, output
+from game.app.compile.second_process import with_this_game
 from game.app.stagehand.script import Script, demo_of
 from game.app.window.mistake import MistakeError
 from game.app.window.words import say
@@ -192,7 +192,7 @@ def _with_pure_steps(results: list[Result], quiet: bool) -> list[Result]:
         steps = min(int(PURE_S / (SLOWDOWN * max(result.step_s, 1e-7))), MOST_PURE_STEPS)
         if steps > 0 and not result.trouble:
             plan[result.name] = steps
-    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    environment = {**with_this_game(), "NUMBA_DISABLE_JIT": "1"}
     command = [sys.executable, "-m", "game", "selftest", "--plan", json.dumps(plan)]
     troubles: dict[str, str] = {}
     pipe = subprocess.PIPE

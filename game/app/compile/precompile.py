@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sys
 
-from game.app.compile.readiness import is_ready
+from game.app.compile.readiness import opens_at_once
 from game.app.compile.second_process import end, start_quietly
 from game.stage.catalogue import Entry
 
@@ -19,7 +19,7 @@ class Precompiler:
 
     def __init__(self, entry: Entry):
         # the other process knows only the real catalogue
-        wanted = entry.module.startswith("game.") and not is_ready(entry)
+        wanted = entry.module.startswith("game.") and not opens_at_once(entry)
         command = (sys.executable, "-m", "game.app.compile.precompile", entry.name)
         self._process = start_quietly(command) if wanted else None
 

@@ -1,7 +1,9 @@
 """While the menu stands, a process of low priority compiles what has not been opened yet, scene by scene.
 
 What it has finished is on disk, so it may be stopped at any moment; a scene whose name it has printed opens
-at once. `python -m game.app.compile.preparing` is that process; it ends when nobody reads its names.
+at once. `python -m game.app.compile.preparing` is that process; it ends when nobody reads its names. It takes
+nothing of the machine code that came with Carom, and so compiles for this very processor; with the name of a
+scene it does so for that scene alone, while that is played.
 """
 
 from __future__ import annotations
@@ -12,11 +14,11 @@ import queue
 import subprocess
 import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from game.app.compile.readiness import is_ready, mark_ready
 from game.app.compile.second_process import end, start_quietly
-from game.stage.catalogue import Catalogue, Entry
+from game.stage.catalogue import Entry
 
 QUIETLY = 10  # added to the process's niceness
 OURS = (sys.executable, "-m", "game.app.compile.preparing")
@@ -67,7 +69,18 @@ class Preparation:
         self._process, self._begun = None, False
 
 
+def native_code_of(entry: Entry) -> Preparation:
+    """The process for one scene alone: what it compiles is used from the next start."""
+    return Preparation((*OURS, entry.name))
+
+
 def prepare_scene(entry: Entry) -> None:
+    """Compile all that opening a scene compiles, and note that. Raises whatever the scene raises."""
+    compile_scene(entry)
+    mark_ready(entry)
+
+
+def compile_scene(entry: Entry) -> None:
     """Compile all that opening a scene compiles. Raises whatever the scene raises."""
     import pygame
 
@@ -80,16 +93,15 @@ def prepare_scene(entry: Entry) -> None:
     for warm_up in scene_type.warm_ups():
         warm_up.call()
     rehearse(Opening().make_stage(scene_type), Look(DARK, 1.0), pygame.Rect((0, 0), SIZE))
-    mark_ready(entry)
 
 
-def prepare_all(catalogue: Catalogue) -> None:
+def prepare_all(entries: Iterable[Entry]) -> None:
     """Prepare one scene after another and print the name of each that is ready.
 
     One that cannot be prepared is left out: opening it will say why. Ends quietly when nobody listens.
     """
     with contextlib.suppress(BrokenPipeError):
-        for entry in catalogue:
+        for entry in entries:
             if not is_ready(entry):
                 try:
                     prepare_scene(entry)
@@ -98,11 +110,21 @@ def prepare_all(catalogue: Catalogue) -> None:
             print(entry.name, flush=True)
 
 
-if __name__ == "__main__":
+def main(names: Sequence[str]) -> None:
+    """The process: all scenes, or those named. Nothing is compiled that could not be kept."""
     from game.app.stagehand.headless import prepare
+    from game.physics.kernels.jit_cache import can_keep_code
+    from game.physics.kernels.prebuilt import VARIABLE
     from game.scenes import CATALOGUE
 
+    if not can_keep_code():
+        return
+    os.environ[VARIABLE] = "0"
     if hasattr(os, "nice"):
         os.nice(QUIETLY)
     prepare()
-    prepare_all(CATALOGUE)
+    prepare_all([CATALOGUE[name] for name in names] or CATALOGUE)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

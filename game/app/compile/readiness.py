@@ -1,7 +1,8 @@
 """Which scenes open at once: those whose kernels were compiled from the very sources that are here now.
 
-A note in the cache folder, named by a hash of the sources of the scene's module and of the canvas, says so.
-Wrong notes are harmless: the scene then compiles when it is opened or drawn.
+Code for this very processor is in the cache folder; code for a generic one may have come with Carom. A note
+in the cache folder, named by a hash of the sources of the scene's module and of the canvas, says that the
+former is all there. Wrong notes are harmless: the scene then compiles when it is opened or drawn.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import contextlib
 from pathlib import Path
 
 from game.folders import cache_folder
+from game.physics.kernels.prebuilt import prebuilt, shipped_file
 from game.stage.catalogue import Entry
 
 
@@ -35,8 +37,18 @@ def is_ready(entry: Entry) -> bool:
     return False
 
 
-def any_notes() -> bool:
-    """Whether any scene was ever compiled here: if not, there is no use in importing the compiler."""
+def opens_at_once(entry: Entry) -> bool:
+    """Whether nothing is left to compile before the scene is seen, be it for a generic processor."""
+    if is_ready(entry):
+        return True
+    shipped = prebuilt()
+    return shipped is not None and entry.name in shipped.scenes
+
+
+def any_code() -> bool:
+    """Whether any scene's code may be here: if not, there is no use in importing the compiler."""
+    if shipped_file() is not None:
+        return True
     with contextlib.suppress(OSError):
         return any((cache_folder() / "ready").iterdir())
     return False

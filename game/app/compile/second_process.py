@@ -10,18 +10,31 @@ import threading
 from collections.abc import Sequence
 from typing import Any
 
+from game.folders import PACKAGE
+
 PATIENCE_S = 1.0
+
+
+def with_this_game() -> dict[str, str]:
+    """The environment in which ``python -m game...`` is this very package.
+
+    Whatever is called so in the folder that the program was started from: Python would look there first.
+    """
+    places = [str(PACKAGE.parent), *filter(None, [os.environ.get("PYTHONPATH", "")])]
+    return {**os.environ, "PYTHONSAFEPATH": "1", "PYTHONPATH": os.pathsep.join(places)}
 
 
 def start_quietly(command: Sequence[str], **options: Any) -> subprocess.Popen[Any] | None:
     """Start it without a screen or sound card; None on one core, or where it cannot be started.
 
-    ``options`` go to `subprocess.Popen`; what is not said otherwise is neither read nor written.
+    ``options`` go to `subprocess.Popen`; what is not said otherwise is neither read nor written. In a frozen
+    application ``sys.executable`` is the application: only if it says that it runs modules is it started.
     """
-    if (os.cpu_count() or 1) < 2 or getattr(sys, "frozen", False):
+    frozen = getattr(sys, "frozen", False) and not getattr(sys, "runs_modules", False)
+    if (os.cpu_count() or 1) < 2 or frozen:
         return None
     streams: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
-    environment = {**os.environ, "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
+    environment = {**with_this_game(), "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
     with contextlib.suppress(OSError):
         return subprocess.Popen(command, env=environment, **{**streams, **options})
     return None

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.compile.readiness import any_notes, is_ready
+from game.app.compile.readiness import any_code, opens_at_once
 from game.app.screens.host import Host
 from game.app.window.guard import Failure
 from game.app.window.pictures import write_png
@@ -98,7 +98,7 @@ class Thumbnails:
         if (self._thread is not None and self._thread.is_alive()) or not self._made.empty():
             return
         name = self._next(look)
-        if name and any_notes():
+        if name and any_code():
             entry = self._catalogue[name]
             self._thread = threading.Thread(
                 target=self._build_next, args=(entry,), name="thumbnails", daemon=True
@@ -156,7 +156,7 @@ class Thumbnails:
         while not self._canvas.wait(0.05):
             if self._stop.is_set():
                 return
-        live = _build(entry) if is_ready(entry) else None
+        live = _build(entry) if opens_at_once(entry) else None
         if not self._stop.is_set():
             self._made.put(entry.name if live is None else live)
 

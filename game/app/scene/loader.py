@@ -14,6 +14,7 @@ from game.app.compile.canvas_warming import CanvasWarming
 from game.app.compile.precompile import Precompiler
 from game.app.compile.readiness import mark_ready
 from game.app.stagehand.opening import Opening
+from game.physics.kernels.prebuilt import anything_taken
 from game.stage.catalogue import Entry
 from game.ui.look.look import Look
 
@@ -76,7 +77,8 @@ class Loader:
             self._rehearse(self.scene_type)
             self.done = self.total
             self.stage = self._opening.make_stage(self.scene_type)
-            mark_ready(self.entry)
+            if not anything_taken():  # else code for this very processor is still to be compiled
+                mark_ready(self.entry)
         except Exception as error:  # whatever a scene's own code raises must not take the window with it
             self.error = " ".join(f"{error}".split()) or type(error).__name__
         finally:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pygame
 
+from game.app.compile.preparing import native_code_of
 from game.app.scene.banner import FaultBanner
 from game.app.scene.caption import LevelCaption
 from game.app.scene.gate import Gate
@@ -23,6 +24,7 @@ from game.app.stagehand.view import StageView
 from game.app.window.commands import Actions
 from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
+from game.physics.kernels.prebuilt import anything_taken
 from game.stage import Action, Scene, Stage, StageEvent
 from game.ui.widgets.wishes import Wish
 
@@ -59,6 +61,9 @@ class ScenePlay:
         if story is not None:
             self.story = StoryPlay(host, self.record, self.view, story)
             self.gate.touched = self.story.touched
+        self.native = native_code_of(shell.entry)
+        if host.background and anything_taken():
+            self.native.begin()
         if self.story is None:
             self._set_pace()
             self._introduce()
@@ -117,6 +122,7 @@ class ScenePlay:
         """The scene is left."""
         if self.stage.level is not None:
             self.host.toasts.withdraw(self.stage.level.about)
+        self.native.stop()
         self.record.errands.close()
         self._leave_story()
         self.host.sounds.follow(None)

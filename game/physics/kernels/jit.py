@@ -16,6 +16,8 @@ kernels use depend on anything but sources: environment, files and clock are not
 from __future__ import annotations
 
 import contextlib
+import itertools
+import os
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -24,6 +26,7 @@ from typing import Any, NamedTuple
 import numba
 from numba import config, types
 from numba.core import event
+from numba.core.bytecode import FunctionIdentity
 
 from game.folders import cache_folder
 from game.physics.kernels.jit_cache import KernelCache
@@ -65,6 +68,11 @@ class _Watch(event.Listener):
 
 _watch = _Watch()
 event.register("numba:compile", _watch)
+
+# numba tells two functions of one name apart, as two closures over different integers, by a number that it
+# counts up from 1 in each process. Kept code of two processes then has one name for different functions, and
+# a kernel that calls both would call one of them twice. So each process counts from a place of its own.
+FunctionIdentity._unique_ids = itertools.count(int.from_bytes(os.urandom(6), "little") << 14)
 
 
 def compiling() -> Compiling:

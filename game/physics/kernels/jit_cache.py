@@ -10,6 +10,10 @@ damaged file counts as none, and is written again. No failure here does more tha
 What is read is machine code (and a pickle that says how it is called), so it is run whatever its format:
 it is taken only from folders that nobody but this user can change (see game/trust.py), from the root down.
 Otherwise kernels are compiled again, and that is said once.
+
+What is not there is looked for in the machine code that came with Carom (see prebuilt.py), for a generic
+processor. What comes from there is not written again: whoever looks for code of this very processor finds
+none, and compiles it.
 """
 
 from __future__ import annotations
@@ -34,6 +38,8 @@ from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
+from game.folders import cache_folder
+from game.physics.kernels.prebuilt import GENERIC, platform_name, prebuilt
 from game.trust import is_private_file, make_private_folder, reason_to_distrust
 
 SUFFIX = f".py{sys.version_info[0]}{sys.version_info[1]}.code"
@@ -41,6 +47,30 @@ STALE_AFTER_S = 7 * 86_400.0  # s; a folder of other sources that another checko
 MAX_BYTES = 512 << 20  # of all folders together
 _CHECKSUM = 16  # bytes at the head of a file
 BEFORE_LOADING: list[Callable[[], None]] = []  # what makes known the symbols that machine code may refer to
+_used: dict[Path, None] = {}
+
+
+def files_used() -> list[Path]:
+    """Files of machine code that this process has read from the cache folder or written there, in order."""
+    return list(_used)
+
+
+def code_in(path: Path) -> bytes:
+    """The code in a file of the cache folder. ValueError if it is damaged; OSError if it cannot be read."""
+    data = _read(path)
+    if _checksum(data[_CHECKSUM:]) != data[:_CHECKSUM]:
+        raise ValueError(f"{path}: damaged")
+    return data[_CHECKSUM:]
+
+
+def can_keep_code() -> bool:
+    """Whether there is a place where the code of kernels can be kept, and taken from again."""
+    folder = cache_folder() / "kernels"
+    try:
+        make_private_folder(folder)
+        return os.access(folder, os.W_OK) and not reason_to_distrust(folder)
+    except OSError:
+        return False
 
 
 class KernelCache(NullCache):
@@ -68,24 +98,34 @@ class KernelCache(NullCache):
         for prepare in BEFORE_LOADING:
             prepare()
         target_context.refresh()
-        try:
-            path = self._path(sig, target_context.codegen())
-            if path is None:
-                return None
-            if not _is_trusted(self._folder):
-                return None
-            data = _read(path)
-            _mark_used(self._folder)
-            if _checksum(data[_CHECKSUM:]) != data[:_CHECKSUM]:
-                return None
-            return CompileResult._rebuild(target_context, *pickle.loads(data[_CHECKSUM:]))
-        except Exception:  # missing, unreadable, written by who knows what: compiling mends it
+        for read in (self._read_kept, self._read_prebuilt):
+            try:
+                data = read(sig, target_context.codegen())
+                if data is not None:
+                    return CompileResult._rebuild(target_context, *pickle.loads(data))
+            except Exception:  # missing, unreadable, written by who knows what: compiling mends it
+                continue
+        return None
+
+    def _read_kept(self, sig: Any, codegen: Any) -> bytes | None:
+        """What an earlier process has compiled here for this processor."""
+        path = self._path(sig, codegen.magic_tuple()[1:])
+        if path is None or not _is_trusted(self._folder):
             return None
+        code = code_in(path)
+        _mark_used(self._folder)
+        _used[path] = None
+        return code
+
+    def _read_prebuilt(self, sig: Any, codegen: Any) -> bytes | None:
+        """What came with Carom, for any processor of this platform."""
+        path, shipped = self._path(sig, GENERIC), prebuilt()
+        return None if path is None or shipped is None else shipped.take(f"{path.parent.name}/{path.name}")
 
     def save_overload(self, sig: Any, cres: Any) -> None:
         """Keep a compiled function, if it can be kept and there is a place."""
         with contextlib.suppress(Exception):
-            path = self._path(sig, cres.codegen)
+            path = self._path(sig, cres.codegen.magic_tuple()[1:])
             if path is None or cres.lifted or cres.library.has_dynamic_globals:
                 return
             make_private_folder(self._folder)
@@ -93,15 +133,16 @@ class KernelCache(NullCache):
                 return
             data = dumps(cres._reduce())
             _write(path, _checksum(data) + data)
+            _used[path] = None
             remove_old_folders(self._folder)
 
-    def _path(self, sig: Any, codegen: Any) -> Path | None:
-        """File for these argument types on this processor; None if types have no lasting name."""
+    def _path(self, sig: Any, processor: tuple[str, str]) -> Path | None:
+        """File for these types on a processor (name, features); None if types have no lasting name."""
         types = sig if isinstance(sig, tuple) else (sig.return_type, *sig.args)
         described = "; ".join(_describe(item) for item in types)
         if " at 0x" in described or " at 0x" in self._function_key:
             return None
-        key = f"{described}|{codegen.magic_tuple()!r}|{self._function_key}"
+        key = f"{described}|{platform_name()}|{processor!r}|{self._function_key}"
         digest = hashlib.blake2b(key.encode(), digest_size=10).hexdigest()
         return self._folder / f"{self._stem}-{digest}{SUFFIX}"
 

@@ -258,8 +258,10 @@ class Billiards(Scene):
 
 
 def _warm_up(scene: Billiards) -> None:
-    """Play one stroke, so that all kernels of the table are compiled."""
+    """Play one stroke and look at it, so that all kernels of the table are compiled."""
     scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call(), practised=False)
     for _ in range(100):
         scene.advance(0.02)
     scene.readouts()
+    if scene.model.played is not None:
+        scene.model.played.trajectory.orientations_at(0.1)

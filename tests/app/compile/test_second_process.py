@@ -6,6 +6,7 @@ import threading
 
 import pytest
 
+import game
 from game.app.compile import second_process
 from game.app.compile.second_process import end, start_quietly
 
@@ -28,3 +29,25 @@ def test_what_was_never_started_needs_no_end(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: 1 / 0)
     assert start_quietly((sys.executable, "-c", "pass")) is None
     end(None)
+
+
+@pytest.mark.parametrize("runs_modules", (False, True))
+def test_a_frozen_application_is_started_only_if_it_runs_modules(monkeypatch, runs_modules: bool):
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    monkeypatch.setattr(sys, "runs_modules", runs_modules, raising=False)
+    process = start_quietly((sys.executable, "-c", "pass"))
+    assert (process is not None) is runs_modules
+    end(process)
+
+
+def test_it_is_of_the_same_carom_whatever_lies_in_the_folder(monkeypatch, tmp_path):
+    """A stranger's package of that name would be run, and another version's kernels be compiled."""
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "game").mkdir()
+    (tmp_path / "game" / "__init__.py").write_text("raise SystemExit('a stranger')")
+    code = "import game; print(game.__file__)"
+    process = start_quietly((sys.executable, "-c", code), stdout=subprocess.PIPE, text=True)
+    assert process is not None
+    assert process.communicate(timeout=60)[0].strip() == game.__file__

@@ -331,8 +331,8 @@ def test_drawings_are_made_of_what_is_seen_only(start, monkeypatch):
 
 def test_scenes_are_built_of_what_is_seen_only(many: Driver, monkeypatch):
     built: list[str] = []
-    monkeypatch.setattr(thumbnails_module, "any_notes", lambda: True)
-    monkeypatch.setattr(thumbnails_module, "is_ready", lambda entry: True)
+    monkeypatch.setattr(thumbnails_module, "any_code", lambda: True)
+    monkeypatch.setattr(thumbnails_module, "opens_at_once", lambda entry: True)
     monkeypatch.setattr(thumbnails_module, "_build", lambda entry: built.append(entry.name))
     monkeypatch.setattr(many.app.canvas_warming, "wait", lambda seconds: True)
     menu = many.top

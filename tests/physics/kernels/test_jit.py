@@ -22,6 +22,7 @@ import pytest
 import game
 from game.physics.kernels import jit, jit_cache
 from game.physics.kernels.jit import Compiling, code_folder, compiling, kernel
+from game.physics.kernels.prebuilt import GENERIC
 
 HELPER = """
 from game.physics.kernels.jit import kernel
@@ -69,7 +70,7 @@ print(json.dumps({
 }))
 """
 
-COMPILER = ("jit", "jit_cache", "jit_sources")
+COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt")
 
 
 class Answer(NamedTuple):
@@ -211,6 +212,32 @@ pathlib.Path("game/{name}").write_text({new!r})
         copy = of_warm(warm, tmp_path)
         assert copy.run(NUMBA_BOUNDSCHECK="1").compiled == 4
         assert copy.run().compiled == 0
+
+
+class TestTwoOfOneName:
+    """Closures over different integers have one name for numba; kept code of them may be of two processes."""
+
+    TWINS = """
+from game.physics.kernels.jit import kernel
+def make(bits):
+    @kernel(inline="never")
+    def twin(x):
+        for i in range(50):
+            x = x * 0.5 + i
+        return 1000.0 if bits & 1 else -5.0
+    return twin
+a, b = make(0), make(1)
+@kernel
+def both(x):
+    return a(x) + 10.0 * b(x)
+"""
+
+    def test_a_kernel_calls_either(self, copy: Copy) -> None:
+        copy.write("physics/twins.py", self.TWINS)
+        for call in ("a", "b", "both"):
+            code = f"from game.physics.twins import {call}; import sys; print({call}(1.0))"
+            out, err = copy.start(code).communicate(timeout=200)
+            assert (float(out), err) == ({"a": -5.0, "b": 1000.0, "both": 9995.0}[call], "")
 
 
 class TestTroubles:
@@ -425,10 +452,7 @@ class TestNames:
     """What the file of a piece of code is called"""
 
     def path(self, function, sig, folder: Path, options: str = "") -> Path | None:
-        from numba.core.registry import cpu_target
-
-        cache = jit_cache.KernelCache(function, folder, options)
-        return cache._path(sig, cpu_target.target_context.codegen())
+        return jit_cache.KernelCache(function, folder, options)._path(sig, GENERIC)
 
     def test_types_of_one_name_differ(self, tmp_path: Path) -> None:
         import numba

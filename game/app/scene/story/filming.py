@@ -7,6 +7,7 @@ import sys
 from datetime import datetime
 from pathlib import Path
 
+from game.app.compile.second_process import with_this_game
 from game.app.screens.host import Host
 from game.folders import pictures_folder
 from game.stage.story.lines import Story
@@ -51,7 +52,9 @@ class Filming:
             "--theme", self._host.settings.theme, *part, *small,
         ]  # fmt: skip
         quiet, pipe = subprocess.DEVNULL, subprocess.PIPE
-        self.process = subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=pipe, text=True)
+        self.process = subprocess.Popen(
+            command, env=with_this_game(), stdin=quiet, stdout=quiet, stderr=pipe, text=True
+        )
         self._host.tell("Filming", f"{self._path}")
 
     def update(self) -> None:
