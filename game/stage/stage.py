@@ -335,12 +335,21 @@ class Stage:
 
     # -- events -------------------------------------------------------------------------------------
 
+    def check(self, event: StageEvent) -> StageEvent:
+        """The event in plain numbers; ParameterError for one that is refused whatever the state is."""
+        return checked_event(event, self.scene_type, self.level)
+
+    def let_go(self) -> None:
+        """Take back a drag that is under way, as nobody holds it any more."""
+        self._session.let_go()
+        self._follow_session()
+
     def post(self, event: StageEvent) -> None:
         """Let an event act now, before the next step, and record it.
 
         Raises ParameterError for what is refused; then nothing has changed and nothing is recorded.
         """
-        self._session.let_in(checked_event(event, self.scene_type))
+        self._session.let_in(self.check(event))
         self._follow_session()
         if self._paused and self._session.fault is None:
             self._sample()  # no step will do it

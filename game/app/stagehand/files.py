@@ -34,6 +34,7 @@ def present_level(stage: Stage, title: str) -> Level:
         seed=scene.level.seed if scene.level is not None else 0,
         parameters=changed,
         effects_off=tuple(effect.name for effect in scene.effects if effect not in scene.active),
+        teaching=stage.level.teaching if stage.level is not None else None,
         content=scene.save_content(),
     )
 
