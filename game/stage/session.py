@@ -7,7 +7,7 @@ finite, an exception) is undone the same way: the scene stands at its last good 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from time import perf_counter
 from typing import Any
@@ -15,7 +15,7 @@ from typing import Any
 from game.definition import DefinitionError
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent
+from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
 from game.stage.fault import Fault, fault_at, fault_in
 from game.stage.parameters import STEP_LENGTH, ParameterError
 from game.stage.records.recording import CHECK_INTERVAL, MAX_EVENTS, Check
@@ -107,6 +107,24 @@ class Session:
         """Stand still where it is, as what was asked of the scene has raised; the fault that says so."""
         self.fault = fault_in(self.step, what, error)
         return self.fault
+
+    def kept(self, step: int) -> tuple[Snapshot, tuple[Stamped, ...]]:
+        """The latest kept state not after a step (the first one there is, if it is out of reach), and the
+        events that have acted since.
+        """
+        base = self._ring.before(max(step, self._ring.first_step))
+        return base, tuple(self.timeline.since(base.events))
+
+    def resume(self, snapshot: Snapshot, events: Sequence[Stamped]) -> None:
+        """Go on from the state of another session of the same scene, and repeat what acted in it since."""
+        self.timeline = Timeline(events)
+        self._put_back(snapshot._replace(events=0))
+        self._ring.forget_after(-1)
+        self._ring.add(self._snapshot())
+        self._repeat_events()
+        self._repeating = self.timeline.has_future
+        self._schedule()
+        self.keep_previous()
 
     # -- forward ------------------------------------------------------------------------------------
 

@@ -18,6 +18,7 @@ from game.stage.fault import Fault
 from game.stage.records.keeping import recording_of
 from game.stage.records.recipe import Recipe, checked_seed
 from game.stage.records.recording import Recording
+from game.stage.records.rerun import Kept
 from game.stage.sampling import Sampling
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
@@ -321,6 +322,15 @@ class Stage:
         self._follow_session()
         self.clock.hold()
         self._sampling.go_back(step)
+
+    def kept_from(self, step: int) -> Kept:
+        """What it takes to go once more from a step (or the first one that can be) to where it stands."""
+        session = self._session
+        snapshot, events = session.kept(step)
+        first = max(step, snapshot.step)
+        return Kept(
+            self.scene_type, self.build_scene, snapshot, events, first, session.step, self.digest(), self.dt
+        )
 
     def forget_future(self) -> None:
         """Drop the events that were remembered of later steps."""

@@ -8,12 +8,13 @@ import pygame
 
 from game.app.scene.banner import FaultBanner
 from game.app.scene.caption import LevelCaption
+from game.app.scene.film.films import Films
 from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
 from game.app.scene.shell import Shell
-from game.app.scene.standstill import Standstill, draw_replay_sign
+from game.app.scene.standstill import Standstill, draw_signs
 from game.app.scene.steps import Steps
 from game.app.scene.stopping import Stopping
 from game.app.scene.story.play import StoryPlay
@@ -45,6 +46,7 @@ class ScenePlay:
         self.shelf = Shelf(self.record, host, self._opened, self._offer_levels)
         self.banner = FaultBanner(host)
         self.caption = LevelCaption(host, welcome=not shell.entry.roomy)
+        self.films = Films(host, self.record, self.view)
         self.stopping = Stopping()
         self.standstill = Standstill()
         self._pace = 1.0  # of the level in play
@@ -83,6 +85,7 @@ class ScenePlay:
             "view": lambda: self.view.camera.home(smooth=not self.host.look.less_motion),
             "save": self.shelf.ask_and_save,
             "copy": self.shelf.copy,
+            "film": self.films.ask,
             **(self.story.actions if self.story is not None else {}),
         }
 
@@ -117,6 +120,7 @@ class ScenePlay:
         """The scene is left."""
         if self.stage.level is not None:
             self.host.toasts.withdraw(self.stage.level.about)
+        self.films.close()
         self.record.errands.close()
         self._leave_story()
         self.host.sounds.follow(None)
@@ -251,6 +255,9 @@ class ScenePlay:
             self.steps.go_on(elapsed_s, measuring=panel is not None and panel.shows_effects)
         if self.story is not None:
             self.story.update(elapsed_s, errands.inside)
+        if not errands.inside:
+            self.films.update(elapsed_s)
+        self.shell.filming = self.films.busy
         if errands.inside:
             self.host.sounds.follow(None)
             self.shell.hints.update(elapsed_s)
@@ -327,7 +334,9 @@ class ScenePlay:
                 self.story.draw_words(surface)
         if self.story is None:
             self.caption.draw(surface)
-        draw_replay_sign(surface, self.host.look, layout.free_stage, self.record.watched)
+        self.films.see(surface, layout.free_stage)
+        watched = f"{self.record.watched} · a touch takes over" if self.record.watched else ""
+        draw_signs(surface, self.host.look, layout, (watched, self.films.words))
         bare = self.stopped or not self.view.teaching
         self.shell.draw(surface, self.stage, () if bare else self.stage.scene.legend())
         self.banner.draw(surface)

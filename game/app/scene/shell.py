@@ -44,6 +44,7 @@ class Shell:
         self.loading = LoadingCard(look)
         self.strips: Strips | None = None
         self.panel: Panel | None = None
+        self.filming = False
         self._grabbed = False
         self.place()
         self.hints.show([((host.keys.label("back"),), "back to the menu")])
@@ -158,7 +159,7 @@ class Shell:
             readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
         return BarState(
             self.entry.task, self.entry.title, stage.still, stage.speed, panel, readouts,
-            reached=self.pace.speed,
+            reached=self.pace.speed, filming=self.filming,
         )  # fmt: skip
 
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:

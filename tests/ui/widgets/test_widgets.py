@@ -149,7 +149,7 @@ def test_every_button_gives_its_command(look):
     assert found["slower"] == Wish("speed", -1) and found["faster"] == Wish("speed", 1)
     assert set(found) == {
         "menu", "reset", "step-back", "pause", "step", "slower", "speed", "faster", "panel", "help",
-        "screenshot",
+        "screenshot", "film", "tools",
     }  # fmt: skip
     assert bar.spots.find("pause").rect.center == (552, 24)
 
