@@ -34,7 +34,6 @@ import tomli_w
 
 from game.files import FileProblem, read_text, write_text
 from game.folders import data_folder, user_folder
-from game.teaching import Teaching, TeachingError
 from game.level_checks import (
     MAX_DEPTH,
     MAX_ITEMS,
@@ -46,6 +45,7 @@ from game.level_checks import (
     check_text,
     convert,
 )
+from game.teaching import Teaching, TeachingError
 
 __all__ = [
     "MAX_BYTES",

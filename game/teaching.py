@@ -73,7 +73,9 @@ class NumberQuestion(msgspec.Struct, frozen=True, forbid_unknown_fields=True, ta
     def is_right(self, answer: str, readouts: Mapping[str, float]) -> bool:
         """Whether what was typed is near enough."""
         expected = self.expected(readouts)
-        reach = self.tolerance if self.tolerance is not None else abs(expected) * (self.percent or 0.0) / 100.0
+        reach = (
+            self.tolerance if self.tolerance is not None else abs(expected) * (self.percent or 0.0) / 100.0
+        )
         return abs(read_number(answer) - expected) <= reach * (1.0 + 1e-9)
 
 

@@ -72,6 +72,7 @@ class Stage:
         self._snapshot_bytes = snapshot_bytes
         self._speed = 1.0
         self._paused = False
+        self.session_number = 0  # how often it has begun: another number, another session
         self.cue: Cue | None = None
         scene = self._recipe.first(parameters, effects_off=effects_off, effects=effects)
         self.clock = FixedStep(self._recipe.dt_of(scene), max_steps)
@@ -418,6 +419,7 @@ class Stage:
         self._session = Session(
             scene, self.build_scene, self._recipe.dt_of(scene), self._record, self._snapshot_bytes
         )
+        self.session_number += 1
         self._follow_session()
         self.clock.hold()
         self.series.clear()

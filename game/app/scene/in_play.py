@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from game.app.scene.errands import Errands
 from game.app.scene.variants import Variants
 from game.app.stagehand.script import Script
@@ -24,6 +26,7 @@ class InPlay:
         self.errands = Errands(in_background)
         self.runner: Runner | None = None  # of the story that plays
         self.script: Script | None = None
+        self.later: list[Callable[[], object]] = []  # to be done when the scene is on top again
         self.show(stage, recording)
 
     def show(self, stage: Stage, recording: Recording | None = None) -> None:

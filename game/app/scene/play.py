@@ -18,6 +18,8 @@ from game.app.scene.standstill import Standstill, draw_signs
 from game.app.scene.steps import Steps
 from game.app.scene.stopping import Stopping
 from game.app.scene.story.play import StoryPlay
+from game.app.scene.tools.bench import Bench, ToolsCard
+from game.app.scene.tools.charts import Charts
 from game.app.screens.host import Host
 from game.app.stagehand.opening import Opening
 from game.app.stagehand.view import StageView
@@ -47,6 +49,8 @@ class ScenePlay:
         self.banner = FaultBanner(host)
         self.caption = LevelCaption(host, welcome=not shell.entry.roomy)
         self.films = Films(host, self.record, self.view)
+        self.bench = Bench(host, self.record, self.view)
+        self.charts = Charts(host, self.record, shell)
         self.stopping = Stopping()
         self.standstill = Standstill()
         self._pace = 1.0  # of the level in play
@@ -86,6 +90,8 @@ class ScenePlay:
             "save": self.shelf.ask_and_save,
             "copy": self.shelf.copy,
             "film": self.films.ask,
+            "tools": self.open_tools,
+            "charts": self.charts.ask,
             **(self.story.actions if self.story is not None else {}),
         }
 
@@ -143,6 +149,8 @@ class ScenePlay:
             self.shell.panel.focus_next()
             return []
         dragging = bool(self.hand.held)
+        if not dragging and self.bench.handle(event, self.shell.layout.free_stage):
+            return []
         taken, asked = (False, []) if dragging else self.shell.handle(event)
         if not taken:
             self.hand.handle(event, self.shell.layout.free_stage)
@@ -167,8 +175,20 @@ class ScenePlay:
         self.gate.post_hand()
         self.post(Action(name))
 
+    def open_tools(self) -> None:
+        """All that one measures and shows with."""
+        label = self.host.keys.label
+        more = [
+            ("One more chart", "Any readout over the last ten seconds", label("charts"), self.charts.ask),
+            ("Phase plot", "Two readouts against each other", "", self.charts.ask_phase),
+            ("Save the numbers", "All readouts of the last ten seconds", "csv", self.charts.save),
+            ("Film", "This, or the last ten seconds", label("film"), lambda: self.host.perform("film")),
+        ]
+        ToolsCard(self.host, self.bench, more, self.record.later.append).open()
+
     def cancel(self) -> bool:
         """Take back a drag; False if there was none."""
+        self.bench.cancel()
         begun = self.hand.cancel()
         self.gate.post_hand()
         return begun
@@ -245,7 +265,9 @@ class ScenePlay:
 
     def update(self, elapsed_s: float) -> None:
         """Events of the hand, then the steps that are due, then what is shown of them."""
-        errands = self.record.errands
+        errands, later = self.record.errands, self.record.later
+        while later:
+            later.pop(0)()
         errands.update(elapsed_s)
         if self.stopped:
             self._stand_still(elapsed_s)
@@ -257,6 +279,7 @@ class ScenePlay:
             self.story.update(elapsed_s, errands.inside)
         if not errands.inside:
             self.films.update(elapsed_s)
+        self.bench.update()
         self.shell.filming = self.films.busy
         if errands.inside:
             self.host.sounds.follow(None)
@@ -334,6 +357,8 @@ class ScenePlay:
                 self.story.draw_words(surface)
         if self.story is None:
             self.caption.draw(surface)
+        if not pictureless:
+            self.bench.draw(surface, layout.free_stage)
         self.films.see(surface, layout.free_stage)
         watched = f"{self.record.watched} · a touch takes over" if self.record.watched else ""
         draw_signs(surface, self.host.look, layout, (watched, self.films.words))

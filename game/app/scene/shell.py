@@ -20,7 +20,7 @@ from game.ui.widgets.tooltips import ToolTip
 from game.ui.widgets.topbar import BarState, TopBar
 
 if TYPE_CHECKING:
-    from game.stage import Scene, Stage
+    from game.stage import Readout, Scene, Stage
     from game.stage.catalogue import Entry
     from game.ui.charts.strips import Strips
     from game.ui.panel.panel import Panel
@@ -78,10 +78,17 @@ class Shell:
         host, look = self.host, self.host.look
         panel = host.settings.panel_in_games if self.entry.roomy else host.settings.panel
         strips = len(self.strips.strips) if self.strips is not None else 3
-        if self.entry.roomy and not panel:
+        picked = self.strips is not None and self.strips.strips != self.strips.declared
+        if self.entry.roomy and not panel and not picked:
             self.layout = arrange_over(*host.size, look.k)
         else:
-            self.layout = arrange(*host.size, look.k, panel=panel, strips=strips)
+            self.layout = arrange(
+                *host.size,
+                look.k,
+                panel=panel,
+                strips=strips,
+                tall=self.strips is not None and self.strips.tall,
+            )
         self.bar.place(self.layout.top_bar, look, slim=self.layout.overlaid)
         self.hints.place(self.layout.hint_bar, look)
         for widget in (self.legend, self.tip, self.loading):
@@ -98,9 +105,8 @@ class Shell:
         wishes: list[Any] = []
         if self.panel is not None and self.layout.panel.w:
             wishes += self.panel.handle(event)
-        command = self.bar.handle(event)
-        if command is not None:
-            wishes.append(command)
+        asked = [self.bar.handle(event), self.strips.handle(event) if self.strips is not None else None]
+        wishes += [wish for wish in asked if wish is not None]
         inside = self._inside_a_widget(event)
         taken = bool(wishes) or inside or self._grabbed
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
@@ -138,7 +144,13 @@ class Shell:
         about = self.bar.tip()
         if about is None and self.panel is not None:
             about = self.panel.tip()
+        if about is None and self.strips is not None:
+            about = self.strips.tip()
         self.tip.update(elapsed_s, about)
+
+    def shown(self, stage: Stage) -> list[Readout]:
+        """The readouts that may be seen."""
+        return stage.readouts()
 
     def rest(self, elapsed_s: float) -> None:
         """Let time pass for bar and hints alone: the scene cannot be asked for what the others show."""

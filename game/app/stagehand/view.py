@@ -11,6 +11,7 @@ from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 
+
 class Shown(Protocol):
     """What can be drawn: a `Stage`, or a part of one that is gone through once more."""
 

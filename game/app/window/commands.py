@@ -48,6 +48,8 @@ COMMANDS = (
     Command("story", "take over a story, or go on with it", "f6"),
     Command("marks", "teaching marks of a story", "f7"),
     Command("film", "film this, or the last ten seconds", "f9", helps=True, choice=True),
+    Command("tools", "ruler, protractor, stop-watch, charts", "f8", helps=True, choice=True),
+    Command("charts", "a chart of any readout", "f5", helps=True, choice=True),
     Command("accuracy", "what accuracy costs", "a", "accuracy", helps=True),
     Command("levels", "levels and hard cases", "l", "levels", helps=True, choice=True),
     Command("panel", "panel on and off", "tab"),

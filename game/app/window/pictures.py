@@ -43,7 +43,7 @@ class PictureSaver:
         thread.start()
 
     def finish(self, path: Path, work: Callable[[], object]) -> None:
-        """Let a thread make a film whole; ``work`` raises OSError or RuntimeError with one line if it cannot."""
+        """Let a thread make a film whole; ``work`` raises OSError or RuntimeError if it cannot."""
         arguments = (path, work)
         thread = threading.Thread(target=self._finish, args=arguments, name=str(path), daemon=True)
         self._threads = [*(one for one in self._threads if one.is_alive()), thread]

@@ -28,7 +28,7 @@ class Kept(NamedTuple):
 
 
 class Rerun:
-    """A second scene on its way from a kept state to the present. ``alpha``: as `Stage.alpha`, set from outside.
+    """A second scene on its way from a kept state to the present. ``alpha``: as `Stage.alpha`, to be set.
 
     Building it may take long; any thread may do it. ValueError for what cannot be built again.
     """

@@ -265,7 +265,8 @@ class TopBar:
             target = theme.line if self.spots.pressed == spot.name else theme.hover
             draw_box(surface, rect, self.look.px(8), base if on else base.lerp(target, lit))
         names = {"slower": "minus", "faster": "plus", "screenshot": "camera", "menu": "back"} | {
-            "film": "record", "tools": "ruler"
+            "film": "record",
+            "tools": "ruler",
         }
         if spot.name == "film" and self.state.filming:
             color = self.look.color("vermilion")

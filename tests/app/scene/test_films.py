@@ -80,7 +80,7 @@ def test_the_button_of_the_bar_asks_as_well_and_is_lit_while_a_film_is_taken(dri
     spot = driver.top.shell.bar.spots.find("film")
     driver.click(*spot.rect.center)
     driver.frames(20)
-    assert [row.title for row in driver.top.rows][0] == "Film this"
+    assert driver.top.rows[0].title == "Film this"
     driver.key(pygame.K_ESCAPE)
     driver.frames(30)
     driver.top.play.films.begin("this", "gif")

@@ -59,21 +59,21 @@ class Films:
             self._host.open_choices("Film", self._rows(), lambda value: self.begin(*value))
 
     def _rows(self) -> list[ListRow]:
-        ends = f"{self._host.keys.label('film')} ends it"
-        mp4 = has_mp4()
-        rows = [
+        ends, least = f"{self._host.keys.label('film')} ends it", f"At most {LONGEST_S['gif']:.0f} s"
+        if not has_mp4():
+            return [
+                ListRow(
+                    "Film this", f"{least}, without sound; {ends}. {MISSING}", "gif", value=("this", "gif")
+                ),
+                ListRow("Film the last ten seconds", "Without sound", "gif", value=("last", "gif")),
+            ]
+        last = "Film the last ten seconds"
+        return [
             ListRow("Film this", f"From now on, with sound; {ends}", "mp4", value=("this", "mp4")),
-            ListRow("Film the last ten seconds", "With sound, beside what goes on", "mp4", value=("last", "mp4")),
-        ]  # fmt: skip
-        small = "without sound" if mp4 else f"without sound. {MISSING}"
-        least = f"At most {LONGEST_S['gif']:.0f} s"
-        rows = rows if mp4 else []
-        rows.append(ListRow("Film this" + ", small" * mp4, f"{least}, {small}; {ends}", "gif", value=("this", "gif")))
-        rows.append(
-            ListRow("Film the last ten seconds" + ", small" * mp4, small.capitalize() if mp4 else "Without sound",
-                    "gif", value=("last", "gif"))
-        )  # fmt: skip
-        return rows
+            ListRow(last, "With sound, beside what goes on", "mp4", value=("last", "mp4")),
+            ListRow("Film this, small", f"{least}, without sound; {ends}", "gif", value=("this", "gif")),
+            ListRow(f"{last}, small", "Without sound", "gif", value=("last", "gif")),
+        ]
 
     def begin(self, what: str, kind: str) -> None:
         """Begin a film; what: "this" from now on, or "last" ten seconds; kind: "mp4" or "gif"."""
@@ -97,7 +97,9 @@ class Films:
         return type(self._record.stage.scene).hearing is not Scene.hearing
 
     def _writer(self, kind: str) -> Writer:
-        return make_writer(kind, free_path(self._record.stage.scene.name, kind), self._view.rect.size, self._sounding)
+        return make_writer(
+            kind, free_path(self._record.stage.scene.name, kind), self._view.rect.size, self._sounding
+        )
 
     def _prepare(self, kind: str) -> Callable[[], object]:
         """Build what the last seconds are gone through with; what is then to be done with it."""
