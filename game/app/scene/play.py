@@ -11,6 +11,7 @@ from game.app.scene.caption import LevelCaption
 from game.app.scene.film.films import Films
 from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
+from game.app.scene.lesson.lesson import Lesson
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
 from game.app.scene.shell import Shell
@@ -27,10 +28,12 @@ from game.app.window.commands import Actions
 from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
 from game.stage import Action, Scene, Stage, StageEvent
+from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish
 
 SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
 FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
+TYPING_ENDS = (pygame.K_ESCAPE, pygame.K_TAB)
 ROOMY_MARGIN = 6.0  # design px
 
 
@@ -59,6 +62,7 @@ class ScenePlay:
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
+        self.lesson = Lesson(host, self.record, shell, self._offer_levels)
         if type(stage.scene).hearing is not Scene.hearing:
             host.sounds.prepare()
         story = opening.read_story(stage.scene_type)
@@ -91,12 +95,15 @@ class ScenePlay:
             "copy": self.shelf.copy,
             "film": self.films.ask,
             "tools": self.open_tools,
+            "teach": self.lesson.ask_and_save,
             "charts": self.charts.ask,
             **(self.story.actions if self.story is not None else {}),
         }
 
     def panel_wants(self, event: pygame.Event) -> bool:
         """Whether a key is for the control that has the keyboard focus, or moves that focus (Shift+Tab)."""
+        if self.shell.lesson.typing and (event.key in TYPING_ENDS or LineField.wants(event)):
+            return True
         panel = self.shell.panel
         if panel is None or not self.shell.layout.panel.w:
             return False
@@ -145,6 +152,8 @@ class ScenePlay:
                 return []
         elif self.caption.handle(event):
             return [Wish("pause")]
+        if event.type in (pygame.KEYDOWN, pygame.TEXTINPUT) and self.shell.lesson.typing:
+            return self.shell.lesson.handle(event)
         if event.type == pygame.KEYDOWN and event.key == pygame.K_TAB and self.shell.panel is not None:
             self.shell.panel.focus_next()
             return []
@@ -229,6 +238,7 @@ class ScenePlay:
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
         self._leave_story()
+        self.lesson.follow()
         self.view.stage = self.stage
         self._place_view()
         self.view.camera.home(smooth=False)

@@ -98,6 +98,8 @@ class SceneScreen(Screen):
         return {
             "speed": self.play.change_speed,
             "chart": self.play.charts.ask,
+            "answer": self.play.lesson.check,
+            "lesson-fold": lambda _: self.restyle(),
             "level": self.play.open_file,
             "refused": lambda why: self.host.tell("Not taken.", str(why), "warning"),
             "toast": lambda words: self.host.tell(str(words), "", "warning"),

@@ -56,6 +56,7 @@ COMMANDS = (
     Command("next", "next scene", "pagedown", choice=True),
     Command("previous", "previous scene", "pageup"),
     Command("save", "save level and recording", "ctrl+s", helps=True, choice=True),
+    Command("teach", "save as a teaching level", "ctrl+t", choice=True),
     Command("open", "open what was saved", "ctrl+o", helps=True, choice=True),
     Command("copy", "copy the stroke or the run as text", "ctrl+shift+c", helps=True, choice=True),
     Command("paste", "open a run from the clipboard", "ctrl+v", helps=True, choice=True),

@@ -90,6 +90,11 @@ class Strips:
             spots.append(Hotspot(f"{i}", place, True, "Another readout, a phase plot, or the numbers as CSV"))
         self.spots.place(spots)
 
+    def declare(self, strips: Sequence[Strip]) -> None:
+        """Other charts that one goes back to; they are shown from now on."""
+        self.declared = tuple(strips)
+        self.show(strips)
+
     def show(self, strips: Sequence[Strip | Phase]) -> None:
         """Other charts from now on; they are placed by who calls."""
         self.strips = tuple(strips)
