@@ -99,7 +99,8 @@ class ChoiceQuestion(msgspec.Struct, frozen=True, forbid_unknown_fields=True, ta
 
     def is_right(self, answer: str, readouts: Mapping[str, float]) -> bool:
         """Whether the option of that number is the right one."""
-        return bool(answer) and answer == str(self.expected(readouts))
+        right = self.expected(readouts)
+        return right > 0 and answer == str(right)
 
 
 class GoalQuestion(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="kind", tag="goal"):
