@@ -29,9 +29,9 @@ def pack_codes(colors: Any, out: Any, keys: Any, codes: Any) -> int:
     size, free, bits, held, end = 9, FIRST, 0, 0, 0
     held |= CLEAR << bits
     bits += size
-    prefix = np.int64(colors[0])
+    prefix: Any = np.int64(colors[0])
     for i in range(1, colors.size):
-        color = np.int64(colors[i])
+        color: Any = np.int64(colors[i])
         key = prefix * 256 + color
         slot = (key * 40503) & (_SLOTS - 1)
         while keys[slot] != key and keys[slot] >= 0:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import pygame
 
@@ -60,17 +60,13 @@ class Bench:
 
     def _make(self, name: str) -> Instrument:
         place, to_world = self._view.rect, self._view.camera.to_world
-        x, y = place.center
-        wide, high = 0.18 * place.w, 0.18 * place.h
+        x, wide, high = place.centerx, 0.18 * place.w, 0.2 * place.h
         if name == Ruler.name:
+            y = place.y + 0.38 * place.h
             return Ruler([to_world(x - wide, y), to_world(x + wide, y)])
-        return Protractor(
-            [
-                to_world(x - 0.5 * wide, y + high),
-                to_world(x + wide, y + high),
-                to_world(x + 0.5 * wide, y - high),
-            ]
-        )
+        y = place.y + 0.74 * place.h
+        ends = ((x - wide, y), (x + wide, y), (x + 0.4 * wide, y - high))
+        return Protractor([to_world(*end) for end in ends])
 
     # -- events -------------------------------------------------------------------------------------
 
@@ -145,7 +141,7 @@ class Bench:
 class ToolsCard:
     """Offers everything that one measures and shows with."""
 
-    def __init__(self, host: Host, bench: Bench, more: list[tuple[str, str, str, Act]], then: Then) -> None:
+    def __init__(self, host: Host, bench: Bench, more: Sequence[tuple[str, str, str, Act]], then: Then) -> None:
         """``more``: title, words, what stands at the right, and what is done, of the other rows.
 
         ``then``: has something done when the card has gone.

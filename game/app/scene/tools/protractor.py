@@ -61,7 +61,7 @@ class Protractor(Instrument):
         self._draw_ticks(pixels, clip, cover, (x, y), radius, (start, sweep), k, amber)
         self.draw_handles(surface, look, camera)
         middle = start + 0.5 * sweep
-        away = radius + 36.0 * k
+        away = radius + 56.0 * k
         center = (x + away * math.cos(middle), y + away * math.sin(middle))
         self.draw_label(surface, look, self.words(unit), center, place)
 

@@ -64,7 +64,7 @@ class Ruler(Instrument):
         if length >= 1.0:
             self._draw_strip(surface, look, camera, place, (nx, ny))
         self.draw_handles(surface, look, camera)
-        side = 1.0 if ny > 0.0 or (ny == 0.0 and nx > 0.0) else -1.0
+        side = -1.0 if ny > 0.0 or (ny == 0.0 and nx > 0.0) else 1.0  # above it
         away = side * 34.0 * look.k
         center = (0.5 * (x0 + x1) + nx * away, 0.5 * (y0 + y1) + ny * away)
         self.draw_label(surface, look, self.words(unit), center, place)
