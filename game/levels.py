@@ -13,6 +13,8 @@ wrong is answered by one LevelError: file, field, reason.
     iterations = 20
     [effects]
     off = ["gravity"]
+    [teaching]                    # a task, locks and questions: see teaching.py
+    task = "Find the restitution."
     [content]                     # a msgspec.Struct type that the scene gives, or nothing
 
 Field types of a content say what is allowed: ``Annotated[float, msgspec.Meta(gt=0)]``. NaN is never allowed,
@@ -43,6 +45,7 @@ from game.level_checks import (
     check_text,
     convert,
 )
+from game.teaching import Teaching, TeachingError
 
 __all__ = [
     "MAX_BYTES",
@@ -77,6 +80,7 @@ class Level(msgspec.Struct, frozen=True, kw_only=True):
     seed: int = 0
     parameters: dict[str, float | bool | str] = {}
     effects_off: tuple[str, ...] = ()
+    teaching: Teaching | None = None
     content: Any = None
     path: Path | None = None
 
@@ -96,6 +100,7 @@ class _File(msgspec.Struct, forbid_unknown_fields=True):
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**63 - 1)] = 0
     parameters: dict[str, float | bool | str] = {}
     effects: _Effects = msgspec.field(default_factory=_Effects)
+    teaching: Teaching | None = None
     content: dict[str, Any] | None = None
 
 
@@ -134,6 +139,11 @@ def level_of(
     for name, value in file.parameters.items():
         if isinstance(value, float) and not math.isfinite(value):
             raise LevelError(path, f"parameters.{name}", "expected a finite number")
+    if file.teaching is not None:
+        try:
+            file.teaching.check()
+        except TeachingError as error:
+            raise LevelError(path, f"teaching.{error.field}", error.reason) from None
     return Level(
         scene=file.scene,
         title=file.title,
@@ -143,6 +153,7 @@ def level_of(
         seed=file.seed,
         parameters=file.parameters,
         effects_off=tuple(file.effects.off),
+        teaching=file.teaching,
         content=_content(file.content, content_type, path),
         path=path,
     )
@@ -162,6 +173,8 @@ def format_level(level: Level) -> str:
         document["parameters"] = dict(level.parameters)
     if level.effects_off:
         document["effects"] = {"off": list(level.effects_off)}
+    if level.teaching is not None:
+        document["teaching"] = _without_none(_said(level.teaching))
     if level.content is not None:
         document["content"] = _without_none(msgspec.to_builtins(level.content, enc_hook=_plain))
     return tomli_w.dumps(document)
@@ -219,6 +232,11 @@ def _content(raw: dict[str, Any] | None, content_type: type[msgspec.Struct] | No
     content = convert(raw, content_type, path, "content")
     check_numbers(content, content_type, path)
     return content
+
+
+def _said(teaching: Teaching) -> dict[str, Any]:
+    """The section without lists that are empty."""
+    return {name: value for name, value in msgspec.to_builtins(teaching).items() if value}
 
 
 def _plain(value: Any) -> Any:

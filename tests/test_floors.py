@@ -19,7 +19,19 @@ FLOORS = (
         "files",
         "packed_text",
     ),  # where things lie and how they are read and written: for every floor
-    *("physics", "billiards", "level_checks", "levels", "lab", "stage", "ui", "scenes", "app", "__main__"),
+    *(
+        "physics",
+        "billiards",
+        "level_checks",
+        "teaching",
+        "levels",
+        "lab",
+        "stage",
+        "ui",
+        "scenes",
+        "app",
+        "__main__",
+    ),
 )
 SCREENLESS = FLOORS[: FLOORS.index("ui")]
 MOST_MODULES = 20  # of a folder

@@ -11,6 +11,7 @@ from game.billiards.laws.contacts import CUSHION_MODELS
 from game.levels import parse_level
 from game.physics import effects
 from game.scenes import CATALOGUE
+from game.stage import ParameterError, SetParameter, Stage
 from game.stage.story.lines import VERBS
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import DARK
@@ -50,6 +51,16 @@ def test_a_scene(capsys):
     assert stage.digest() == before
 
 
+def test_a_task():
+    section = re.search(r"^## Write a task\n.*?```toml\n(.*?)```", GUIDE, re.S | re.M)
+    assert section is not None
+    level = parse_level(section.group(1), "bouncing-ball", None)
+    stage = Stage(CATALOGUE["bouncing-ball"].load(), level=level)
+    assert level.teaching is not None and len(level.teaching.questions) == 3
+    with pytest.raises(ParameterError, match="locked"):
+        stage.post(SetParameter("restitution", 0.1))
+
+
 def test_a_story(capsys):
     names = run("Write a story")
     said = capsys.readouterr().out
@@ -77,7 +88,8 @@ def test_a_contact_model(capsys):
 
 
 def test_levels_it_shows_are_read():
-    (text,) = re.findall(r"```toml\n(.*?)```", GUIDE, re.S)
+    lesson = GUIDE.index("## Write a task")
+    (text,) = re.findall(r"```toml\n(.*?)```", GUIDE[:lesson], re.S)
     level = parse_level(text.replace("[content]", "# [content]"), "pendulum", None)
     assert (level.seed, level.parameters, level.effects_off) == (7, {"start": 3.0}, ("gravity",))
     assert CATALOGUE["pendulum"].load()(level).active.names == ()

@@ -47,6 +47,7 @@ from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.toasts import Toasts
 
 if TYPE_CHECKING:
+    from game.app.stagehand.teaching_draft import Draft
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
     from game.stage.catalogue import Entry
@@ -275,6 +276,12 @@ class App:
         from game.app.scene.help_card import HelpCard
 
         self._open_card(HelpCard.called, lambda: HelpCard(self, scene_type, level))
+
+    def open_teaching(self, draft: Draft, taken: Callable[[Draft], str]) -> None:
+        """The card on which a teaching level is made; ``taken`` saves it, or says why it cannot."""
+        from game.app.screens.teaching_card import TeachingCard
+
+        self._open_card(TeachingCard.called, lambda: TeachingCard(self, draft, taken))
 
     def open_tour(self, layout: Callable[[], Layout]) -> None:
         """The tour of a window that is laid out so."""

@@ -65,11 +65,11 @@ class Loop:
 
     def _tell_of_pictures(self) -> None:
         """Say where pictures are that have been written meanwhile."""
-        for path, problem in self.app.pictures.take():
+        for path, problem, what in self.app.pictures.take():
             if problem:
-                self.app.tell("No picture.", problem, "warning")
+                self.app.tell(f"No {what.lower()}.", problem, "warning")
             else:
-                self.app.tell("Picture saved", str(path))
+                self.app.tell(f"{what} saved", str(path))
 
     # -- events -------------------------------------------------------------------------------------
 

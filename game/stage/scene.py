@@ -30,6 +30,7 @@ from game.stage.parameters import (
 from game.stage.part import structures_of
 from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
+from game.teaching import Teaching, TeachingError
 
 if TYPE_CHECKING:
     from game.stage.records.excerpt import Excerpt
@@ -90,6 +91,7 @@ class Scene(SceneDeclaration):
             self.active = effects
         for name in effects_off:
             self.active = self.active.without(self.effect(name))
+        self._check_locks(level)
         try:
             self.build(level)
         except (LevelError, ParameterError):
@@ -102,6 +104,40 @@ class Scene(SceneDeclaration):
                 raise
             field = "content" if level.content is not None else "parameters"
             raise LevelError(level.path, field, str(error)) from error
+        if level is not None and level.teaching is not None:
+            self._check_teaching(level, level.teaching)
+
+    def _check_locks(self, level: Level | None) -> None:
+        """ParameterError if something that the level locks is not as the level has it."""
+        if level is None or level.teaching is None:
+            return
+        declared = self.declared_parameters()
+        try:
+            level.teaching.check_names(declared, [effect.name for effect in self.effects])
+        except TeachingError as error:
+            raise LevelError(level.path, f"teaching.{error.field}", error.reason) from None
+        for name in level.teaching.fixed:
+            if self.values[name] != self.level_value(name):
+                raise ParameterError(f"{name} = {self.values[name]!r}: locked by the level")
+        for name in level.teaching.locked_effects:
+            if (self.effect(name) in self.active) == (name in level.effects_off):
+                raise ParameterError(f"{name}: locked by the level")
+
+    def _check_teaching(self, level: Level, teaching: Teaching) -> None:
+        """LevelError for a readout that is asked for and never measured."""
+        known = [readout.name for readout in self.readouts()]
+        known += [name for strip in self.strips for name in strip.sometimes]
+        try:
+            teaching.check_readouts(known)
+        except TeachingError as error:
+            raise LevelError(level.path, f"teaching.{error.field}", error.reason) from None
+
+    def level_value(self, name: str) -> Any:
+        """What a parameter is in the level: said there, or its default."""
+        parameter = self.parameter(name)
+        said = self.level.parameters if self.level is not None else {}
+        by_present_name = {self.parameter(key).name: value for key, value in said.items()}
+        return parameter.check(by_present_name.get(parameter.name, parameter.default))
 
     def _check_definition(self) -> None:
         """DefinitionError, saying what to write, for a class that lacks what each scene must define."""

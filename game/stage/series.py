@@ -44,6 +44,11 @@ class StripSeries:
         """Simulated times of the samples, (n,) s, ascending; a view, good until the next sample."""
         return self._times[self._first : self._end]
 
+    @property
+    def steps(self) -> np.ndarray:
+        """Steps at which they were taken, (n,) int64; a view like `times`."""
+        return self._steps[self._first : self._end]
+
     def values(self, name: str) -> np.ndarray:
         """Values of one readout, (n,), NaN where it was not there; a view like `times`. KeyError."""
         return self._values[name][self._first : self._end]

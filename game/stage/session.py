@@ -7,7 +7,7 @@ finite, an exception) is undone the same way: the scene stands at its last good 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from time import perf_counter
 from typing import Any
@@ -15,7 +15,7 @@ from typing import Any
 from game.definition import DefinitionError
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent
+from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
 from game.stage.fault import Fault, fault_at, fault_in
 from game.stage.parameters import STEP_LENGTH, ParameterError
 from game.stage.records.recording import CHECK_INTERVAL, MAX_EVENTS, Check
@@ -25,6 +25,7 @@ from game.stage.states.snapshots import Snapshot, SnapshotRing
 from game.stage.states.state import copy_state, digest_of, same_shapes
 from game.stage.timeline import Timeline
 from game.stage.timing import StepTimer
+from game.stage.validation import LOCKED, locked_parameters
 from game.stage.watch import FiniteWatch
 
 Build = Callable[[Mapping[str, Any], EffectSet], Scene]
@@ -46,6 +47,7 @@ class Session:
         self._time_base_s = 0.0
         self._time_base_step = 0
         self.recorded = record
+        self._locked = {name: scene.values[name] for name in sorted(locked_parameters(scene.level))}
         self._repeating = False  # stepping through a future that is remembered
         self._watch = FiniteWatch(scene.may_be_infinite)
         state = scene.state()
@@ -106,6 +108,24 @@ class Session:
         self.fault = fault_in(self.step, what, error)
         return self.fault
 
+    def kept(self, step: int) -> tuple[Snapshot, tuple[Stamped, ...]]:
+        """The latest kept state not after a step (the first one there is, if it is out of reach), and the
+        events that have acted since.
+        """
+        base = self._ring.before(max(step, self._ring.first_step))
+        return base, tuple(self.timeline.since(base.events))
+
+    def resume(self, snapshot: Snapshot, events: Sequence[Stamped]) -> None:
+        """Go on from the state of another session of the same scene, and repeat what acted in it since."""
+        self.timeline = Timeline(events)
+        self._put_back(snapshot._replace(events=0))
+        self._ring.forget_after(-1)
+        self._ring.add(self._snapshot())
+        self._repeat_events()
+        self._repeating = self.timeline.has_future
+        self._schedule()
+        self.keep_previous()
+
     # -- forward ------------------------------------------------------------------------------------
 
     def advance(self) -> bool:
@@ -130,6 +150,12 @@ class Session:
             self._repeating = self.timeline.has_future
         return True
 
+    def let_go(self) -> None:
+        """Take back a drag that no event has ended."""
+        held = self.timeline.held()
+        if held is not None:
+            self.let_in(Pointer("cancel", held.x, held.y))
+
     def let_in(self, event: StageEvent) -> None:
         """Let a checked event act now. ParameterError if the scene refuses it; then nothing has changed."""
         if self.timeline.has_future:
@@ -145,6 +171,7 @@ class Session:
     def _try(self, event: StageEvent) -> None:
         try:
             self._act(event)
+            self._check_locks()
         except ValueError as error:
             self._return_to(self.step)
             raise error if isinstance(error, ParameterError) else ParameterError(str(error)) from error
@@ -161,6 +188,13 @@ class Session:
             self.timeline.drop_before(self._ring.first_event)
         if not same_shapes(state, self.scene.previous):
             self.keep_previous()
+
+    def _check_locks(self) -> None:
+        """ParameterError if a hand or an action has changed a parameter that the level locks."""
+        scene = self.scene
+        for name, value in self._locked.items():
+            if scene.values[name] != value:
+                raise ParameterError(f"{scene.parameter(name).label}: {LOCKED}")
 
     def _act(self, event: StageEvent) -> None:
         """Hand an event to the scene."""

@@ -18,6 +18,7 @@ from game.stage.fault import Fault
 from game.stage.records.keeping import recording_of
 from game.stage.records.recipe import Recipe, checked_seed
 from game.stage.records.recording import Recording
+from game.stage.records.rerun import Kept
 from game.stage.sampling import Sampling
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
@@ -71,6 +72,7 @@ class Stage:
         self._snapshot_bytes = snapshot_bytes
         self._speed = 1.0
         self._paused = False
+        self.session_number = 0  # how often it has begun: another number, another session
         self.cue: Cue | None = None
         scene = self._recipe.first(parameters, effects_off=effects_off, effects=effects)
         self.clock = FixedStep(self._recipe.dt_of(scene), max_steps)
@@ -322,6 +324,15 @@ class Stage:
         self.clock.hold()
         self._sampling.go_back(step)
 
+    def kept_from(self, step: int) -> Kept:
+        """What it takes to go once more from a step (or the first one that can be) to where it stands."""
+        session = self._session
+        snapshot, events = session.kept(step)
+        first = max(step, snapshot.step)
+        return Kept(
+            self.scene_type, self.build_scene, snapshot, events, first, session.step, self.digest(), self.dt
+        )
+
     def forget_future(self) -> None:
         """Drop the events that were remembered of later steps."""
         self._session.forget_future()
@@ -335,12 +346,21 @@ class Stage:
 
     # -- events -------------------------------------------------------------------------------------
 
+    def check(self, event: StageEvent) -> StageEvent:
+        """The event in plain numbers; ParameterError for one that is refused whatever the state is."""
+        return checked_event(event, self.scene_type, self.level)
+
+    def let_go(self) -> None:
+        """Take back a drag that is under way, as nobody holds it any more."""
+        self._session.let_go()
+        self._follow_session()
+
     def post(self, event: StageEvent) -> None:
         """Let an event act now, before the next step, and record it.
 
         Raises ParameterError for what is refused; then nothing has changed and nothing is recorded.
         """
-        self._session.let_in(checked_event(event, self.scene_type))
+        self._session.let_in(self.check(event))
         self._follow_session()
         if self._paused and self._session.fault is None:
             self._sample()  # no step will do it
@@ -399,6 +419,7 @@ class Stage:
         self._session = Session(
             scene, self.build_scene, self._recipe.dt_of(scene), self._record, self._snapshot_bytes
         )
+        self.session_number += 1
         self._follow_session()
         self.clock.hold()
         self.series.clear()

@@ -6,14 +6,17 @@ forward repeats what was. The first new event takes another way: what was to com
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from game.stage.events import Pointer, StageEvent, Stamped
 
 
 class Timeline:
     """Stamped events; the first ``acted`` of them have acted (numbers count from the session's beginning)."""
 
-    def __init__(self) -> None:
-        self._events: list[Stamped] = []
+    def __init__(self, coming: Sequence[Stamped] = ()) -> None:
+        """``coming``: events that have yet to act."""
+        self._events: list[Stamped] = list(coming)
         self._dropped = 0
         self.acted = 0
 
@@ -34,6 +37,10 @@ class Timeline:
     def past(self) -> list[Stamped]:
         """The events that have acted, as far as they are kept."""
         return self._events[: self.acted - self._dropped]
+
+    def since(self, number: int) -> list[Stamped]:
+        """The events that have acted, from the one of that number on."""
+        return self._events[max(number - self._dropped, 0) : self.acted - self._dropped]
 
     def add(self, step: int, event: StageEvent) -> None:
         """An event has acted now: there is no other future any more."""

@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from typing import get_args
 
+from game.levels import Level
 from game.stage.events import Action, Decision, Pointer, PointerKind, SetEffect, SetParameter, StageEvent
 from game.stage.parameters import ParameterError
 from game.stage.scene import Scene
 
+LOCKED = "locked by this level"
 MOST_VALUES = 64  # numbers of a decision
 _POINTER_KINDS: tuple[str, ...] = get_args(PointerKind)
 
 
-def checked_event(event: StageEvent, scene_type: type[Scene]) -> StageEvent:
-    """The event in plain numbers; ParameterError for one that the scene cannot know."""
+def checked_event(event: StageEvent, scene_type: type[Scene], level: Level | None = None) -> StageEvent:
+    """The event in plain numbers; ParameterError for one that the scene cannot know, or the level locks."""
     if isinstance(event, Pointer):
         return _checked_pointer(event)
     if isinstance(event, Action):
@@ -25,10 +27,20 @@ def checked_event(event: StageEvent, scene_type: type[Scene]) -> StageEvent:
         return _checked_decision(event)
     if isinstance(event, SetParameter):
         parameter = scene_type.parameter(event.name)
+        if parameter.name in locked_parameters(level):
+            raise ParameterError(f"{parameter.label}: {LOCKED}")
         return SetParameter(parameter.name, parameter.check(event.value))
     if isinstance(event, SetEffect):
-        return SetEffect(scene_type.effect(event.name).name, bool(event.on))
+        effect = scene_type.effect(event.name)
+        if level is not None and level.teaching is not None and effect.name in level.teaching.locked_effects:
+            raise ParameterError(f"{effect.label}: {LOCKED}")
+        return SetEffect(effect.name, bool(event.on))
     raise ParameterError(f"{type(event).__name__} is no stage event")
+
+
+def locked_parameters(level: Level | None) -> frozenset[str]:
+    """Names of the parameters that nobody can change in a level."""
+    return level.teaching.fixed if level is not None and level.teaching is not None else frozenset()
 
 
 def _checked_decision(event: Decision) -> Decision:

@@ -118,6 +118,11 @@ class VideoWriter:
     def __enter__(self) -> VideoWriter:
         return self
 
+    @property
+    def full(self) -> bool:
+        """Whether the next picture would have to wait for the encoder."""
+        return self._jobs.full()
+
     def __exit__(self, kind: Any, *_: object) -> None:
         self._jobs.put(None)
         self._thread.join()

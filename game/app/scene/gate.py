@@ -11,8 +11,7 @@ from collections.abc import Callable
 from game.app.scene.in_play import InPlay
 from game.app.scene.pointer import ScenePointer
 from game.app.screens.host import Host
-from game.stage import ParameterError, SetParameter, StageEvent
-from game.stage.validation import checked_event
+from game.stage import ParameterError, Pointer, SetParameter, StageEvent
 
 
 class Gate:
@@ -29,11 +28,16 @@ class Gate:
         record, taken = self._record, [True]
         if self.touched is not None and not self.touched(event):
             return False
+        watching = record.script is not None
+        if watching and isinstance(event, Pointer) and event.kind == "move" and not event.button:
+            return False  # a hand that only passes over what is watched is none of the recording's
         try:
-            event = checked_event(event, record.stage.scene_type)
+            event = record.stage.check(event)
         except ParameterError as error:
             self._refuse(error)
             return False
+        if watching:
+            record.errands.act(self._take_over)
         errands, name = record.errands, event.name if isinstance(event, SetParameter) else ""
         if errands.in_background and record.variants.concerns(event):
             errands.work(lambda: record.variants.prepare([event]))
@@ -43,6 +47,16 @@ class Gate:
         else:
             errands.act(lambda: taken.append(self._let_in(event)), name)
         return taken[-1]
+
+    def _take_over(self) -> None:
+        """Let the recording that is watched end here, and say so."""
+        if self._record.script is None:
+            return
+        step, key = self._record.take_over(), self._host.keys.label("copy")
+        self._host.tell(
+            f"The run is yours from step {step} on.",
+            f"The rest of the recording is left out; {key} copies the new run.",
+        )
 
     def _let_in_from_thread(self, event: StageEvent) -> Callable[[], object] | None:
         """Let an event act, in a thread; what is then to be said, if it is refused."""
@@ -120,7 +134,15 @@ class Gate:
             complaint()
 
     def _step(self) -> None:
-        self._record.stage.step()
+        """One step, with what a recording that is watched has at both ends of it."""
+        record = self._record
+        if record.script is not None:
+            record.script.post_due()
+        record.stage.step()
+        if record.script is not None:
+            record.script.post_due()
+            if ending := record.ending():
+                self._host.tell(ending[0], "", ending[1])
 
     def _step_back(self) -> Callable[[], object] | None:
         if self._record.stage.step_back():
@@ -134,7 +156,7 @@ class Gate:
         self._record.errands.act(self._reset)
 
     def _reset(self) -> None:
-        self._record.script = None
+        self._record.script, self._record.borrowed = None, False
         try:
             self._record.stage.reset()
         except ValueError as error:

@@ -9,15 +9,19 @@ import pygame
 from game.app.compile.preparing import native_code_of
 from game.app.scene.banner import FaultBanner
 from game.app.scene.caption import LevelCaption
+from game.app.scene.film.films import Films
 from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
+from game.app.scene.lesson.lesson import Lesson
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
 from game.app.scene.shell import Shell
-from game.app.scene.standstill import Standstill, draw_replay_sign
+from game.app.scene.standstill import Standstill, draw_signs
 from game.app.scene.steps import Steps
 from game.app.scene.stopping import Stopping
 from game.app.scene.story.play import StoryPlay
+from game.app.scene.tools.bench import Bench, ToolsCard
+from game.app.scene.tools.charts import Charts
 from game.app.screens.host import Host
 from game.app.stagehand.opening import Opening
 from game.app.stagehand.view import StageView
@@ -26,10 +30,12 @@ from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
 from game.physics.kernels.prebuilt import anything_taken
 from game.stage import Action, Scene, Stage, StageEvent
+from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish
 
 SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
 FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
+TYPING_ENDS = (pygame.K_ESCAPE, pygame.K_TAB)
 ROOMY_MARGIN = 6.0  # design px
 
 
@@ -47,6 +53,9 @@ class ScenePlay:
         self.shelf = Shelf(self.record, host, self._opened, self._offer_levels)
         self.banner = FaultBanner(host)
         self.caption = LevelCaption(host, welcome=not shell.entry.roomy)
+        self.films = Films(host, self.record, self.view)
+        self.bench = Bench(host, self.record, self.view)
+        self.charts = Charts(host, self.record, shell)
         self.stopping = Stopping()
         self.standstill = Standstill()
         self._pace = 1.0  # of the level in play
@@ -55,6 +64,7 @@ class ScenePlay:
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
+        self.lesson = Lesson(host, self.record, shell, self._offer_levels)
         if type(stage.scene).hearing is not Scene.hearing:
             host.sounds.prepare()
         story = opening.read_story(stage.scene_type)
@@ -88,11 +98,17 @@ class ScenePlay:
             "view": lambda: self.view.camera.home(smooth=not self.host.look.less_motion),
             "save": self.shelf.ask_and_save,
             "copy": self.shelf.copy,
+            "film": self.films.ask,
+            "tools": self.open_tools,
+            "teach": self.lesson.ask_and_save,
+            "charts": self.charts.ask,
             **(self.story.actions if self.story is not None else {}),
         }
 
     def panel_wants(self, event: pygame.Event) -> bool:
         """Whether a key is for the control that has the keyboard focus, or moves that focus (Shift+Tab)."""
+        if self.shell.lesson.typing and (event.key in TYPING_ENDS or LineField.wants(event)):
+            return True
         panel = self.shell.panel
         if panel is None or not self.shell.layout.panel.w:
             return False
@@ -123,6 +139,7 @@ class ScenePlay:
         if self.stage.level is not None:
             self.host.toasts.withdraw(self.stage.level.about)
         self.native.stop()
+        self.films.close()
         self.record.errands.close()
         self._leave_story()
         self.host.sounds.follow(None)
@@ -141,10 +158,14 @@ class ScenePlay:
                 return []
         elif self.caption.handle(event):
             return [Wish("pause")]
+        if event.type in (pygame.KEYDOWN, pygame.TEXTINPUT) and self.shell.lesson.typing:
+            return self.shell.lesson.handle(event)
         if event.type == pygame.KEYDOWN and event.key == pygame.K_TAB and self.shell.panel is not None:
             self.shell.panel.focus_next()
             return []
         dragging = bool(self.hand.held)
+        if not dragging and self.bench.handle(event, self.shell.layout.free_stage):
+            return []
         taken, asked = (False, []) if dragging else self.shell.handle(event)
         if not taken:
             self.hand.handle(event, self.shell.layout.free_stage)
@@ -169,8 +190,20 @@ class ScenePlay:
         self.gate.post_hand()
         self.post(Action(name))
 
+    def open_tools(self) -> None:
+        """All that one measures and shows with."""
+        label = self.host.keys.label
+        more = [
+            ("One more chart", "Any readout over the last ten seconds", label("charts"), self.charts.ask),
+            ("Phase plot", "Two readouts against each other", "", self.charts.ask_phase),
+            ("Save the numbers", "All readouts of the last ten seconds", "csv", self.charts.save),
+            ("Film", "This, or the last ten seconds", label("film"), lambda: self.host.perform("film")),
+        ]
+        ToolsCard(self.host, self.bench, more, self.record.later.append).open()
+
     def cancel(self) -> bool:
         """Take back a drag; False if there was none."""
+        self.bench.cancel()
         begun = self.hand.cancel()
         self.gate.post_hand()
         return begun
@@ -211,6 +244,7 @@ class ScenePlay:
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
         self._leave_story()
+        self.lesson.follow()
         self.view.stage = self.stage
         self._place_view()
         self.view.camera.home(smooth=False)
@@ -247,7 +281,9 @@ class ScenePlay:
 
     def update(self, elapsed_s: float) -> None:
         """Events of the hand, then the steps that are due, then what is shown of them."""
-        errands = self.record.errands
+        errands, later = self.record.errands, self.record.later
+        while later:
+            later.pop(0)()
         errands.update(elapsed_s)
         if self.stopped:
             self._stand_still(elapsed_s)
@@ -257,6 +293,10 @@ class ScenePlay:
             self.steps.go_on(elapsed_s, measuring=panel is not None and panel.shows_effects)
         if self.story is not None:
             self.story.update(elapsed_s, errands.inside)
+        if not errands.inside:
+            self.films.update(elapsed_s)
+        self.bench.update()
+        self.shell.filming = self.films.busy
         if errands.inside:
             self.host.sounds.follow(None)
             self.shell.hints.update(elapsed_s)
@@ -333,7 +373,11 @@ class ScenePlay:
                 self.story.draw_words(surface)
         if self.story is None:
             self.caption.draw(surface)
-        draw_replay_sign(surface, self.host.look, layout.free_stage, self.record.watched)
+        if not pictureless:
+            self.bench.draw(surface, layout.free_stage)
+        self.films.see(surface, layout.free_stage)
+        watched = f"{self.record.watched} · a touch takes over" if self.record.watched else ""
+        draw_signs(surface, self.host.look, layout, (watched, self.films.words))
         bare = self.stopped or not self.view.teaching
         self.shell.draw(surface, self.stage, () if bare else self.stage.scene.legend())
         self.banner.draw(surface)

@@ -97,6 +97,9 @@ class SceneScreen(Screen):
         assert self.play is not None
         return {
             "speed": self.play.change_speed,
+            "chart": self.play.charts.ask,
+            "answer": self.play.lesson.check,
+            "lesson-fold": lambda _: self.restyle(),
             "level": self.play.open_file,
             "refused": lambda why: self.host.tell("Not taken.", str(why), "warning"),
             "toast": lambda words: self.host.tell(str(words), "", "warning"),

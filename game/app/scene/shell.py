@@ -11,19 +11,36 @@ from game.app.screens.host import Host
 from game.app.window.commands import COMMANDS
 from game.ui.look.beat import Beat
 from game.ui.look.layout import arrange, arrange_over
+from game.ui.look.look import Look
 from game.ui.look.pace import Pace
 from game.ui.widgets.hintbar import HintBar
 from game.ui.widgets.legend import Legend
+from game.ui.widgets.lesson import LessonSheet
 from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.loading import LoadingCard, draw_shell
 from game.ui.widgets.tooltips import ToolTip
 from game.ui.widgets.topbar import BarState, TopBar
 
 if TYPE_CHECKING:
-    from game.stage import Scene, Stage
+    from game.stage import Readout, Scene, Stage, Strip
     from game.stage.catalogue import Entry
+    from game.teaching import Teaching
     from game.ui.charts.strips import Strips
     from game.ui.panel.panel import Panel
+
+
+def _without(strips: Iterable[Strip], hidden: Sequence[str]) -> list[Strip]:
+    """Charts without the readouts that are hidden; those of which nothing is left are left out."""
+    left = []
+    for strip in strips:
+        series = tuple(name for name in strip.series if name not in hidden)
+        colors = tuple(
+            color for name, color in zip(strip.series, strip.colors, strict=False) if name not in hidden
+        )
+        if series:
+            left.append(strip._replace(series=series, colors=colors))
+    return left
+
 
 TRANSPORT = ("pause", "step", "step-back")  # their hints come before those of the scene's own
 
@@ -44,7 +61,10 @@ class Shell:
         self.loading = LoadingCard(look)
         self.strips: Strips | None = None
         self.panel: Panel | None = None
+        self.lesson = LessonSheet(look)
+        self.filming = False
         self._grabbed = False
+        self._declared_strips: tuple[Strip, ...] | None = None
         self.place()
         self.hints.show([((host.keys.label("back"),), "back to the menu")])
 
@@ -55,6 +75,7 @@ class Shell:
 
         scene_type = type(stage.scene)
         self.strips = Strips(self.host.look, scene_type.strips)
+        self._declared_strips = scene_type.strips
         self.panel = Panel(self.host.look, scene_type, levels)
         self.hints.show(self._hint_rows(stage.scene))
         self.place()
@@ -77,10 +98,18 @@ class Shell:
         host, look = self.host, self.host.look
         panel = host.settings.panel_in_games if self.entry.roomy else host.settings.panel
         strips = len(self.strips.strips) if self.strips is not None else 3
-        if self.entry.roomy and not panel:
+        picked = self.strips is not None and self.strips.strips != self.strips.declared
+        if self.entry.roomy and not panel and not picked:
             self.layout = arrange_over(*host.size, look.k)
         else:
-            self.layout = arrange(*host.size, look.k, panel=panel, strips=strips)
+            self.layout = arrange(
+                *host.size,
+                look.k,
+                panel=panel,
+                strips=strips,
+                tall=self.strips is not None and self.strips.tall,
+            )
+        self._place_lesson(look)
         self.bar.place(self.layout.top_bar, look, slim=self.layout.overlaid)
         self.hints.place(self.layout.hint_bar, look)
         for widget in (self.legend, self.tip, self.loading):
@@ -90,6 +119,28 @@ class Shell:
         if self.panel is not None:
             self.panel.place(self.layout.panel, look)
 
+    def _place_lesson(self, look: Look) -> None:
+        """The sheet of a teaching level takes its part of the stage."""
+        stage = self.layout.stage
+        width = self.lesson.width_in(self.layout.free_stage, look)
+        top = self.layout.top_bar.bottom if self.layout.overlaid else stage.y
+        bottom = self.layout.hint_bar.y if self.layout.overlaid else stage.bottom
+        self.lesson.place(pygame.Rect(stage.x, top, width, max(bottom - top, 0)), look)
+        if width:
+            rest = pygame.Rect(stage.x + width, stage.y, max(stage.w - width, 1), stage.h)
+            self.layout = self.layout._replace(stage=rest)
+
+    def teach(self, teaching: Teaching | None, locked: str) -> None:
+        """Another level's task, or none: its sheet, and what it hides."""
+        if teaching is None and self.lesson.teaching is None:
+            return
+        self.lesson.show(teaching, locked)
+        if self.strips is not None and self._declared_strips is not None:
+            hidden = teaching.hidden_readouts if teaching is not None else []
+            gone = teaching is not None and "charts" in teaching.hidden
+            self.strips.declare(() if gone else tuple(_without(self._declared_strips, hidden)))
+        self.place()
+
     # -- events -------------------------------------------------------------------------------------
 
     def handle(self, event: pygame.Event) -> tuple[bool, list[Any]]:
@@ -97,9 +148,9 @@ class Shell:
         wishes: list[Any] = []
         if self.panel is not None and self.layout.panel.w:
             wishes += self.panel.handle(event)
-        command = self.bar.handle(event)
-        if command is not None:
-            wishes.append(command)
+        wishes += self.lesson.handle(event)
+        asked = [self.bar.handle(event), self.strips.handle(event) if self.strips is not None else None]
+        wishes += [wish for wish in asked if wish is not None]
         inside = self._inside_a_widget(event)
         taken = bool(wishes) or inside or self._grabbed
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
@@ -114,6 +165,8 @@ class Shell:
         if position is None:
             return False
         if self.layout.overlaid:
+            if self.lesson.rect.collidepoint(position):
+                return True
             return self.bar.covers(position) or self.layout.hint_bar.collidepoint(position)
         return not self.layout.stage.collidepoint(position) or bool(
             self.layout.drawer and self.layout.panel.collidepoint(position)
@@ -129,6 +182,7 @@ class Shell:
             self.pace.pass_time(elapsed_s, stage)
         self.bar.update(elapsed_s, self._bar_state(stage, fresh), fresh)
         self.hints.update(elapsed_s)
+        self.lesson.update(elapsed_s)
         if stage is not None and fresh:
             self.hints.show(self._hint_rows(stage.scene))
         if stage is not None and self.panel is not None and self.strips is not None:
@@ -137,7 +191,17 @@ class Shell:
         about = self.bar.tip()
         if about is None and self.panel is not None:
             about = self.panel.tip()
+        if about is None:
+            about = self.lesson.tip()
+        if about is None and self.strips is not None:
+            about = self.strips.tip()
         self.tip.update(elapsed_s, about)
+
+    def shown(self, stage: Stage) -> list[Readout]:
+        """The readouts that may be seen."""
+        level = stage.level
+        hidden = level.teaching.hidden_readouts if level is not None and level.teaching is not None else ()
+        return [one for one in stage.readouts() if one.name not in hidden]
 
     def rest(self, elapsed_s: float) -> None:
         """Let time pass for bar and hints alone: the scene cannot be asked for what the others show."""
@@ -154,16 +218,18 @@ class Shell:
             return BarState(self.entry.task, self.entry.title, True, 1.0, panel, empty, ready=False)
         readouts = self.bar.state.readouts
         if measured or not self.bar.state.ready:
-            own = tuple((r.name, r.value, r.unit) for r in tuple(stage.readouts())[:1])
+            own = tuple((r.name, r.value, r.unit) for r in tuple(self.shown(stage))[:1])
             readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
         return BarState(
             self.entry.task, self.entry.title, stage.still, stage.speed, panel, readouts,
-            reached=self.pace.speed,
+            reached=self.pace.speed, filming=self.filming,
         )  # fmt: skip
 
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
         """Draw the widgets round and over the picture of the scene."""
-        if not (stage.scene.legend_in_panel and self.layout.panel.w):
+        self.lesson.draw(surface)
+        hidden = self.lesson.teaching is not None and "legend" in self.lesson.teaching.hidden
+        if not hidden and not (stage.scene.legend_in_panel and self.layout.panel.w):
             self.legend.draw(surface, self.layout.free_stage, tuple(legend), self.beat.fresh)
         if self.strips is not None:
             self.strips.draw(surface)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pygame
 
+from game.ui.look.layout import Layout
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box, draw_disc
 
@@ -35,15 +38,16 @@ class Standstill:
             surface.blit(words, words.get_rect(midbottom=(stage.centerx, stage.bottom - look.px(16))))
 
 
-def draw_replay_sign(surface: pygame.Surface, look: Look, stage: pygame.Rect, words: str) -> None:
-    """At the top right of the stage: what is seen is a recording. Nothing without words."""
-    if not words:
-        return
-    px = look.px
-    place = pygame.Rect(0, 0, look.fonts.size(words, 12, "semibold")[0] + px(36), px(28))
-    place.topright = (stage.right - px(16), stage.y + px(16))
-    if place.left < stage.left:
-        return
-    draw_box(surface, place, px(8), look.theme.panel, look.color("amber"), look.border)
-    draw_disc(surface, (place.x + px(14), place.centery), 4 * look.k, look.color("amber"))
-    look.text(surface, words, (place.x + px(24), place.centery), 12, "semibold", "text1")
+def draw_signs(surface: pygame.Surface, look: Look, layout: Layout, lines: Sequence[str]) -> None:
+    """At the top right of the stage: that a recording is seen, that a film is made; below each other."""
+    px, stage = look.px, layout.free_stage
+    top = stage.y + px(16) if not layout.overlaid else layout.top_bar.bottom + px(8)
+    for words in filter(None, lines):
+        place = pygame.Rect(0, top, look.fonts.size(words, 12, "semibold")[0] + px(36), px(28))
+        place.right = stage.right - px(16)
+        if place.left < stage.left:
+            continue
+        draw_box(surface, place, px(8), look.theme.panel, look.color("amber"), look.border)
+        draw_disc(surface, (place.x + px(14), place.centery), 4 * look.k, look.color("amber"))
+        look.text(surface, words, (place.x + px(24), place.centery), 12, "semibold", "text1")
+        top = place.bottom + px(8)

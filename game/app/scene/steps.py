@@ -8,7 +8,7 @@ from game.app.scene.keeping import Keeper
 from game.app.screens.host import Host
 from game.app.stagehand.practice import PracticeKeeper
 from game.app.stagehand.stars import StarKeeper
-from game.stage import Scene
+from game.stage import Scene, Stage
 
 METER_BUDGET_S = 0.0004  # s a frame for measuring what effects cost
 MOST_STEPS = 15  # in a frame
@@ -44,14 +44,19 @@ class Steps:
                 self._gate.listen()
             if not self._make(elapsed_s):
                 return
-            if self._keeper is not None:
-                self._keeper.update(record.stage)
-            if complaint := self._stars.update(record.stage):
-                self._host.tell("Stars.", complaint, "warning")
-            if complaint := self._practice.update(record.stage):
-                self._host.tell("Practice.", complaint, "warning")
+            if not record.borrowed:
+                self._keep(record.stage)
         if measuring and not record.stage.paused:
             record.meter.slice(METER_BUDGET_S)
+
+    def _keep(self, stage: Stage) -> None:
+        """What is worth keeping, and what has been won."""
+        if self._keeper is not None:
+            self._keeper.update(stage)
+        if complaint := self._stars.update(stage):
+            self._host.tell("Stars.", complaint, "warning")
+        if complaint := self._practice.update(stage):
+            self._host.tell("Practice.", complaint, "warning")
 
     def close(self) -> None:
         """Write what is still to be kept."""

@@ -22,6 +22,7 @@ from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.toasts import Toasts
 
 if TYPE_CHECKING:
+    from game.app.stagehand.teaching_draft import Draft
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
     from game.stage.catalogue import Entry
@@ -143,6 +144,10 @@ class Host(Protocol):
 
     def open_help(self, scene_type: type[Scene], level: tuple[str, str] = ("", "")) -> None:
         """A scene's help page; ``level``: title and words of the level in play."""
+        ...
+
+    def open_teaching(self, draft: Draft, taken: Callable[[Draft], str]) -> None:
+        """The card on which a teaching level is made; ``taken`` saves it, or says why it cannot."""
         ...
 
     def open_tour(self, layout: Callable[[], Layout]) -> None:

@@ -6,9 +6,12 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from game.app.stagehand.level_index import level_heads, story_heads
 from game.folders import user_folder
 from game.levels import Level, save_level
+from game.teaching import Teaching
 from game.ui.widgets.list_row import ListRow
 
 if TYPE_CHECKING:
@@ -34,8 +37,14 @@ def present_level(stage: Stage, title: str) -> Level:
         seed=scene.level.seed if scene.level is not None else 0,
         parameters=changed,
         effects_off=tuple(effect.name for effect in scene.effects if effect not in scene.active),
+        teaching=stage.level.teaching if stage.level is not None else None,
         content=scene.save_content(),
     )
+
+
+def with_teaching(level: Level, teaching: Teaching) -> Level:
+    """The same level with another task."""
+    return msgspec.structs.replace(level, teaching=teaching)
 
 
 def date_title() -> str:

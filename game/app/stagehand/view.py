@@ -2,12 +2,26 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import pygame
 
-from game.stage import Stage
+from game.stage import Scene
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
+
+
+class Shown(Protocol):
+    """What can be drawn: a `Stage`, or a part of one that is gone through once more."""
+
+    @property
+    def scene_type(self) -> type[Scene]: ...
+    @property
+    def scene(self) -> Scene: ...
+    @property
+    def alpha(self) -> float: ...
+
 
 MARGIN = 20.0  # design px round the scene's frame
 
@@ -15,7 +29,7 @@ MARGIN = 20.0  # design px round the scene's frame
 class StageView:
     """Draws what a stage shows now. ``stage`` may be changed for another of the same scene."""
 
-    def __init__(self, stage: Stage, look: Look, words: bool = True):
+    def __init__(self, stage: Shown, look: Look, words: bool = True):
         """``words``: whether labels are drawn as well."""
         scene_type = stage.scene_type
         self.stage = stage

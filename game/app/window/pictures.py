@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import re
 import threading
+from collections.abc import Callable
 from datetime import datetime
 from io import BytesIO
 from pathlib import Path
@@ -18,10 +19,11 @@ from game.folders import pictures_folder
 
 
 class SavedPicture(NamedTuple):
-    """A picture that was written, or why it was not (``problem``, else empty)."""
+    """A picture or a film that was written, or why it was not (``problem``, else empty)."""
 
     path: Path
     problem: str
+    what: str = "Picture"
 
 
 class PictureSaver:
@@ -39,6 +41,25 @@ class PictureSaver:
         thread = threading.Thread(target=self._write, args=arguments, name="picture", daemon=True)
         self._threads = [*(one for one in self._threads if one.is_alive()), thread]
         thread.start()
+
+    def finish(self, path: Path, work: Callable[[], object]) -> None:
+        """Let a thread make a film whole; ``work`` raises OSError or RuntimeError if it cannot."""
+        arguments = (path, work)
+        thread = threading.Thread(target=self._finish, args=arguments, name=str(path), daemon=True)
+        self._threads = [*(one for one in self._threads if one.is_alive()), thread]
+        thread.start()
+
+    def at_work(self, path: Path) -> bool:
+        """Whether a film of that name is still being made whole."""
+        return any(one.name == str(path) and one.is_alive() for one in self._threads)
+
+    def _finish(self, path: Path, work: Callable[[], object]) -> None:
+        try:
+            work()
+        except (OSError, RuntimeError) as error:
+            self._done.put(SavedPicture(path, str(error), "Film"))
+        else:
+            self._done.put(SavedPicture(path, "", "Film"))
 
     def _write(self, picture: pygame.Surface, path: Path) -> None:
         try:

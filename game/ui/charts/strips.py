@@ -17,12 +17,16 @@ import pygame
 
 from game.stage import Stage, Strip
 from game.ui import raster
+from game.ui.charts.phase import Phase, PhaseAxes, paint_phase
 from game.ui.charts.strip_axis import Axis, axis_for, end_text, rule_text, spread, unit_of
+from game.ui.look.icons import icon
 from game.ui.look.layout import Layout
 from game.ui.look.look import Look
 from game.ui.look.numerals import format_number, quantity
 from game.ui.raster import packed
 from game.ui.raster.curves import finite_range, place_curve, thinned
+from game.ui.widgets.hotspots import Hotspot, Hotspots
+from game.ui.widgets.wishes import Wish
 
 SPAN_S = 10.0
 REFRESH_S = 0.05
@@ -32,6 +36,7 @@ TIMES = ("s",)  # units of what is measured by a clock
 USUAL, OVER_USUAL = 0.95, 1.25  # quantile of times, and how much more the axis of a chart holds
 APART = 15  # design px between value labels
 LABELS, WIDEST_LABELS = 84, 124  # design px right of the curves
+MOST = 3  # charts in a row
 NUMBERS = 14  # design px left of the curves, at least
 
 
@@ -57,7 +62,11 @@ class Strips:
 
     def __init__(self, look: Look, strips: Sequence[Strip]) -> None:
         self.look = look
-        self.strips = tuple(strips)
+        self.declared: tuple[Strip, ...] = tuple(strips)
+        self.strips: tuple[Strip | Phase, ...] = self.declared
+        self.spots = Hotspots()
+        self._phases: dict[int, PhaseAxes] = {}
+        self._readout_units: dict[str, str] = {}
         self.layout: Layout | None = None
         self._axes: dict[int, Axis] = {}
         self._labels: dict[int, int] = {}  # by chart, window px of its labels; they only grow
@@ -75,10 +84,41 @@ class Strips:
         """Take a place in the window and an appearance."""
         self.layout, self.look = layout, look
         self._picture, self._labels, self._numbers = None, {}, {}
+        size, spots = look.px(20), []
+        for i, column in enumerate(layout.charts[: len(self.strips)] if not layout.values_only else ()):
+            place = pygame.Rect(column.right - size, column.y + look.px(6), size, size)
+            spots.append(Hotspot(f"{i}", place, True, "Another readout, a phase plot, or the numbers as CSV"))
+        self.spots.place(spots)
+
+    def declare(self, strips: Sequence[Strip]) -> None:
+        """Other charts that one goes back to; they are shown from now on."""
+        self.declared = tuple(strips)
+        self.show(strips)
+
+    def show(self, strips: Sequence[Strip | Phase]) -> None:
+        """Other charts from now on; they are placed by who calls."""
+        self.strips = tuple(strips)
+        self._axes, self._phases, self._stage, self._painted = {}, {}, None, {}
+
+    @property
+    def tall(self) -> bool:
+        """Whether the row is to be higher than usual."""
+        return any(isinstance(strip, Phase) for strip in self.strips)
+
+    def handle(self, event: pygame.event.Event) -> Wish | None:
+        """The wish for another chart in place of one, if the event is one."""
+        name = self.spots.handle(event) if event.type != pygame.KEYDOWN else None
+        return Wish("chart", int(name)) if name is not None else None
+
+    def tip(self) -> tuple[str, pygame.Rect] | None:
+        """Tool tip of the sign under the pointer."""
+        spot = self.spots.find(self.spots.hovered) if self.spots.hovered else None
+        return (spot.tip, spot.rect) if spot is not None else None
 
     def update(self, dt_s: float, stage: Stage, fresh: bool = True) -> None:
         """Look at the stage; written values change if they are ``fresh``, curves at once."""
         self._since_s += dt_s
+        self.spots.update(dt_s, self.look)
         if stage is not self._stage:
             self._stage, self._axes, self._picture = stage, {}, None
             self._labels, self._numbers = {}, {}
@@ -93,10 +133,10 @@ class Strips:
         """By strip without a unit of its own, that of what it draws now: a scene may offer a choice."""
         if all(strip.unit for strip in self.strips):
             return {}
-        units = {readout.name: readout.unit for readout in stage.readouts()}
+        units = self._readout_units = {readout.name: readout.unit for readout in stage.readouts()}
         return {strip.title: units.get(strip.series[0], "") for strip in self.strips if not strip.unit}
 
-    def unit_shown(self, strip: Strip) -> str:
+    def unit_shown(self, strip: Strip | Phase) -> str:
         """Unit of a strip: its own, or that of what it draws now."""
         return strip.unit or self._units.get(strip.title, "")
 
@@ -115,6 +155,10 @@ class Strips:
             if self._painted.get(self._next) != (self._stage.series.changes, self._measured):
                 self._paint_column(self._picture, layout, self._next, self._stage)
         surface.blit(self._picture, layout.strips)
+        for spot in self.spots.spots:
+            theme, lit = self.look.theme, self.spots.hover(spot.name)
+            sign = icon("chevron", self.look.px(14), theme.text3.lerp(theme.text1, lit))
+            surface.blit(sign, sign.get_rect(center=spot.rect.center))
 
     def _paint_ground(self, layout: Layout) -> pygame.Surface:
         """The empty row with its lines."""
@@ -134,29 +178,38 @@ class Strips:
         inside = pygame.Rect(place.x, self.look.border, place.w, place.h - self.look.border)
         picture.fill(self.look.theme.panel, inside)
         picture.set_clip(inside)
+        strip = self.strips[i]
         if layout.values_only:
-            self._paint_values(picture, place, self.strips[i], stage)
+            self._paint_values(picture, place, strip, stage)
+        elif isinstance(strip, Phase):
+            units = self._readout_units.get(strip.x, ""), self._readout_units.get(strip.y, "")
+            before = self._phases.get(i)
+            self._phases[i] = paint_phase(picture, place, self.look, strip, stage.series, units, before)
         else:
-            self._paint_chart(picture, place, i, stage)
+            self._paint_chart(picture, place, i, strip, stage)
         picture.set_clip(None)
         self._since_s, self._painted[i] = 0.0, (stage.series.changes, self._measured)
 
-    def _paint_values(self, picture: pygame.Surface, place: pygame.Rect, strip: Strip, stage: Stage) -> None:
+    def _paint_values(
+        self, picture: pygame.Surface, place: pygame.Rect, strip: Strip | Phase, stage: Stage
+    ) -> None:
         """Only title and last values, in one row."""
         look, y = self.look, place.h / 2
         x = place.x + look.text(picture, strip.title, (place.x, y), 12, "semibold").w + look.px(8)
         for name in strip.series:
             known = name in self._last
             number, unit = quantity(self._last[name], self.unit_shown(strip)) if known else ("–", "")
-            color = color_of(strip, name)
+            color = color_of(strip, name) if isinstance(strip, Strip) else "text2"
             words = f"{name} "
             if x + look.fonts.size(words + number + unit, 12)[0] > place.right:
                 return
             x += look.text(picture, words, (x, y), 12, "medium", color).w
             x += look.text(picture, f"{number} {unit}".rstrip(), (x, y), 12, "semibold").w + look.px(8)
 
-    def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
-        look, px, strip = self.look, self.look.px, self.strips[i]
+    def _paint_chart(
+        self, picture: pygame.Surface, place: pygame.Rect, i: int, strip: Strip, stage: Stage
+    ) -> None:
+        look, px = self.look, self.look.px
         own = self.unit_shown(strip)
         series = [(name, _values(stage, name)) for name in strip.series]
         ends = [ends_of(values, own) for _, values in series if values.size]
@@ -175,7 +228,9 @@ class Strips:
         space = self._label_space(i, labels, numbers)
         rules = [rule_text(value / factor) for value in (axis.high, 0.5 * (axis.low + axis.high), axis.low)]
         left = self._number_space(i, rules)
-        box = pygame.Rect(place.x + left, place.y + px(32), max(place.w - left - space, px(24)), px(72))
+        box = pygame.Rect(
+            place.x + left, place.y + px(32), max(place.w - left - space, px(24)), place.h - px(56)
+        )
         self._paint_rules(picture, box, rules)
         curves = [(name, _curve(stage.series.times, values, box, axis)) for name, values in series]
         self._paint_curves(picture, box, strip, curves)

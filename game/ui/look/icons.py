@@ -191,6 +191,10 @@ SIGNS: dict[str, tuple[Part, ...]] = {
     ),
     "star": (_line(*_STAR, _STAR[0], width=1.3),),
     "star-full": (*_points(_STAR), _disc(0.0, 0.0, 2.7), _line(*_STAR, _STAR[0], width=1.3)),
+    "ruler": (
+        _line((-6.4, 2.6), (2.6, -6.4), (6.4, -2.6), (-2.6, 6.4), (-6.4, 2.6), width=1.6),
+        *(_line((x, -x - 3.8), (x + 1.6, -x - 2.2), width=1.3) for x in (-3.9, -1.9, 0.1)),
+    ),
     "record": (_ring(0.0, 0.0, 6.3, 1.5), _disc(0.0, 0.0, 3.3)),
 }
 

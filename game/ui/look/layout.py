@@ -15,6 +15,7 @@ import pygame
 Rect = pygame.Rect
 
 TOP_BAR, PANEL, STRIPS, STRIP_VALUES, HINT_BAR, GUTTER = 48, 320, 128, 32, 32, 16  # design px
+TALL_STRIPS = 232  # design px; of a row in which there is a phase plot
 OVERLAID_HINTS = 28  # design px; of the row of hints over a picture that fills the window
 GAME = (1280, 720)  # design px of such a picture: its own rows above and below are as high as bar and hints
 DRAWER_BELOW = 1120  # design px of window width
@@ -63,8 +64,13 @@ def auto_scale(width: int, height: int, user: float = 1.0) -> float:
     return max(0.5, min(automatic * min(max(user, 0.75), 2.0), space, 4.0))
 
 
-def arrange(width: int, height: int, k: float, *, panel: bool = True, strips: int = 3) -> Layout:
-    """Lay out a window of that many pixels at interface scale ``k``, with so many strip charts."""
+def arrange(
+    width: int, height: int, k: float, *, panel: bool = True, strips: int = 3, tall: bool = False
+) -> Layout:
+    """Lay out a window of that many pixels at interface scale ``k``, with so many strip charts.
+
+    ``tall``: their row is higher, where the window is.
+    """
     window = Rect(0, 0, max(1, width), max(1, height))
     px = _scaler(k)
     narrow = window.w < DRAWER_BELOW * k
@@ -77,7 +83,8 @@ def arrange(width: int, height: int, k: float, *, panel: bool = True, strips: in
         below.w = 1
     hint_height = px(HINT_BAR) if below.h >= px(180) else 0
     values_only = window.h < VALUES_BELOW * k
-    strip_height = px(STRIP_VALUES if values_only else STRIPS) if strips and below.h >= px(240) else 0
+    full = TALL_STRIPS if tall and below.h >= px(2 * TALL_STRIPS) else STRIPS
+    strip_height = px(STRIP_VALUES if values_only else full) if strips and below.h >= px(240) else 0
     stage = Rect(0, below.y, below.w, max(1, below.h - hint_height - strip_height))
     strips_rect = Rect(0, stage.bottom, below.w, strip_height)
     hint_bar = Rect(0, strips_rect.bottom, below.w, hint_height)

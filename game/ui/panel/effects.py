@@ -15,7 +15,7 @@ import pygame
 from game.stage import SetEffect
 from game.ui.look.numerals import NOTHING, format_si
 from game.ui.look.shapes import draw_box
-from game.ui.panel.rows import Context, Row, Source
+from game.ui.panel.rows import Context, Row, Source, effect_key
 from game.ui.panel.switch import SwitchRow
 
 COLORS = ("chalk", "pink", "violet", "green", "yellow", "vermilion")
@@ -50,6 +50,7 @@ class EffectRow(SwitchRow):
             is_on=lambda: effect in source.scene.active,
             changed=lambda: False,
             wish=lambda on: SetEffect(effect.name, on),
+            follows=effect_key(effect.name),
         )  # fmt: skip
 
     def scale_to(self, most: float) -> None:

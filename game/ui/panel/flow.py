@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import pygame
 
-from game.stage import Choice, Param, Parameter, Toggle
+from game.stage import Choice, Param, Parameter, Scene, Toggle
 from game.ui.look.look import Look
 from game.ui.panel.effects import COLORS, CostBar, EffectCosts, EffectRow
 from game.ui.panel.manager import DropDown, PanelManager
@@ -42,6 +42,7 @@ class Contents(NamedTuple):
     costs: EffectCosts
     legend: tuple[str, ...] = ()  # words of the rows, for a scene that has its legend here
     table: tuple[str, int] | None = None  # title and capacity of the scene's table
+    hidden: tuple[str, ...] = ()  # parts and parameters that the level hides: see `hidden_of`
 
     def present_level(self) -> str:
         """Path of the level that the scene was made from, as the drop-down knows it."""
@@ -62,6 +63,14 @@ class Contents(NamedTuple):
         return [((level.title if level is not None else "") or UNTITLED, present), *options]
 
 
+def hidden_of(scene: Scene) -> tuple[str, ...]:
+    """Parts of the panel that the scene's level hides, and parameters as "parameter NAME"."""
+    level = scene.level
+    if level is None or level.teaching is None:
+        return ()
+    return (*level.teaching.hidden, *(f"parameter {name}" for name in level.teaching.hidden_parameters))
+
+
 class Flow:
     """Puts rows below each other; without a context it only measures."""
 
@@ -74,29 +83,31 @@ class Flow:
     def fill(self, contents: Contents) -> None:
         """All rows of a panel, from the levels to the measures."""
         source = contents.source
-        if contents.levels:
+        hidden = contents.hidden
+        if contents.levels and "levels" not in hidden:
             self.space(16)
             self._menu(LEVEL, contents.level_options(), contents.present_level(), contents.level_tip())
             self.space(8)
-        for index in range(len(contents.legend)):
+        for index in range(len(contents.legend) if "legend" not in hidden else 0):
             self._row(LegendRow, source, index)
-        if contents.table is not None:
+        if contents.table is not None and "table" not in hidden:
             title, space = contents.table
             self._row(Heading, title)
             for index in range(HEADER, space):
                 self._row(TableLine, index)
         parameters = source.scene.declared_parameters().values()
-        for title, declared in grouped(parameter for parameter in parameters if parameter.in_panel):
+        shown = [one for one in parameters if one.in_panel and f"parameter {one.name}" not in hidden]
+        for title, declared in grouped(shown) if "parameters" not in hidden else ():
             self._row(Heading, title)
             for parameter in declared:
                 self._parameter(parameter, title, source)
         effects = tuple(source.scene.effects)
-        if effects:
+        if effects and "effects" not in hidden:
             self._row(Heading, "Effects")
             self._row(CostBar, source, contents.costs)
             for i, effect in enumerate(effects):
                 self._row(EffectRow, source, effect, COLORS[i % len(COLORS)], contents.costs)
-        if contents.measures:
+        if contents.measures and "measured" not in hidden:
             self._row(Heading, "Measured")
             for name in contents.measures:
                 self._row(Measure, name)

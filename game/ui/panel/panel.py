@@ -16,7 +16,7 @@ from game.stage import Scene, Stage
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 from game.ui.panel.effects import EffectCosts
-from game.ui.panel.flow import Contents
+from game.ui.panel.flow import Contents, hidden_of
 from game.ui.panel.foot import PanelFoot
 from game.ui.panel.rows import PADDING, Source
 from game.ui.panel.sheet import NOWHERE, PanelSheet, PanelWish
@@ -185,13 +185,22 @@ class Panel:
         self.foot.update(dt_s)
         if self._contents is None:
             self._contents = Contents(
-                Source(stage.scene), self.levels, _measures(stage), EffectCosts(), *_beside(stage.scene)
+                Source(stage.scene),
+                self.levels,
+                _measures(stage),
+                EffectCosts(),
+                *_beside(stage.scene),
+                hidden=hidden_of(stage.scene),
             )
             self._build()
         contents = self._contents
         contents.source.scene = stage.scene
         shown = (_measures(stage), *_beside(stage.scene)) if fresh else None
-        if shown is not None and shown != (contents.measures, contents.legend, contents.table):
+        hidden = hidden_of(stage.scene)
+        if hidden != contents.hidden:
+            self._contents = contents = contents._replace(hidden=hidden, measures=_measures(stage))
+            self._build()
+        elif shown is not None and shown != (contents.measures, contents.legend, contents.table):
             measures, legend, table = shown
             self._contents = contents = contents._replace(measures=measures, legend=legend, table=table)
             self._build()
@@ -291,4 +300,6 @@ def _beside(scene: Scene) -> tuple[tuple[str, ...], tuple[str, int] | None]:
 
 def _measures(stage: Stage) -> tuple[str, ...]:
     """Names of the readouts that the top bar has no space for."""
-    return tuple(readout.name for readout in tuple(stage.readouts())[READOUTS_IN_BAR:])
+    level, names = stage.level, [readout.name for readout in stage.readouts()]
+    hidden = level.teaching.hidden_readouts if level is not None and level.teaching is not None else ()
+    return tuple(name for name in names[READOUTS_IN_BAR:] if name not in hidden)

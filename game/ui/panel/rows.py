@@ -22,7 +22,13 @@ from game.ui.widgets.wishes import Wish
 
 PADDING = 16  # design px
 DOUBLE_CLICK_S = 0.35
+LOCKED = "Locked by this level."
 VEIL = 150  # of 255: the panel's colour over a row that changes nothing
+
+
+def effect_key(name: str) -> str:
+    """By which the row of an effect is known among those of parameters."""
+    return f"effect {name}"
 
 
 class Context(NamedTuple):
@@ -57,6 +63,10 @@ class Source:
     def idle(self) -> dict[str, str]:
         """Why parameters change nothing as the scene stands, by their names: those that do not act alone."""
         reasons = {name: self.scene.why_idle(name) for name in self.scene.values}
+        level = self.scene.level
+        if level is not None and level.teaching is not None:
+            reasons |= dict.fromkeys(level.teaching.fixed, LOCKED)
+            reasons |= {effect_key(name): LOCKED for name in level.teaching.locked_effects}
         return {name: reason for name, reason in reasons.items() if reason}
 
 

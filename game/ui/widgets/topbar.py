@@ -19,11 +19,14 @@ from game.ui.look.shapes import draw_box, draw_disc
 from game.ui.widgets.hotspots import Hotspot, Hotspots
 from game.ui.widgets.wishes import Wish
 
+RIGHT = ("panel", "help", "screenshot", "film", "tools")  # buttons, from the right
+NARROW, NARROWEST = 960, 480  # design px of width below which fewer of them are shown
 COLUMN = 76  # design px, width of a readout whose words are no longer than that
 TIPS = {
     "menu": "Back to the menu", "reset": "Reset", "step-back": "One step back", "pause": "Pause or go on",
     "step": "One step", "slower": "Slower", "faster": "Faster", "speed": "Normal speed",
-    "screenshot": "Save a picture", "help": "Help", "panel": "Panel on or off",
+    "screenshot": "Save a picture", "film": "Film this, or the last ten seconds",
+    "tools": "Ruler, protractor, stop-watch, charts", "help": "Help", "panel": "Panel on or off",
 }  # fmt: skip
 TOO_SLOW = "Steps or pictures take too long for the speed that is set. Click for normal speed"
 SPEED_WISHES = {
@@ -36,7 +39,8 @@ SPEED_WISHES = {
 class BarState(NamedTuple):
     """What the bar shows. ``readouts``: at most four (caption, value, unit); not ``ready`` greys it out.
 
-    ``reached``: the speed at which the scene really runs, where that is less than ``speed``.
+    ``reached``: the speed at which the scene really runs, where that is less than ``speed``. ``filming``: a
+    film is being taken.
     """
 
     task: str
@@ -47,6 +51,7 @@ class BarState(NamedTuple):
     readouts: tuple[tuple[str, float, str], ...] = ()
     ready: bool = True
     reached: float | None = None
+    filming: bool = False
 
 
 def speed_text(speed: float) -> str:
@@ -130,7 +135,8 @@ class TopBar:
 
         k, width, ready = self.look.k, self.rect.w / self.look.k, self.state.ready
         add("menu", rect.x + px(24), 32, 32)
-        for i, name in enumerate(("panel", "help", "screenshot")[: 3 if width >= 480 else 2]):
+        shown = 2 if width < NARROWEST else 3 if width < NARROW else len(RIGHT)
+        for i, name in enumerate(RIGHT[:shown]):
             add(name, rect.right - px(24) - i * px(32), 32, 32)
         if not self.slim:
             self._add_transport(add, k, width, ready)
@@ -153,10 +159,10 @@ class TopBar:
     def _readout_space(self) -> tuple[int, int]:
         """Right edge of the readouts and the space left of it, both px; no space where they are not shown."""
         px = self.look.px
-        picture, faster = self.spots.find("screenshot"), self.spots.find("faster")
-        if picture is None or faster is None:
+        last, faster = self.spots.find("tools") or self.spots.find("screenshot"), self.spots.find("faster")
+        if last is None or faster is None:
             return 0, 0
-        right = picture.rect.x - px(20)
+        right = last.rect.x - px(20)
         return right, max(0, right - faster.rect.right - px(8))
 
     def columns(self) -> list[tuple[int, str, str]]:
@@ -258,7 +264,12 @@ class TopBar:
         if on or lit > 0.0:
             target = theme.line if self.spots.pressed == spot.name else theme.hover
             draw_box(surface, rect, self.look.px(8), base if on else base.lerp(target, lit))
-        names = {"slower": "minus", "faster": "plus", "screenshot": "camera", "menu": "back"}
+        names = {"slower": "minus", "faster": "plus", "screenshot": "camera", "menu": "back"} | {
+            "film": "record",
+            "tools": "ruler",
+        }
+        if spot.name == "film" and self.state.filming:
+            color = self.look.color("vermilion")
         size = self.look.px(14 if spot.name in ("slower", "faster") else 20)
         self._paint_icon(surface, names.get(spot.name, spot.name), rect, size, color)
 

@@ -149,7 +149,7 @@ def test_every_button_gives_its_command(look):
     assert found["slower"] == Wish("speed", -1) and found["faster"] == Wish("speed", 1)
     assert set(found) == {
         "menu", "reset", "step-back", "pause", "step", "slower", "speed", "faster", "panel", "help",
-        "screenshot",
+        "screenshot", "film", "tools",
     }  # fmt: skip
     assert bar.spots.find("pause").rect.center == (552, 24)
 
@@ -210,7 +210,7 @@ def test_numbers_change_when_they_are_fresh_and_only_then_is_it_painted(look):
 def test_no_number_runs_into_its_neighbour(any_look, width, value):
     readouts = (("time", 2.05, "s"), ("off", value, "°"), ("L", value, "kg m²/s"), ("frame", 0.0, "s"))
     bar = bar_at(any_look, (width, 720), STATE._replace(readouts=readouts))
-    faster, picture_button = bar.spots.find("faster"), bar.spots.find("screenshot")
+    faster, picture_button = bar.spots.find("faster"), bar.spots.find("tools") or bar.spots.find("screenshot")
     left_of_it = picture_button.rect.x if picture_button else 0
     for x, _, words in bar.columns():
         assert x < left_of_it

@@ -1,0 +1,1 @@
+"""Films made while a scene is in play: of what comes from now on, and of the last ten seconds."""
