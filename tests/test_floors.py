@@ -37,6 +37,9 @@ FOLDERS = {
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables",
         "surfaces",
+        "grid",
+        "multigrid",
+        "gas",
     ),
     "billiards": (
         "table",

@@ -58,9 +58,7 @@ class PressureSolver:
     """
 
     def __init__(self, nx: int, ny: int, kinds: NDArray[np.int64]):
-        ends = tuple(
-            {OPEN: OPEN_END, PERIODIC: JOINED}.get(int(kind), CLOSED) for kind in kinds
-        )
+        ends = tuple({OPEN: OPEN_END, PERIODIC: JOINED}.get(int(kind), CLOSED) for kind in kinds)
         self.kinds = np.array(kinds, dtype=np.int64)
         self.hierarchy = make_hierarchy(nx, ny, ends)  # type: ignore[arg-type]
         self.equation = make_equation(nx, ny, (ends[0] == JOINED, ends[2] == JOINED))
