@@ -186,7 +186,8 @@ class Gas:
 
     def _take_faces(self) -> None:
         faces = self.solids.faces
-        self.solids.move_scalars(self._state, self.ambient)
+        kept = np.array([name in self.settings.conservative for name in self.fields])
+        self.solids.move_scalars(self._state, self.ambient, kept)
         self.solver.set_faces(faces.ax, faces.ay)
         self._state.solid_x[:], self._state.solid_y[:] = faces.ax, faces.ay
 

@@ -19,11 +19,12 @@ def _closed(ax, ay, j, i):
 
 
 @kernel
-def move_covered(scalars, old_x, old_y, ax, ay, ambient):
-    """What a cell held that is closed now goes to its open neighbours; one that opened takes its share.
+def move_covered(scalars, old_x, old_y, ax, ay, around, kept):
+    """What becomes of the fields (ny, nx, fields) where solids close or open cells.
 
-    Both keep the sums of the fields over open cells, where there are open neighbours; else what is there is
-    lost, and what opens alone holds what surrounds the gas.
+    A cell that opens takes the mean of its open neighbours; one that closes goes back to what is around
+    (fields,). Of fields that are kept (fields,) in flux form the neighbours give or get what it takes or
+    loses, so that the sum over open cells stays, if there are any.
     """
     ny, nx, fields = scalars.shape
     for turn in range(2):  # first what opens, so that it can take what is pushed out
@@ -39,18 +40,19 @@ def move_covered(scalars, old_x, old_y, ax, ay, ambient):
                     if inside and not _closed(ax, ay, y, x) and (turn or not _closed(old_x, old_y, y, x)):
                         count += 1
                 for k in range(fields):
-                    given, rest = scalars[j, i, k], 0.0
+                    share, rest = (scalars[j, i, k] - around[k]) / max(count, 1), 0.0
                     for side in range(4):
                         y, x = j + (side == 3) - (side == 2), i + (side == 1) - (side == 0)
                         if not (0 <= y < ny and 0 <= x < nx) or _closed(ax, ay, y, x):
                             continue
-                        if turn == 1:
-                            scalars[y, x, k] += (given - ambient[k]) / count
-                        elif not _closed(old_x, old_y, y, x):
-                            part = (scalars[y, x, k] - ambient[k]) / (count + 1)
-                            scalars[y, x, k] -= part
+                        if turn == 1 and kept[k]:
+                            scalars[y, x, k] += share
+                        elif turn == 0 and not _closed(old_x, old_y, y, x):
+                            part = (scalars[y, x, k] - around[k]) / (count + (1 if kept[k] else 0))
                             rest += part
-                    scalars[j, i, k] = ambient[k] + rest
+                            if kept[k]:
+                                scalars[y, x, k] -= part
+                    scalars[j, i, k] = around[k] + rest
 
 
 class GasSolids:
@@ -97,9 +99,10 @@ class GasSolids:
         self._derive()
         return True
 
-    def move_scalars(self, state: GasState, ambient: Floats) -> None:
-        """Push out what is covered now."""
-        move_covered(state.scalars, state.solid_x, state.solid_y, self.faces.ax, self.faces.ay, ambient)
+    def move_scalars(self, state: GasState, around: Floats, kept: NDArray[np.bool_]) -> None:
+        """What becomes of the fields in cells that closed or opened."""
+        faces = self.faces
+        move_covered(state.scalars, state.solid_x, state.solid_y, faces.ax, faces.ay, around, kept)
 
     def set_slip(self, slip: bool) -> None:
         """Whether closed faces drag what flows along them."""

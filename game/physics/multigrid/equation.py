@@ -14,6 +14,9 @@ Floats = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
 
+LAST_PLACE = 2.220446049250313e-16
+
+
 class Equation(NamedTuple):
     """A p = b: the sum over a cell's faces of c (p - p_neighbour) is b."""
 
@@ -135,6 +138,18 @@ def residual_of(e):
             m1 = b if b > m1 else m1
         m0 = max(m0, abs(goal[nx - 1]))
     return max(m0, m1)
+
+
+@kernel
+def rounding(e):
+    """The residual that rounding alone leaves: a few times the last place of what is summed in a cell."""
+    ny, nx = e.b.shape
+    right, unknown = 0.0, 0.0
+    for j in range(ny):
+        for i in range(nx):
+            right = max(right, abs(e.b[j, i]))
+            unknown = max(unknown, abs(e.p[j + 1, i + 1]))
+    return 16.0 * LAST_PLACE * (right + unknown)
 
 
 @kernel

@@ -11,7 +11,7 @@ from game.physics.grid.borders import OPEN, PERIODIC
 from game.physics.kernels.jit import kernel
 from game.physics.multigrid.conjugate_gradients import factorise, solve_gradients
 from game.physics.multigrid.cycle import coarsen_all, faces_x, faces_y, make_hierarchy
-from game.physics.multigrid.equation import Found, balance, label_regions, make_equation
+from game.physics.multigrid.equation import Found, balance, label_regions, make_equation, rounding
 from game.physics.multigrid.gauss_seidel import solve_sweeps
 from game.physics.multigrid.jacobi import solve_jacobi
 from game.physics.multigrid.levels import CLOSED, JOINED, OPEN_END
@@ -85,7 +85,7 @@ class PressureSolver:
 
     def solve(self, method: str = "multigrid", turns: int = 0, goal: float = 0.0) -> Found:
         """Improve the pressure until the largest residual is at most goal, in at most so many turns (0: as
-        usual for the method). ValueError for an unknown method, turns below 0 or a goal that is no number.
+        usual for the method); no further than rounding lets it. ValueError for an unknown method, turns below 0 or a goal that is no number.
         """
         if method not in SOLVERS:
             raise ValueError(f"method = {method!r}: expected one of {', '.join(SOLVERS)}")
@@ -95,6 +95,7 @@ class PressureSolver:
             raise ValueError(f"goal = {goal!r}: expected a number from 0")
         equation, most = self.equation, turns or USUAL_TURNS[method]
         balance(equation, equation.b, self.regions, 0)
+        goal = max(goal, rounding(equation))
         self._removed[:] = equation.sums[0, : self.regions]
         if method in ("multigrid", "v-cycles"):
             self._coarsen()
