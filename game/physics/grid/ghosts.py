@@ -36,6 +36,16 @@ def _centred(edge, inner, far, kind, along):
     return edge
 
 
+@inner_kernel
+def _along(given, side, k, count, axis, joined):
+    """A side's own velocity along itself at corner k of its count cells: the mean of the two cells there."""
+    one, two = k - 1, k
+    if joined:
+        one, two = (one + count) % count, two % count
+    one, two = min(max(one, 0), count - 1), min(max(two, 0), count - 1)
+    return 0.5 * (given[side, one, axis] + given[side, two, axis])
+
+
 @kernel
 def fill_velocity_ghosts(padded, axis, edges):
     """Ghosts of u (axis 0) or v (axis 1), padded (rows + 2 PAD, columns + 2 PAD)."""
@@ -45,22 +55,24 @@ def fill_velocity_ghosts(padded, axis, edges):
     last, node = columns - 1, axis == X
     for j in range(rows):
         row = padded[j + PAD]
-        cell = min(j, given.shape[1] - 1)
+        wall_left = 0.0 if node else _along(given, LEFT, j, rows - 1, axis, bottom == PERIODIC)
+        wall_right = 0.0 if node else _along(given, RIGHT, j, rows - 1, axis, bottom == PERIODIC)
         for k in range(1, PAD + 1):
             if node:
                 row[PAD - k] = _nodal(row[PAD], row[PAD + k], row[PAD + last - k], left)
                 row[PAD + last + k] = _nodal(row[PAD + last], row[PAD + last - k], row[PAD + k], right)
             else:
                 row[PAD - k] = _centred(
-                    row[PAD], row[PAD + k - 1], row[PAD + last + 1 - k], left, given[LEFT, cell, axis]
+                    row[PAD], row[PAD + k - 1], row[PAD + last + 1 - k], left, wall_left
                 )
                 row[PAD + last + k] = _centred(
                     row[PAD + last], row[PAD + last + 1 - k], row[PAD + k - 1], right,
-                    given[RIGHT, cell, axis],
+                    wall_right,
                 )  # fmt: skip
     last, node = rows - 1, axis == Y
     for i in range(columns + 2 * PAD):
-        cell = min(max(i - PAD, 0), given.shape[1] - 1)
+        wall_low = 0.0 if node else _along(given, BOTTOM, i - PAD, columns - 1, axis, left == PERIODIC)
+        wall_high = 0.0 if node else _along(given, TOP, i - PAD, columns - 1, axis, left == PERIODIC)
         for k in range(1, PAD + 1):
             if node:
                 padded[PAD - k, i] = _nodal(
@@ -72,11 +84,11 @@ def fill_velocity_ghosts(padded, axis, edges):
             else:
                 padded[PAD - k, i] = _centred(
                     padded[PAD, i], padded[PAD + k - 1, i], padded[PAD + last + 1 - k, i], bottom,
-                    given[BOTTOM, cell, axis],
+                    wall_low,
                 )  # fmt: skip
                 padded[PAD + last + k, i] = _centred(
                     padded[PAD + last, i], padded[PAD + last + 1 - k, i], padded[PAD + k - 1, i], top,
-                    given[TOP, cell, axis],
+                    wall_high,
                 )  # fmt: skip
 
 

@@ -36,6 +36,8 @@ def _set_faces(e, ax, ay, kinds):
                 e.cx[j, i] *= 2.0
             elif kinds[side] != PERIODIC:
                 e.cx[j, i] = 0.0
+            else:  # the seam is one face
+                e.cx[j, i] = min(e.cx[j, 0], e.cx[j, nx])
     for i in range(nx):
         for j in range(ny + 1):
             e.cy[j, i] = ay[j, i] if ay[j, i] >= LEAST_FACE else 0.0
@@ -44,6 +46,8 @@ def _set_faces(e, ax, ay, kinds):
                 e.cy[j, i] *= 2.0
             elif kinds[side] != PERIODIC:
                 e.cy[j, i] = 0.0
+            else:
+                e.cy[j, i] = min(e.cy[0, i], e.cy[ny, i])
     invert_diagonal(e.cx, e.cy, e.inverse)
 
 
