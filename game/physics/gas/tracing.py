@@ -75,12 +75,12 @@ def free_way(ax, ay, j, i, dx, dy, joined):
     for k in range(1, steps + 1):
         part = k / steps
         nu, nv = int(math.floor(i - part * dx + 0.5)), int(math.floor(j - part * dy + 0.5))
+        if not joined[0]:
+            nu = min(max(nu, 0), nx - 1)
+        if not joined[1]:
+            nv = min(max(nv, 0), ny - 1)
         if nu == x and nv == y:
             continue
-        if not joined[0] and (nu < 0 or nu >= nx):
-            return 1.0
-        if not joined[1] and (nv < 0 or nv >= ny):
-            return 1.0
         u, r = (x + nx) % nx if joined[0] else x, (y + ny) % ny if joined[1] else y
         c, s = (nu + nx) % nx if joined[0] else nu, (nv + ny) % ny if joined[1] else nv
         face_x, face_y = u + (1 if nu > x else 0), r + (1 if nv > y else 0)

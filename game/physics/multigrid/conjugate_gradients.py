@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.multigrid.equation import apply, direct, dot, residual_of, walk
 from game.physics.multigrid.smoothing import wrap_ghosts
 
 MODIFIED, SAFETY = 0.97, 0.25
 
 
-@kernel
+@lean_kernel
 def factorise(e, factor):
     """factor (ny + 2, nx + 2): one over the diagonal of the incomplete factor, 0 for closed cells."""
     factor[:] = 0.0
@@ -36,7 +36,7 @@ def factorise(e, factor):
             factor[j + 1, i + 1] = 1.0 / math.sqrt(rest)
 
 
-@kernel
+@lean_kernel
 def _precondition(e, factor, out):
     """out (ny + 2, nx + 2) = (L L^T)^-1 r."""
     ny, nx = e.b.shape
@@ -53,7 +53,7 @@ def _precondition(e, factor, out):
             out[j + 1, i + 1] = (out[j + 1, i + 1] + here * (right + above)) * here
 
 
-@kernel
+@lean_kernel
 def solve_gradients(e, factor, room, most, goal):
     """Improve e.p; room: (ny + 2, nx + 2), 0 at its rim. (turns, largest residual before, after)."""
     ny, nx = e.b.shape

@@ -22,19 +22,24 @@ from game.physics.multigrid.walls import (
 
 Floats = NDArray[np.float64]
 Whole = NDArray[np.int64]
-W0, W1, W2 = FACTORS
 LAST_PAIRS = 8  # of sweeps on the coarsest level, which has at most two by two cells
+
+
+class Places(NamedTuple):
+    """Sizes of the levels, and where each begins in the arrays: (levels,) each."""
+
+    rows: Whole
+    columns: Whole
+    padded: Whole  # in p, q, r
+    cells: Whole  # in b, inverse, norm
+    x: Whole  # in cx
+    y: Whole  # in cy
 
 
 class Hierarchy(NamedTuple):
     """All levels, finest first; each array holds those of all levels one after the other."""
 
-    rows: Whole  # (levels,)
-    columns: Whole
-    padded_at: Whole  # (levels,) where a level begins in p, q, r
-    cell_at: Whole  # in b, inverse, norm
-    x_at: Whole  # in cx
-    y_at: Whole  # in cy
+    at: Places
     p: Floats
     q: Floats
     r: Floats
@@ -63,7 +68,7 @@ def make_hierarchy(nx: int, ny: int, ends: tuple[int, int, int, int]) -> Hierarc
     starts = [np.concatenate([[0], np.cumsum(size)[:-1]]).astype(np.int64) for size in sizes]
     totals = [int(np.sum(size)) for size in sizes]
     return Hierarchy(
-        high.astype(np.int64), wide.astype(np.int64), *starts,
+        Places(high.astype(np.int64), wide.astype(np.int64), *starts),
         np.zeros(totals[0]), np.zeros(totals[0]), np.zeros(totals[0]),
         np.zeros(totals[1]), np.zeros(totals[1]), np.zeros(totals[1]),
         np.zeros(totals[2]), np.zeros(totals[3]), x, y, np.zeros(nx + 2),
@@ -74,31 +79,31 @@ def make_hierarchy(nx: int, ny: int, ends: tuple[int, int, int, int]) -> Hierarc
 
 
 @kernel
-def padded(array, h, level):
+def padded(array, at, level):
     """A level of p, q or r, (ny + 2, nx + 2)."""
-    ny, nx, at = h.rows[level] + 2, h.columns[level] + 2, h.padded_at[level]
-    return array[at : at + ny * nx].reshape(ny, nx)
+    ny, nx, start = at.rows[level] + 2, at.columns[level] + 2, at.padded[level]
+    return array[start : start + ny * nx].reshape(ny, nx)
 
 
 @kernel
-def cells(array, h, level):
+def cells(array, at, level):
     """A level of b, inverse or norm, (ny, nx)."""
-    ny, nx, at = h.rows[level], h.columns[level], h.cell_at[level]
-    return array[at : at + ny * nx].reshape(ny, nx)
+    ny, nx, start = at.rows[level], at.columns[level], at.cells[level]
+    return array[start : start + ny * nx].reshape(ny, nx)
 
 
 @kernel
-def faces_x(h, level):
+def faces_x(array, at, level):
     """A level of cx (ny, nx + 1)."""
-    ny, nx, at = h.rows[level], h.columns[level] + 1, h.x_at[level]
-    return h.cx[at : at + ny * nx].reshape(ny, nx)
+    ny, nx, start = at.rows[level], at.columns[level] + 1, at.x[level]
+    return array[start : start + ny * nx].reshape(ny, nx)
 
 
 @kernel
-def faces_y(h, level):
+def faces_y(array, at, level):
     """A level of cy (ny + 1, nx)."""
-    ny, nx, at = h.rows[level] + 1, h.columns[level], h.y_at[level]
-    return h.cy[at : at + ny * nx].reshape(ny, nx)
+    ny, nx, start = at.rows[level] + 1, at.columns[level], at.y[level]
+    return array[start : start + ny * nx].reshape(ny, nx)
 
 
 @kernel
@@ -116,24 +121,26 @@ def down_tables(axis, level, coarse):
 
 
 @kernel
-def coarsen_all(h):
-    """Conductances, diagonals and weights of all levels from the finest's cx, cy."""
-    invert_diagonal(faces_x(h, 0), faces_y(h, 0), cells(h.inverse, h, 0))
-    for level in range(h.rows.size - 1):
-        ny, nx = h.rows[level + 1], h.columns[level + 1]
+def coarsen_all(h, cx, cy):
+    """Conductances, diagonals and weights of all levels from the finest's cx (ny, nx + 1), cy (ny + 1, nx)."""
+    h.cx[: cx.size] = cx.reshape(-1)
+    h.cy[: cy.size] = cy.reshape(-1)
+    invert_diagonal(faces_x(h.cx, h.at, 0), faces_y(h.cy, h.at, 0), cells(h.inverse, h.at, 0))
+    for level in range(h.at.rows.size - 1):
+        ny, nx = h.at.rows[level + 1], h.at.columns[level + 1]
         mx, my = down_tables(h.x, level, nx)[0], down_tables(h.y, level, ny)[0]
-        cx, cy, inverse = faces_x(h, level), faces_y(h, level), cells(h.inverse, h, level)
-        stands = cells(h.stands, h, level)
+        cx, cy, inverse = faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level), cells(h.inverse, h.at, level)
+        stands = cells(h.stands, h.at, level)
         choose_cells(stands, inverse, cx, cy, mx, my)
         at = h.x.face_at[level]
-        coarsen_x(cx, faces_x(h, level + 1), stands, h.x.mid[at:], h.x.ratio[at:], my)
+        coarsen_x(cx, faces_x(h.cx, h.at, level + 1), stands, h.x.mid[at:], h.x.ratio[at:], my)
         at = h.y.face_at[level]
-        coarsen_y(cy, faces_y(h, level + 1), stands, h.y.mid[at:], h.y.ratio[at:], mx)
-        invert_diagonal(faces_x(h, level + 1), faces_y(h, level + 1), cells(h.inverse, h, level + 1))
-        x, y = up_tables(h.x, level, h.columns[level]), up_tables(h.y, level, h.rows[level])
-        at = h.cell_at[level]
+        coarsen_y(cy, faces_y(h.cy, h.at, level + 1), stands, h.y.mid[at:], h.y.ratio[at:], mx)
+        invert_diagonal(faces_x(h.cx, h.at, level + 1), faces_y(h.cy, h.at, level + 1), cells(h.inverse, h.at, level + 1))
+        x, y = up_tables(h.x, level, h.at.columns[level]), up_tables(h.y, level, h.at.rows[level])
+        at = h.at.cells[level]
         h.irregular[level] = list_irregular(
-            cells(h.norm, h, level), h.ways[at:], h.listed[at:], stands, inverse, cx, cy, x, y
+            cells(h.norm, h.at, level), h.ways[at:], h.listed[at:], stands, inverse, cx, cy, x, y
         )
 
 
@@ -141,34 +148,34 @@ def coarsen_all(h):
 def _smooth(h, level, factor, back):
     """One sweep from p to q, or back."""
     source, goal = (h.q, h.p) if back else (h.p, h.q)
-    field = padded(source, h, level)
+    field = padded(source, h.at, level)
     wrap_ghosts(field, h.joined[0], h.joined[1])
     relax(
-        field, padded(goal, h, level), cells(h.b, h, level), faces_x(h, level), faces_y(h, level),
-        cells(h.inverse, h, level), factor,
+        field, padded(goal, h.at, level), cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level),
+        cells(h.inverse, h.at, level), factor,
     )  # fmt: skip
 
 
 @kernel
 def _down(h, level):
     """Smooth, and pass the residual on to the next level."""
-    begin(padded(h.q, h, level), cells(h.b, h, level), cells(h.inverse, h, level), W0)
-    _smooth(h, level, W1, True)
-    _smooth(h, level, W2, False)
-    q, r, norm = padded(h.q, h, level), padded(h.r, h, level), cells(h.norm, h, level)
+    begin(padded(h.q, h.at, level), cells(h.b, h.at, level), cells(h.inverse, h.at, level), FACTORS[0])
+    for k in range(1, 3):
+        _smooth(h, level, FACTORS[k], k == 1)
+    q, r, norm = padded(h.q, h.at, level), padded(h.r, h.at, level), cells(h.norm, h.at, level)
     wrap_ghosts(q, h.joined[0], h.joined[1])
-    residual(q, r, cells(h.b, h, level), faces_x(h, level), faces_y(h, level))
-    at, count = h.cell_at[level], h.irregular[level]
-    coarse = cells(h.b, h, level + 1)
+    residual(q, r, cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level))
+    at, count = h.at.cells[level], h.irregular[level]
+    coarse = cells(h.b, h.at, level + 1)
     if count > 0:
-        _keep_regular(r, norm, padded(h.p, h, level))
+        _keep_regular(r, norm, padded(h.p, h.at, level))
     wrap_ghosts(r, h.joined[0], h.joined[1])
-    x = down_tables(h.x, level, h.columns[level + 1])
-    y = down_tables(h.y, level, h.rows[level + 1])
+    x = down_tables(h.x, level, h.at.columns[level + 1])
+    y = down_tables(h.y, level, h.at.rows[level + 1])
     restrict(r, h.row, coarse, x, y)
     if count > 0:
-        x, y = up_tables(h.x, level, h.columns[level]), up_tables(h.y, level, h.rows[level])
-        whole = padded(h.p, h, level)
+        x, y = up_tables(h.x, level, h.at.columns[level]), up_tables(h.y, level, h.at.rows[level])
+        whole = padded(h.p, h.at, level)
         restrict_irregular(whole, coarse, h.ways[at : at + count], h.listed[at : at + count], x, y)
 
 
@@ -184,27 +191,25 @@ def _keep_regular(r, norm, whole):
 @kernel
 def _up(h, level):
     """Add the coarser level's correction, and smooth."""
-    coarse, fine = padded(h.p, h, level + 1), padded(h.q, h, level)
+    coarse, fine = padded(h.p, h.at, level + 1), padded(h.q, h.at, level)
     wrap_ghosts(coarse, h.joined[0], h.joined[1])
-    x, y = up_tables(h.x, level, h.columns[level]), up_tables(h.y, level, h.rows[level])
-    prolong(coarse, h.row, fine, cells(h.norm, h, level), x, y)
-    at, count = h.cell_at[level], h.irregular[level]
+    x, y = up_tables(h.x, level, h.at.columns[level]), up_tables(h.y, level, h.at.rows[level])
+    prolong(coarse, h.row, fine, cells(h.norm, h.at, level), x, y)
+    at, count = h.at.cells[level], h.irregular[level]
     if count > 0:
         prolong_irregular(coarse, fine, h.ways[at : at + count], h.listed[at : at + count], x, y)
-    _smooth(h, level, W2, True)
-    _smooth(h, level, W1, False)
-    _smooth(h, level, W0, True)
+    for k in range(3):
+        _smooth(h, level, FACTORS[2 - k], k != 1)
 
 
 @kernel
 def v_cycle(h):
     """The finest p from 0, for the finest b."""
-    last = h.rows.size - 1
+    last = h.at.rows.size - 1
     for level in range(last):
         _down(h, level)
-    padded(h.p, h, last)[:] = 0.0
-    for _ in range(LAST_PAIRS):
-        _smooth(h, last, 1.0, False)
-        _smooth(h, last, 0.5, True)
+    padded(h.p, h.at, last)[:] = 0.0
+    for k in range(2 * LAST_PAIRS):
+        _smooth(h, last, 1.0 if k % 2 == 0 else 0.5, k % 2 == 1)
     for level in range(last - 1, -1, -1):
         _up(h, level)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.multigrid.smoothing import wrap_ghosts
 
 Floats = NDArray[np.float64]
@@ -54,7 +54,7 @@ def make_equation(nx: int, ny: int, joined: tuple[bool, bool]) -> Equation:
     )  # fmt: skip
 
 
-@kernel
+@lean_kernel
 def label_regions(e):
     """Number the connected regions of cells, and note which an open side fixes; how many regions."""
     ny, nx = e.b.shape
@@ -95,7 +95,7 @@ def label_regions(e):
     return count
 
 
-@kernel
+@lean_kernel
 def balance(e, field, count, pad):
     """Take its mean over each closed region out of a field (padded by pad); sums[0] holds the means."""
     ny, nx = e.b.shape
@@ -129,7 +129,7 @@ def balance(e, field, count, pad):
                 field[j, i] = 0.0
 
 
-@kernel
+@lean_kernel
 def residual_of(e):
     """r = b - A p where cells conduct, else 0; the largest of |r|."""
     wrap_ghosts(e.p, e.joined[0], e.joined[1])
@@ -151,7 +151,7 @@ def residual_of(e):
     return max(m0, m1)
 
 
-@kernel
+@lean_kernel
 def rounding(e):
     """The residual that rounding alone leaves: a few times the last place of what is summed in a cell."""
     ny, nx = e.b.shape
@@ -163,7 +163,7 @@ def rounding(e):
     return 16.0 * LAST_PLACE * (right + unknown)
 
 
-@kernel
+@lean_kernel
 def dot(a, b):
     """The sum of products of two fields (rows, columns), in four interleaved sums a row, in a fixed order."""
     total = 0.0
@@ -182,7 +182,7 @@ def dot(a, b):
     return total
 
 
-@kernel
+@lean_kernel
 def direct(e, z, beta):
     """d = z + beta d, inside; z (ny + 2, nx + 2) padded."""
     for j in range(e.b.shape[0]):
@@ -191,7 +191,7 @@ def direct(e, z, beta):
             goal[i] = source[i] + beta * goal[i]
 
 
-@kernel
+@lean_kernel
 def apply(e):
     """z = A d; d times A d."""
     wrap_ghosts(e.d, e.joined[0], e.joined[1])
@@ -206,7 +206,7 @@ def apply(e):
     return dot(e.z, e.d[1 : ny + 1, 1 : nx + 1])
 
 
-@kernel
+@lean_kernel
 def walk(e, alpha):
     """p += alpha d, r -= alpha A d; the largest of |r|."""
     ny, nx = e.b.shape

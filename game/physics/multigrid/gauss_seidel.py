@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.multigrid.equation import residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts
 
 CHECKED = 10  # sweeps between two looks at the residual
 
 
-@kernel
+@lean_kernel
 def solve_sweeps(e, most, goal):
     """Improve e.p. (turns, largest residual before, after)."""
     before = residual_of(e)

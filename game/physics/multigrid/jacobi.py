@@ -5,7 +5,7 @@ With the whole step a checkerboard between walls would never die out, so a littl
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.multigrid.equation import residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts
 
@@ -13,7 +13,7 @@ from game.physics.multigrid.smoothing import wrap_ghosts
 DAMPING = 0.95  # of the whole step
 
 
-@kernel
+@lean_kernel
 def solve_jacobi(e, most, goal):
     """Improve e.p. (turns, largest residual before, after)."""
     before = residual_of(e)

@@ -20,7 +20,7 @@ def solve_multigrid(e, h, most, goal):
     """
     before = residual_of(e)
     now, turns, old = before, 0, 0.0
-    right, z = cells(h.b, h, 0), padded(h.p, h, 0)
+    right, z = cells(h.b, h.at, 0), padded(h.p, h.at, 0)
     inner = z[1:-1, 1:-1]
     while turns < most and now > goal:
         for j in range(right.shape[0]):
@@ -47,7 +47,7 @@ def solve_cycles(e, h, most, goal):
     """The same by V-cycles alone."""
     before = residual_of(e)
     now, turns = before, 0
-    right, z = cells(h.b, h, 0), padded(h.p, h, 0)
+    right, z = cells(h.b, h.at, 0), padded(h.p, h.at, 0)
     while turns < most and now > goal:
         right[:] = e.r
         v_cycle(h)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 LOW, HIGH = 0.25, 2.0  # of the spectrum of a line-free Laplacian divided by its diagonal: what is smoothed
 
@@ -26,7 +26,7 @@ def chebyshev_factors(degree: int, low: float = LOW, high: float = HIGH) -> tupl
 FACTORS = chebyshev_factors(3)
 
 
-@kernel
+@lean_kernel
 def wrap_ghosts(p, joined_x, joined_y):
     """Ghosts of a periodic field padded by one."""
     rows, columns = p.shape
@@ -40,7 +40,7 @@ def wrap_ghosts(p, joined_x, joined_y):
             p[rows - 1, i] = p[1, i]
 
 
-@kernel
+@lean_kernel
 def relax(p, out, b, cx, cy, inverse, factor):
     """out = p + factor inverse (b - A p), inside."""
     ny, nx = b.shape
@@ -54,7 +54,7 @@ def relax(p, out, b, cx, cy, inverse, factor):
             goal[i] = here + factor * inv[i] * (right[i] + rest)
 
 
-@kernel
+@lean_kernel
 def begin(out, b, inverse, factor):
     """The same from p = 0."""
     ny, nx = b.shape
@@ -64,7 +64,7 @@ def begin(out, b, inverse, factor):
             goal[i] = factor * inv[i] * right[i]
 
 
-@kernel
+@lean_kernel
 def residual(p, out, b, cx, cy):
     """out = b - A p, padded by one."""
     ny, nx = b.shape

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.grid.borders import OPEN, PERIODIC
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.multigrid.conjugate_gradients import factorise, solve_gradients
-from game.physics.multigrid.cycle import coarsen_all, faces_x, faces_y, make_hierarchy
+from game.physics.multigrid.cycle import coarsen_all, make_hierarchy
 from game.physics.multigrid.equation import Found, balance, label_regions, make_equation, rounding
 from game.physics.multigrid.gauss_seidel import solve_sweeps
 from game.physics.multigrid.jacobi import solve_jacobi
@@ -24,7 +24,7 @@ USUAL_TURNS = {"multigrid": 3, "v-cycles": 4, "conjugate-gradients": 40, "gauss-
 LEAST_FACE = 1e-3  # open part of a face below which it counts as closed
 
 
-@kernel
+@lean_kernel
 def _set_faces(e, ax, ay, kinds):
     """Conductances from the open parts of faces and the kinds of the sides."""
     ny, nx = e.b.shape
@@ -120,7 +120,5 @@ class PressureSolver:
     def _coarsen(self) -> None:
         """The coarser levels, if faces changed."""
         if not self._coarse:
-            faces_x(self.hierarchy, 0)[:] = self.equation.cx
-            faces_y(self.hierarchy, 0)[:] = self.equation.cy
-            coarsen_all(self.hierarchy)
+            coarsen_all(self.hierarchy, self.equation.cx, self.equation.cy)
             self._coarse = True

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 
-@kernel
+@lean_kernel
 def restrict(fine, row, coarse, x, y):
     """The transpose of bilinear interpolation: fine (padded by one) into coarse (m_y, m_x).
 
@@ -31,7 +31,7 @@ def restrict(fine, row, coarse, x, y):
             goal[i] = total + w[4] * row[x[0][i, 2] + 1]
 
 
-@kernel
+@lean_kernel
 def prolong(coarse, row, fine, norm, x, y):
     """Add norm times the bilinear interpolation of coarse (padded by one) to fine (padded by one).
 
@@ -49,7 +49,7 @@ def prolong(coarse, row, fine, norm, x, y):
             goal[i] += part[i] * (x[2][i, 0] * row[x[0][i] + 1] + x[2][i, 1] * row[x[1][i] + 1])
 
 
-@kernel
+@lean_kernel
 def invert_diagonal(cx, cy, inverse):
     """One over the sum of a cell's conductances, 0 for none."""
     for j in range(inverse.shape[0]):

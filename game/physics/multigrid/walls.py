@@ -7,7 +7,7 @@ in the plain transfer, and are added one by one from a list.
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.kernels.lean import inner_kernel
 
 OWN, ALONG_X, ALONG_Y, ACROSS = 1, 2, 4, 8
@@ -57,7 +57,7 @@ def _choose(stands, inverse, cx, cy, top, bottom, left, right):
             stands[j, i] = 1 if best > 0 and stands[j, i] == best else 0
 
 
-@kernel
+@lean_kernel
 def choose_cells(stands, inverse, cx, cy, x_members, y_members):
     """stands (ny, nx) int64: 1 for fine cells that their coarse cell stands for."""
     for j in range(y_members.shape[0]):
@@ -67,7 +67,7 @@ def choose_cells(stands, inverse, cx, cy, x_members, y_members):
             )
 
 
-@kernel
+@lean_kernel
 def coarsen_x(fine, coarse, stands, mid, ratio, members):
     """Conductances across x of a coarse level: of the fine faces in it, between cells that are stood for."""
     nx = fine.shape[1] - 1
@@ -82,7 +82,7 @@ def coarsen_x(fine, coarse, stands, mid, ratio, members):
             coarse[j, i] = total * ratio[i]
 
 
-@kernel
+@lean_kernel
 def coarsen_y(fine, coarse, stands, mid, ratio, members):
     """The same across y."""
     ny = fine.shape[0] - 1
@@ -134,7 +134,7 @@ def weights(way, w, v, q, r):
     return 0.0, 0.0, 0.0, 0.0
 
 
-@kernel
+@lean_kernel
 def list_irregular(norm, ways, listed, stands, inverse, cx, cy, x, y):
     """norm 1 for regular fine cells, 0 for others, which are listed with their ways; how many.
 
@@ -160,7 +160,7 @@ def list_irregular(norm, ways, listed, stands, inverse, cx, cy, x, y):
     return count
 
 
-@kernel
+@lean_kernel
 def restrict_irregular(r, coarse, ways, listed, x, y):
     """Add the residual of irregular fine cells, r (ny + 2, nx + 2), to the coarse right side."""
     my, mx = coarse.shape
@@ -177,7 +177,7 @@ def restrict_irregular(r, coarse, ways, listed, x, y):
         coarse[high, far] += d * value
 
 
-@kernel
+@lean_kernel
 def prolong_irregular(coarse, fine, ways, listed, x, y):
     """Add what is interpolated to irregular fine cells; both padded by one."""
     nx = fine.shape[1] - 2

@@ -100,7 +100,7 @@ def test_a_wall_of_one_cell_leaks_nothing(advection):
         for _ in range(5):
             sealed.step(dt)
     assert np.max(np.abs(sealed.u)) > 0.3
-    assert np.all(sealed.field("smoke")[:, :16] == 1.0) and np.all(sealed.field("smoke")[:, 17:] == 0.0)
+    assert np.min(sealed.field("smoke")[:, :16]) > 1.0 - 1e-12 and np.all(sealed.field("smoke")[:, 17:] == 0.0)
 
 
 def test_solids_that_leap_turn_cover_everything_and_begin_in_smoke():
@@ -170,8 +170,8 @@ def test_layered_gas_stays_at_rest():
 
 
 def test_a_symmetric_plume_stays_so():
-    gas = Gas(Grid(33, 48, 1.0 / 32), settings=replace(GasSettings(), viscosity=2e-3))
-    gas.rates[2:4, 14:19, gas.column("temperature")] = 200.0
+    gas = Gas(Grid(32, 48, 1.0 / 32), settings=replace(GasSettings(), viscosity=2e-3))
+    gas.rates[2:4, 14:18, gas.column("temperature")] = 200.0
     for _ in range(240):
         gas.step(1.0 / 60)
     assert np.max(gas.v) > 0.3
