@@ -49,6 +49,9 @@ FOLDERS = {
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables",
         "surfaces",
+        "grid",
+        "multigrid",
+        "gas",
     ),
     "billiards": (
         "table",

@@ -1,0 +1,15 @@
+"""What a level of a cavity may say."""
+
+from __future__ import annotations
+
+from game.scenes.shared.entry import LevelEntry
+from game.scenes.shared.expectations import Expectations
+
+
+class CavityContent(LevelEntry, frozen=True, kw_only=True):
+    """[content] of a level: what its readouts are expected to become."""
+
+    expected: Expectations = ()
+
+
+DEFAULT = CavityContent()

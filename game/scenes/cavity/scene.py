@@ -1,0 +1,110 @@
+"""A27: the flow in a cavity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from game.lab.studies.gas import cavity_study
+from game.levels import Level
+from game.physics.gas import GAS
+from game.physics.gas.effects import CONFINEMENT
+from game.scenes.cavity import CAVITY
+from game.scenes.cavity.figure import draw_profiles
+from game.scenes.cavity.hand import CavityHand
+from game.scenes.cavity.level import DEFAULT, CavityContent
+from game.scenes.cavity.model import CavityModel, CavityState
+from game.scenes.cavity.parameters import OF_MAKING, OF_PICTURE, CavityParameters
+from game.scenes.cavity.readouts import readouts_of
+from game.scenes.cavity.view import CavityView
+from game.scenes.shared.expectations import captions_of, draw_captions
+from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, Strip
+
+
+class Cavity(Scene):
+    """A square box of gas under a lid that moves. The lid drags the gas along, and after a while one large
+    eddy stands in the box, with small ones in the corners: the flow that every program for fluids is first
+    tried on, for its speeds on the two centre lines are known to six figures.
+
+    Choose another method, a coarser grid or longer steps, and see at the dots how much of the eddy is lost.
+    With a hot and a cold wall instead of the lid it is warmth that drives it.
+
+    In the equations: u velocity, p pressure over density, ν viscosity, U speed of the lid, L width, T
+    temperature, β its expansion, κ how fast it spreads, g gravity.
+    """
+
+    name, task, title = CAVITY.names
+    parameters_type = CavityParameters
+    parameters: CavityParameters
+    effects = GAS.known.without(CONFINEMENT)
+    content_type = CavityContent
+    study = cavity_study
+    figure = staticmethod(draw_profiles)
+    hints = (Hint(("Drag",), "stir"),)
+    strips = (
+        Strip("Speeds on the centre lines", "", ("least u", "most v", "least v")),
+        Strip("Error", "%", ("error",)),
+        Strip("Change", "m/s²", ("change",)),
+    )
+    equations = (
+        Equation("Flow", r"\frac{d \v{u}}{d t} = - \nabla p + \nu \nabla^2 \v{u}", "Navier 1822, Stokes 1845"),
+        Equation("No divergence", r"\nabla \v{u} = 0", "what flows in flows out"),
+        Equation("Reynolds number", r"Re = \frac{U L}{\nu}", "Ghia, Ghia and Shin 1982: 100 to 10000"),
+        Equation("Rayleigh number", r"Ra = \frac{g \beta \Delta T L^3}{\nu \kappa}", "de Vahl Davis 1983"),
+    )
+    try_this = (
+        "Choose the advection of 1999: the eddy is weaker, as if the gas were thicker than it is.",
+        "Go from 64 to 128 cells: the error falls to about a third.",
+        "Turn the pressure off, and see that an eddy needs one.",
+        "Heat a wall instead: the Nusselt number says how much more heat the eddy carries than gas at rest.",
+    )
+
+    def build(self, level: Level | None) -> None:
+        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.model = CavityModel(self.parameters, self.active, self.seed)
+        self.hand = CavityHand(self.model)
+        self.view = CavityView(self.model)
+        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name not in (*OF_PICTURE, *OF_MAKING):
+            self.model.change_parameter(name)
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def state(self) -> CavityState:
+        return self.model.state()
+
+    def restore(self, state: CavityState) -> None:
+        self.model.restore(state)
+
+    def save_content(self) -> CavityContent:
+        return self.content
+
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        self.hand.take(event)
+
+    def readouts(self) -> list[Readout]:
+        return list(readouts_of(self.model))
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        if self.model.heated:
+            return (("line:green", "u across the middle", ""), ("line:amber", "v across the middle", ""))
+        return (
+            ("line:green", "u on the vertical", ""),
+            ("line:amber", "v on the horizontal", ""),
+            ("disc:text1", "Ghia 1982, as printed", ""),
+            ("ring:vermilion", "extremes, extrapolated", ""),
+        )
+
+    def frame(self) -> Frame:
+        return Frame(-0.08, -0.06, 1.08, 1.1)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, self.previous, alpha)
+        if self.content.expected:
+            draw_captions(canvas, (0.5, 0.985), captions_of(self.content.expected, self.readouts()))

@@ -1,0 +1,89 @@
+"""What a step of gas costs on 256 x 128 cells with five carried fields, and a pressure solve beside scipy's.
+
+python -m pytest tests/benchmarks/test_gas.py --benchmark-enable
+
+extra_info: the largest change of a cell's volume that is left in a step; of the whole step by numpy and scipy
+only the carrying and a direct solve with a factor made before.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from game.physics.gas import Gas, GasSettings
+from game.physics.grid import Grid
+from game.physics.multigrid import PressureSolver
+
+NX, NY, DT = 256, 128, 1.0 / 120.0
+
+
+def plume(advection: str, nx: int = NX, ny: int = NY) -> Gas:
+    """A warm cloud that rises and rolls up, some steps old."""
+    gas = Gas(Grid(nx, ny, 1.0 / ny), settings=GasSettings(advection=advection, smoke_weight=0.1))
+    x, y = gas.grid.centres()
+    cloud = np.exp(-((x - 1.0) ** 2 + (y - 0.3) ** 2) / 0.01)
+    gas.field("temperature")[:] += 300.0 * cloud
+    gas.field("smoke")[:] = cloud
+    return gas
+
+
+@pytest.mark.parametrize("advection", ["stam-1999", "linear", "cubic", "maccormack", "time-centred"])
+def test_step(benchmark, advection):
+    benchmark.group = "gas, 256 x 128, five fields"
+    gas = plume(advection)
+    for _ in range(60 if benchmark.enabled else 2):
+        gas.step(DT)
+    benchmark.pedantic(gas.step, (DT,), rounds=60, warmup_rounds=2)
+    benchmark.extra_info["volume"] = gas.report.after
+    assert gas.report.after <= 1e-4
+
+
+def test_step_by_numpy_and_scipy(benchmark):
+    if not benchmark.enabled:
+        pytest.skip("the peer is measured only with --benchmark-enable")
+    from scipy.ndimage import map_coordinates
+    from scipy.sparse import diags, identity, kron
+    from scipy.sparse.linalg import splu
+
+    benchmark.group = "gas, 256 x 128, five fields"
+    gas = plume("linear")
+    for _ in range(60):
+        gas.step(DT)
+
+    def line(n):
+        return diags([-np.ones(n - 1), np.r_[1.0, 2.0 * np.ones(n - 2), 1.0], -np.ones(n - 1)], [-1, 0, 1])
+
+    matrix = kron(identity(NY), line(NX)) + kron(line(NY), identity(NX)) + 1e-9 * identity(NX * NY)
+    factor = splu(matrix.tocsc())
+    j, i = np.mgrid[0:NY, 0:NX].astype(float)
+
+    def step():
+        w = gas.velocity() * DT * NY
+        x, y = i - w[..., 0], j - w[..., 1]
+        for k in range(5):
+            map_coordinates(gas.scalars[:, :, k], [y, x], order=1, mode="nearest")
+        u = map_coordinates(gas.u, [y, x + 0.5], order=1, mode="nearest")
+        v = map_coordinates(gas.v, [y + 0.5, x], order=1, mode="nearest")
+        return factor.solve((u + v).ravel())
+
+    benchmark.pedantic(step, rounds=10, warmup_rounds=1)
+
+
+@pytest.mark.parametrize(
+    ("method", "turns"),
+    [("multigrid", 2), ("v-cycles", 3), ("conjugate-gradients", 40), ("gauss-seidel", 20), ("jacobi", 40)],
+)
+def test_pressure(benchmark, method, turns):
+    benchmark.group = "pressure, 256 x 128"
+    solver = PressureSolver(NX, NY, np.zeros(4, np.int64))
+    b = np.random.default_rng(1).standard_normal((NY, NX))
+
+    def solve():
+        solver.equation.p[:] = 0.0
+        solver.equation.b[:] = b
+        return solver.solve(method, turns)
+
+    found = benchmark.pedantic(solve, rounds=30 if benchmark.enabled else 1, warmup_rounds=1)
+    benchmark.extra_info["left"] = found.after / found.before
+    assert found.after < found.before
