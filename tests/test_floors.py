@@ -35,7 +35,8 @@ FOLDERS = {
         "effects integrators",
         "fields proximity_effects dominoes",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
-        "spheres generations oscillators acoustics spacetime deformables",
+        "spheres generations oscillators acoustics spacetime deformables heat",
+        "combustion",
         "surfaces",
     ),
     "billiards": (
