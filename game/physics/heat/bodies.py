@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from game.physics.effects import EffectSet
 from game.physics.heat.effects import HEAT
 from game.physics.heat.nodes import (
+    AMBIENT,
     AREA,
     BURNT,
     FUEL,
@@ -40,7 +41,8 @@ class Fuel:
     """What burns. ValueError, naming the field, for nonsense.
 
     ignition K; rate 1/s of its fuel in fresh air; heat J/kg; kept: share of it that stays; vapour: share of
-    the fuel that leaves unburnt; fuel_heat J/(kg K); exchange W/(m² K) with the gas; emissivity; ambient K.
+    the fuel that leaves unburnt; fuel_heat J/(kg K); exchange W/(m² K) with the gas; emissivity; ambient
+    K, of gas and surroundings where nothing else is said.
     """
 
     ignition: float = 570.0
@@ -110,6 +112,7 @@ class BurningBodies:
         ):  # fmt: skip
             self.nodes[row] = _numbers(name, values, count, low, high)
         self.nodes[GAS], self.nodes[OXYGEN] = self.made_of.ambient, 1.0
+        self.nodes[AMBIENT] = self.made_of.ambient
         self.totals: Floats = np.zeros(4)
         self._sums = np.zeros(count)
 
@@ -136,6 +139,12 @@ class BurningBodies:
         """Temperature (K) and oxygen (1: fresh air) of the gas at each node. ValueError."""
         self.nodes[GAS] = _numbers("gas temperature", temperature, self.count, 0.0, 1e9)
         self.nodes[OXYGEN] = _numbers("oxygen", oxygen, self.count, 0.0, 1e3)
+
+    def meet_light(self, temperature: ArrayLike) -> None:
+        """Temperature (K) of what each node shines to: a fourth root of a mean of fourth powers.
+        ValueError.
+        """
+        self.nodes[AMBIENT] = _numbers("temperature around", temperature, self.count, 0.0, 1e9)
 
     def take_given(self) -> tuple[Floats, Floats, Floats]:
         """What was given to the gas since the last time, (n,) each: J, kg of vapour, kg burnt; then nothing

@@ -23,10 +23,10 @@ from game.physics.heat.radiation import STEFAN_BOLTZMANN, cooled_inside
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 # rows of nodes (ROWS, n): K, J/K of what does not burn, kg, kg, m² that meets the gas and shines; K and share
-# of oxygen of the gas at it (0 to 1: as in fresh air); what a step has given the gas: J, kg of vapour, kg
-# burnt
-TEMPERATURE, REST, FUEL, WATER, AREA, GAS, OXYGEN, GIVEN, VAPOUR, BURNT, FLOW = range(11)
-ROWS = 11
+# of oxygen of the gas at it (1: as in fresh air); K of what it shines to; what a step has given the gas: J,
+# kg of vapour, kg burnt; and a buffer
+TEMPERATURE, REST, FUEL, WATER, AREA, GAS, OXYGEN, AMBIENT, GIVEN, VAPOUR, BURNT, FLOW = range(12)
+ROWS = 12
 BOILING, WATER_HEAT, STEAM_HEAT = 373.15, 4186.0, 2.257e6  # K, J/(kg K), J/kg
 # of the totals of a step: J radiated, J that steam took along, J of fuel that burnt, kg of steam
 RADIATED, STEAM, OF_FUEL, STEAM_KG = range(4)
@@ -44,7 +44,6 @@ class NodeLaws(NamedTuple):
     fuel_heat: float  # J/(kg K) of fuel
     exchange: float  # W/(m² K) with the gas
     emissivity: float
-    ambient: float  # K, what is shone to
 
 
 @inner_kernel
@@ -120,7 +119,7 @@ def step_nodes(nodes, links, conductances, torn, laws, substeps, dt, totals):
             if laws.mask & RADIATION_BIT:
                 capacity, hot = _capacity(nodes, i, laws), nodes[TEMPERATURE, i]
                 rate = laws.emissivity * STEFAN_BOLTZMANN * nodes[AREA, i] / capacity
-                nodes[TEMPERATURE, i] = cooled_inside(hot, laws.ambient, rate, h)
+                nodes[TEMPERATURE, i] = cooled_inside(hot, nodes[AMBIENT, i], rate, h)
                 totals[RADIATED] += capacity * (hot - nodes[TEMPERATURE, i])
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.physics.effects import EffectSet
-from game.physics.heat import BurningBodies, BurningFront, Fuel, cooled
+from game.physics.heat import STEFAN_BOLTZMANN, BurningBodies, BurningFront, Fuel, cooled
 from game.physics.heat.effects import CONDUCTION, CONVECTION, HEAT, RADIATION, SMOULDERING
 from game.physics.heat.exact import (
     fisher_speed,
@@ -56,7 +56,7 @@ def row(count: int, made_of: Fuel, **given) -> BurningBodies:
 
 def books(bodies: BurningBodies) -> float:
     """What must stay the same: J in nodes, and in all that left, less what burning made."""
-    given, _, _ = bodies.nodes[[7, 8, 9]]
+    given, _, _ = bodies.nodes[[8, 9, 10]]
     totals = bodies.totals
     return bodies.heat() + math.fsum(given.tolist()) + totals[RADIATED] + totals[STEAM] - totals[OF_FUEL]
 
@@ -138,6 +138,19 @@ def test_fuel_that_runs_out_in_a_step_and_oxygen_below_nothing():
     assert bodies.fuel.tolist() == [0.0, 1e-3]
     _given, vapour, burnt = bodies.take_given()
     assert (vapour + burnt).tolist() == pytest.approx([1e-3, 0.0], rel=1e-12)
+
+
+def test_what_glows_beside_it_keeps_an_ember_hot():
+    made_of = Fuel(effects=EffectSet([RADIATION]), emissivity=0.8)
+    embers = BurningBodies(3, rest=10.0, area=0.02, temperature=1000.0, made_of=made_of)
+    embers.meet_light([293.15, 800.0, 1100.0])
+    for _ in range(100):
+        embers.step(0.1)
+    rate = 0.8 * STEFAN_BOLTZMANN * 0.02 / 10.0
+    wanted = [cooled(1000.0, around, rate, 10.0) for around in (293.15, 800.0, 1100.0)]
+    assert embers.temperature.tolist() == pytest.approx(wanted, rel=1e-11)
+    assert embers.temperature[2] > 1000.0 > embers.temperature[1] > embers.temperature[0]
+    assert embers.totals[RADIATED] == pytest.approx(10.0 * (3000.0 - embers.temperature.sum()), rel=1e-9)
 
 
 def test_what_is_torn_off_keeps_its_heat():
