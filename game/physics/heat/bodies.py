@@ -15,6 +15,7 @@ from game.physics.heat.nodes import (
     AMBIENT,
     AREA,
     BURNT,
+    EXCHANGE,
     FUEL,
     GAS,
     GIVEN,
@@ -41,7 +42,8 @@ class Fuel:
     """What burns. ValueError, naming the field, for nonsense.
 
     ignition K; rate 1/s of its fuel in fresh air; heat J/kg; kept: share of it that stays; vapour: share of
-    the fuel that leaves unburnt; fuel_heat J/(kg K); exchange W/(m² K) with the gas; emissivity; ambient
+    the fuel that leaves unburnt; fuel_heat J/(kg K); exchange W/(m² K) with the gas where nothing else is
+    said; emissivity; ambient
     K, of gas and surroundings where nothing else is said.
     """
 
@@ -112,7 +114,7 @@ class BurningBodies:
         ):  # fmt: skip
             self.nodes[row] = _numbers(name, values, count, low, high)
         self.nodes[GAS], self.nodes[OXYGEN] = self.made_of.ambient, 1.0
-        self.nodes[AMBIENT] = self.made_of.ambient
+        self.nodes[AMBIENT], self.nodes[EXCHANGE] = self.made_of.ambient, self.made_of.exchange
         self.totals: Floats = np.zeros(4)
         self._sums = np.zeros(count)
 
@@ -135,8 +137,14 @@ class BurningBodies:
         """(n,) which burn now."""
         return np.asarray((self.temperature >= self.made_of.ignition) & (self.fuel > 0.0))
 
-    def meet_gas(self, temperature: ArrayLike, oxygen: ArrayLike = 1.0) -> None:
-        """Temperature (K) and oxygen (1: fresh air) of the gas at each node. ValueError."""
+    def meet_gas(
+        self, temperature: ArrayLike, oxygen: ArrayLike = 1.0, exchange: ArrayLike | None = None
+    ) -> None:
+        """Temperature (K) and oxygen (1: fresh air) of the gas at each node; exchange with it, W/(m² K),
+        which grows with its speed (None: as the fuel says). ValueError.
+        """
+        given = self.made_of.exchange if exchange is None else exchange
+        self.nodes[EXCHANGE] = _numbers("exchange", given, self.count, 0.0, 1e6)
         self.nodes[GAS] = _numbers("gas temperature", temperature, self.count, 0.0, 1e9)
         self.nodes[OXYGEN] = _numbers("oxygen", oxygen, self.count, 0.0, 1e3)
 

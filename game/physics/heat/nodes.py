@@ -25,8 +25,8 @@ from game.physics.kernels.lean import inner_kernel, lean_kernel
 # rows of nodes (ROWS, n): K, J/K of what does not burn, kg, kg, m² that meets the gas and shines; K and share
 # of oxygen of the gas at it (1: as in fresh air); K of what it shines to; what a step has given the gas: J,
 # kg of vapour, kg burnt; and a buffer
-TEMPERATURE, REST, FUEL, WATER, AREA, GAS, OXYGEN, AMBIENT, GIVEN, VAPOUR, BURNT, FLOW = range(12)
-ROWS = 12
+TEMPERATURE, REST, FUEL, WATER, AREA, GAS, OXYGEN, EXCHANGE, AMBIENT, GIVEN, VAPOUR, BURNT, FLOW = range(13)
+ROWS = 13
 BOILING, WATER_HEAT, STEAM_HEAT = 373.15, 4186.0, 2.257e6  # K, J/(kg K), J/kg
 # of the totals of a step: J radiated, J that steam took along, J of fuel that burnt, kg of steam
 RADIATED, STEAM, OF_FUEL, STEAM_KG = range(4)
@@ -42,7 +42,6 @@ class NodeLaws(NamedTuple):
     kept: float  # share of it that stays in the node
     vapour: float  # share of the fuel that leaves unburnt
     fuel_heat: float  # J/(kg K) of fuel
-    exchange: float  # W/(m² K) with the gas
     emissivity: float
 
 
@@ -110,7 +109,7 @@ def step_nodes(nodes, links, conductances, torn, laws, substeps, dt, totals):
         for i in range(count):
             if laws.mask & CONVECTION_BIT:
                 capacity = _capacity(nodes, i, laws)
-                part = -math.expm1(-laws.exchange * nodes[AREA, i] * h / capacity)
+                part = -math.expm1(-nodes[EXCHANGE, i] * nodes[AREA, i] * h / capacity)
                 joule = capacity * part * (nodes[GAS, i] - nodes[TEMPERATURE, i])
                 nodes[GIVEN, i] -= joule
                 warm(nodes, i, joule, laws, totals)

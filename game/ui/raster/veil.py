@@ -1,4 +1,6 @@
-"""Smoke and flames as one veil over a picture: what covers by its thickness, and light that is added or laid."""
+"""Smoke and flames as one veil over a picture: what covers by its thickness, and light that is added or
+laid.
+"""
 
 from __future__ import annotations
 

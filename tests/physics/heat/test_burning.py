@@ -56,7 +56,7 @@ def row(count: int, made_of: Fuel, **given) -> BurningBodies:
 
 def books(bodies: BurningBodies) -> float:
     """What must stay the same: J in nodes, and in all that left, less what burning made."""
-    given, _, _ = bodies.nodes[[8, 9, 10]]
+    given, _, _ = bodies.nodes[[9, 10, 11]]
     totals = bodies.totals
     return bodies.heat() + math.fsum(given.tolist()) + totals[RADIATED] + totals[STEAM] - totals[OF_FUEL]
 
