@@ -36,7 +36,7 @@ FOLDERS = {
         "fields proximity_effects dominoes",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables heat",
-        "combustion",
+        "combustion stable_fluids",
         "surfaces",
     ),
     "billiards": (
