@@ -15,6 +15,7 @@ from game.scenes import (
     depth,
     domino,
     examples,
+    fireplace,
     fireworks,
     fountain,
     key_frames,
@@ -63,6 +64,7 @@ CATALOGUE = Catalogue(
         *depth.ENTRIES,
         *deformables.ENTRIES,
         *domino.ENTRIES,
+        *fireplace.ENTRIES,
         *metal.ENTRIES,
     )
 )

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from game.physics.effects import Room, declare_effect
+from game.physics.gas.effects import EXPANSION
 from game.physics.heat.effects import RADIATION
 
 FLAMES = declare_effect("flames", "Flames", "Fuel and oxygen burn where the gas is hot enough.")
-EXPANSION = declare_effect("expansion", "Expansion", "Gas that is warmed takes more room, and flows apart.")
 SOOT_LOSS = declare_effect("soot-loss", "Soot burns off", "Soot burns where it is hot and there is oxygen.")
 
 COMBUSTION = Room("burning gas", FLAMES | EXPANSION | RADIATION | SOOT_LOSS)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,18 +13,18 @@ from game.physics.kernels.lean import lean_kernel
 from game.scenes.fireplace.tables import HOOD_FOOT, HOOD_IN, HOOD_OUT, THROAT, WALL
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
+Floats = NDArray[Any]  # of single precision, for pictures
 Inks = NDArray[np.uint32]
-CELL = 1.0 / 260.0  # m of the room to a cell of its picture
+CELL = 1.0 / 200.0  # m of the room to a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP = -2.6, -0.75, 2.6, 2.3  # m that are painted
 SLAB, SLAB_HALF = 0.1, 0.98  # m: how thick the hearth is, and half as wide
 FLOOR = -0.1  # m, where the floor begins
 BRICK, COURSE, MORTAR = 0.19, 0.066, 0.007  # m
 MIDDLE = (0.0, 0.3)  # m, of the light of a fire
 # night, day: plaster, brick, mortar, stone, boards; light of the room itself (256: all)
-NIGHT = (0x4A4038, 0x6B3A2A, 0x2A211C, 0x5A544E, 0x5A3A24, 66)
+NIGHT = (0x6A5A4C, 0x7A4430, 0x2E2520, 0x6A6259, 0x6A4630, 92)
 DAY = (0xE9DFCB, 0xA8624A, 0xB9A894, 0xA8A198, 0x9A6B44, 232)
-WARM = (300, 190, 100)  # red, green, blue of firelight where it is strongest, at full strength
+WARM = (400, 240, 120)  # red, green, blue of firelight where it is strongest, at full strength
 
 
 class RoomPicture(NamedTuple):
@@ -84,7 +84,7 @@ def warm_up_room() -> None:
 
 
 def _parts(ink: int) -> Floats:
-    return np.array([ink >> 16 & 255, ink >> 8 & 255, ink & 255], dtype=np.float64)
+    return np.array([ink >> 16 & 255, ink >> 8 & 255, ink & 255], dtype=np.float32)
 
 
 def hood_half(y: Floats) -> Floats:
@@ -97,11 +97,11 @@ def hood_half(y: Floats) -> Floats:
 def room_picture(dark: bool) -> RoomPicture:
     """All of it, as the theme has it."""
     plaster, brick, mortar, stone, boards = (_parts(ink) for ink in (NIGHT if dark else DAY)[:5])
-    x = np.arange(LEFT, RIGHT, CELL)[None, :] + 0.5 * CELL
-    y = np.arange(TOP, BOTTOM, -CELL)[:, None] - 0.5 * CELL
+    x = (np.arange(LEFT, RIGHT, CELL)[None, :] + 0.5 * CELL).astype(np.float32)
+    y = (np.arange(TOP, BOTTOM, -CELL)[:, None] - 0.5 * CELL).astype(np.float32)
     shape = (y.shape[0], x.shape[1])
     random = np.random.default_rng(26)
-    grain = random.normal(0.0, 1.0, shape)
+    grain = random.standard_normal(shape, dtype=np.float32)
     cloud = _smooth(random, shape)
     colors = plaster * (1.0 + 0.05 * cloud + 0.012 * grain)[..., None]
     wall = _bricks(x, y, brick, mortar, random)
@@ -126,11 +126,12 @@ def room_picture(dark: bool) -> RoomPicture:
     away = (FLOOR - y) / (FLOOR - BOTTOM)  # 0 at the wall, 1 in front
     wide = 0.16 * (1.0 + 1.6 * away)
     number = np.floor(x / wide + 40.0)
-    tint = random.uniform(-1.0, 1.0, 200)[np.clip(number, 0, 199).astype(int)]
+    tint = random.uniform(-1.0, 1.0, 200).astype(np.float32)[np.clip(number, 0, 199).astype(int)]
     seam = np.abs(x / wide - np.round(x / wide)) * wide < 0.004 * (1.0 + away)
     wood = boards * (0.7 + 0.5 * away + 0.07 * tint + 0.04 * cloud - 0.35 * seam)[..., None]
     _lay(colors, ground, wood)
-    shade = np.exp(-np.clip(FLOOR - y, 0.0, None) / 0.05) * (np.abs(x) < SLAB_HALF + 0.05)
+    edge = np.clip((SLAB_HALF + 0.1 - np.abs(x)) / 0.2, 0.0, 1.0)
+    shade = np.exp(-np.clip(FLOOR - y, 0.0, None) / 0.05) * edge
     colors *= np.where(ground, 1.0 - 0.45 * shade, 1.0)[..., None]
     packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
     inks = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
@@ -144,10 +145,10 @@ def _lay(colors: Floats, where: NDArray[np.bool_], over: Floats) -> None:
 
 def _smooth(random: np.random.Generator, shape: tuple[int, int]) -> Floats:
     """Soft patches, about -1 to 1."""
-    found = np.zeros(shape)
+    found = np.zeros(shape, np.float32)
     for coarse, share in ((12, 0.6), (40, 0.4)):
-        small = random.normal(0.0, 1.0, (shape[0] // coarse + 2, shape[1] // coarse + 2))
-        rows, columns = np.arange(shape[0]) / coarse, np.arange(shape[1]) / coarse
+        small = random.standard_normal((shape[0] // coarse + 2, shape[1] // coarse + 2), dtype=np.float32)
+        rows, columns = np.arange(shape[0], dtype=np.float32) / coarse, np.arange(shape[1], dtype=np.float32) / coarse
         i, j = rows.astype(int), columns.astype(int)
         f, g = (rows - i)[:, None], (columns - j)[None, :]
         upper = small[i][:, j] * (1.0 - g) + small[i][:, j + 1] * g
@@ -161,7 +162,7 @@ def _bricks(x: Floats, y: Floats, brick: Floats, mortar: Floats, random: np.rand
     course = np.floor(y / COURSE)
     along = x / BRICK + 0.5 * np.mod(course, 2.0)
     number = np.floor(along)
-    tints = random.uniform(-1.0, 1.0, (97, 89))
+    tints = random.uniform(-1.0, 1.0, (97, 89)).astype(np.float32)
     tint = tints[np.mod(course, 97).astype(int), np.mod(number, 89).astype(int)]
     joint = ((along - number) * BRICK < MORTAR) | (np.mod(y, COURSE) < MORTAR)
     tone = brick * (0.85 + 0.2 * tint)[..., None]
@@ -174,7 +175,7 @@ def _light(x: Floats, y: Floats, ground: NDArray[np.bool_]) -> NDArray[np.uint8]
     light = 1.0 / (1.0 + (away / 0.42) ** 2)
     side = np.clip((np.abs(x) - HOOD_OUT) / 0.12, 0.0, 1.0)
     above = np.clip((y - HOOD_FOOT) / 0.5, 0.0, 1.0)
-    light = light * (1.0 - 0.55 * side * above) * np.where(y > HOOD_FOOT, 0.75, 1.0)
+    light = light * (1.0 - 0.55 * side * above)
     down = np.clip(FLOOR - y, 0.0, None)
     light = np.where(ground, 0.85 * np.exp(-((x / 1.25) ** 2)) * np.exp(-down / 0.55), light)
     light = light + 0.05 * math.exp(-1.0)

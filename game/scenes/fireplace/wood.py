@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.heat import BurningBodies, Fuel, NodesState
-from game.physics.heat.nodes import AREA, FUEL, TEMPERATURE, WATER
+from game.physics.heat.nodes import FUEL
 from game.physics.solids import Capsule, Chain, Disc, Material, SolidSettings, SolidState, SolidWorld, box
 from game.scenes.fireplace.level import MOST_PIECES, FireplaceContent, WoodEntry
 from game.scenes.fireplace.tables import (
@@ -257,4 +257,3 @@ class Wood(Part):
         self.nodes = BurningBodies(max(self.count, 1), links, GRAIN * 2.0 * thick, made_of=self.made_of)
 
 
-ROWS = (TEMPERATURE, FUEL, WATER, AREA)
