@@ -41,6 +41,9 @@ FOLDERS = {
         "gas",
         "combustion stable_fluids",
         "surfaces",
+        "grid",
+        "multigrid",
+        "gas",
     ),
     "billiards": (
         "table",

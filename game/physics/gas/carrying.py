@@ -1,0 +1,158 @@
+"""Semi-Lagrangian advection: a new value is the old one where the gas comes from (Stam 1999).
+
+What is carried is padded with ghosts (`grid.ghosts`); places count from the first unpadded value.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.grid.borders import BOTTOM, LEFT, PERIODIC
+from game.physics.grid.layout import PAD
+from game.physics.grid.sampling import bounds_at, clamped, cubic_at, cubic_weights, linear_at, wrapped
+from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel
+
+LINEAR, CUBIC, LIMITED = range(3)  # how values between points are found; limited: cubic without new extrema
+INSIDE = 1e-9
+
+
+@inner_kernel
+def _place(x, count, period, joined):
+    """A place brought to where a padded field of so many values answers."""
+    if joined:
+        return wrapped(x, period)
+    return clamped(x, -1.0, count - INSIDE)
+
+
+@inner_kernel
+def _value(padded, x, y, how):
+    if how == LINEAR:
+        return linear_at(padded, x, y)
+    found = cubic_at(padded, x, y)
+    if how == LIMITED:
+        low, high = bounds_at(padded, x, y)
+        return clamped(found, low, high)
+    return found
+
+
+@kernel
+def carry_u(padded, shift, way, kinds, how, out):
+    """out (ny, nx + 1): padded u where each face comes from, back by way times its shift."""
+    ny, nx = shift.shape[0], shift.shape[1]
+    joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
+    half = 0.5 * way
+    for j in range(ny):
+        goal, moves = out[j], shift[j]
+        for i in range(nx + 1):
+            left, right = i - 1, i
+            if i == 0:
+                left = nx - 1 if joined_x else 0
+            elif i == nx:
+                right = 0 if joined_x else nx - 1
+            x = _place(i - half * (moves[left, 0] + moves[right, 0]), nx + 1, nx, joined_x)
+            y = _place(j - half * (moves[left, 1] + moves[right, 1]), ny, ny, joined_y)
+            goal[i] = _value(padded, x, y, how)
+
+
+@kernel
+def carry_v(padded, shift, way, kinds, how, out):
+    """out (ny + 1, nx): the same for v."""
+    ny, nx = shift.shape[0], shift.shape[1]
+    joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
+    half = 0.5 * way
+    for j in range(ny + 1):
+        below, above = j - 1, j
+        if j == 0:
+            below = ny - 1 if joined_y else 0
+        elif j == ny:
+            above = 0 if joined_y else ny - 1
+        goal, low, high = out[j], shift[below], shift[above]
+        for i in range(nx):
+            x = _place(i - half * (low[i, 0] + high[i, 0]), nx, nx, joined_x)
+            y = _place(j - half * (low[i, 1] + high[i, 1]), ny + 1, ny, joined_y)
+            goal[i] = _value(padded, x, y, how)
+
+
+@inner_kernel
+def _linear_fields(padded, j, i, f, g, out):
+    low, high = padded[j + PAD], padded[j + PAD + 1]
+    i += PAD
+    a, b, c, d = (1.0 - g) * (1.0 - f), (1.0 - g) * f, g * (1.0 - f), g * f
+    for k in range(out.size):
+        out[k] = (a * low[i, k] + b * low[i + 1, k]) + (c * high[i, k] + d * high[i + 1, k])
+
+
+@inner_kernel
+def _cubic_fields(padded, j, i, f, g, out):
+    """Bicubic, kept within the four values around."""
+    a, b, c, d = cubic_weights(f)
+    p, q, r, s = cubic_weights(g)
+    i += PAD
+    j += PAD
+    r0, r1, r2, r3 = padded[j - 1], padded[j], padded[j + 1], padded[j + 2]
+    for k in range(out.size):
+        e0, e1, e2, e3 = r1[i, k], r1[i + 1, k], r2[i, k], r2[i + 1, k]
+        outer = p * ((a * r0[i - 1, k] + d * r0[i + 2, k]) + (b * r0[i, k] + c * r0[i + 1, k]))
+        outer += s * ((a * r3[i - 1, k] + d * r3[i + 2, k]) + (b * r3[i, k] + c * r3[i + 1, k]))
+        inner = q * ((a * r1[i - 1, k] + d * r1[i + 2, k]) + (b * e0 + c * e1))
+        inner += r * ((a * r2[i - 1, k] + d * r2[i + 2, k]) + (b * e2 + c * e3))
+        low, high = min(min(e0, e1), min(e2, e3)), max(max(e0, e1), max(e2, e3))
+        out[k] = clamped(outer + inner, low, high)
+
+
+@inner_kernel
+def _beside_walls(padded, ax, ay, x, y, joined, out):
+    """Linear, from the cells that can be reached from the place's own cell; others count as that one."""
+    ny, nx = ay.shape[0] - 1, ax.shape[1] - 1
+    i, j = int(math.floor(x + 0.5)), int(math.floor(y + 0.5))
+    i = i if joined[0] else min(max(i, 0), nx - 1)
+    j = j if joined[1] else min(max(j, 0), ny - 1)
+    f, g = abs(x - i), abs(y - j)
+    k, m = (i + 1 if x > i else i - 1), (j + 1 if y > j else j - 1)
+    u, r = (i + nx) % nx, (j + ny) % ny
+    c, s = (k + nx) % nx, (m + ny) % ny
+    face_x, face_y = (u + 1 if k > i else u), (r + 1 if m > j else r)
+    open_x, open_y = ax[r, face_x] > 0.0, ay[face_y, u] > 0.0
+    across = (open_x and ay[face_y, c] > 0.0) or (open_y and ax[s, face_x] > 0.0)
+    f, g = min(f, 0.5), min(g, 0.5)
+    for n in range(out.size):
+        own = padded[j + PAD, i + PAD, n]
+        one = padded[j + PAD, k + PAD, n] if open_x else own
+        two = padded[m + PAD, i + PAD, n] if open_y else own
+        both = padded[m + PAD, k + PAD, n] if across else own
+        out[n] = (1.0 - g) * ((1.0 - f) * own + f * one) + g * ((1.0 - f) * two + f * both)
+
+
+@kernel
+def carry_scalars(padded, shift, way, kinds, how, out):
+    """out (ny, nx, fields): padded scalars where each cell's gas comes from."""
+    ny, nx = shift.shape[0], shift.shape[1]
+    joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
+    for j in range(ny):
+        moves, goals = shift[j], out[j]
+        for i in range(nx):
+            x = _place(i - way * moves[i, 0], nx, nx, joined_x)
+            y = _place(j - way * moves[i, 1], ny, ny, joined_y)
+            column, row = int(math.floor(x)), int(math.floor(y))
+            if how == LINEAR:
+                _linear_fields(padded, row, column, x - column, y - row, goals[i])
+            else:
+                _cubic_fields(padded, row, column, x - column, y - row, goals[i])
+
+
+@kernel
+def carry_beside_walls(padded, shift, way, kinds, clear, ax, ay, out):
+    """Do cells near closed faces again, so that nothing is taken through a wall; closed cells stay."""
+    ny, nx = shift.shape[0], shift.shape[1]
+    joined = (kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC)
+    for j in range(ny):
+        for i in range(nx):
+            dx, dy = way * shift[j, i, 0], way * shift[j, i, 1]
+            if clear[j, i] > max(abs(dx), abs(dy)) + 2.0:
+                continue
+            if ax[j, i] <= 0.0 and ax[j, i + 1] <= 0.0 and ay[j, i] <= 0.0 and ay[j + 1, i] <= 0.0:
+                out[j, i] = padded[j + PAD, i + PAD]
+                continue
+            x, y = _place(i - dx, nx, nx, joined[0]), _place(j - dy, ny, ny, joined[1])
+            _beside_walls(padded, ax, ay, x, y, joined, out[j, i])

@@ -1,0 +1,150 @@
+"""Rows and columns of ghosts around padded fields, by what holds at the sides.
+
+A padded field has PAD ghosts before its first and after its last value, each way. Along the axis on which
+its first value lies on the side itself (u across left and right) it is *nodal*, else cell-centred.
+"""
+
+from __future__ import annotations
+
+from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, NO_SLIP, OPEN, PERIODIC, RIGHT, TOP, WALL
+from game.physics.grid.layout import PAD
+from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel
+
+X, Y = 0, 1  # which component of the velocity a padded field holds
+
+
+@inner_kernel
+def _nodal(edge, inner, far, kind):
+    """A ghost behind a value on the side: a wall reflects it odd, a periodic side goes on."""
+    if kind == PERIODIC:
+        return far
+    if kind in (WALL, NO_SLIP):
+        return 2.0 * edge - inner
+    return edge
+
+
+@inner_kernel
+def _centred(edge, inner, far, kind, along):
+    """A ghost behind cell values: even at a slippery wall, such that the side has its own value at others."""
+    if kind == PERIODIC:
+        return far
+    if kind in (NO_SLIP, INFLOW):
+        return 2.0 * along - inner
+    if kind == WALL:
+        return inner
+    return edge
+
+
+@kernel
+def fill_velocity_ghosts(padded, axis, edges):
+    """Ghosts of u (axis 0) or v (axis 1), padded (rows + 2 PAD, columns + 2 PAD)."""
+    rows, columns = padded.shape[0] - 2 * PAD, padded.shape[1] - 2 * PAD
+    kinds, given = edges.kinds, edges.velocities
+    left, right, bottom, top = kinds[LEFT], kinds[RIGHT], kinds[BOTTOM], kinds[TOP]
+    last, node = columns - 1, axis == X
+    for j in range(rows):
+        row = padded[j + PAD]
+        cell = min(j, given.shape[1] - 1)
+        for k in range(1, PAD + 1):
+            if node:
+                row[PAD - k] = _nodal(row[PAD], row[PAD + k], row[PAD + last - k], left)
+                row[PAD + last + k] = _nodal(row[PAD + last], row[PAD + last - k], row[PAD + k], right)
+            else:
+                row[PAD - k] = _centred(
+                    row[PAD], row[PAD + k - 1], row[PAD + last + 1 - k], left, given[LEFT, cell, axis]
+                )
+                row[PAD + last + k] = _centred(
+                    row[PAD + last], row[PAD + last + 1 - k], row[PAD + k - 1], right,
+                    given[RIGHT, cell, axis],
+                )  # fmt: skip
+    last, node = rows - 1, axis == Y
+    for i in range(columns + 2 * PAD):
+        cell = min(max(i - PAD, 0), given.shape[1] - 1)
+        for k in range(1, PAD + 1):
+            if node:
+                padded[PAD - k, i] = _nodal(
+                    padded[PAD, i], padded[PAD + k, i], padded[PAD + last - k, i], bottom
+                )
+                padded[PAD + last + k, i] = _nodal(
+                    padded[PAD + last, i], padded[PAD + last - k, i], padded[PAD + k, i], top
+                )
+            else:
+                padded[PAD - k, i] = _centred(
+                    padded[PAD, i], padded[PAD + k - 1, i], padded[PAD + last + 1 - k, i], bottom,
+                    given[BOTTOM, cell, axis],
+                )  # fmt: skip
+                padded[PAD + last + k, i] = _centred(
+                    padded[PAD + last, i], padded[PAD + last + 1 - k, i], padded[PAD + k - 1, i], top,
+                    given[TOP, cell, axis],
+                )  # fmt: skip
+
+
+@inner_kernel
+def _fill_cell(padded, j, i, from_j, from_i, kind, held, values):
+    """One ghost cell: the value that the side holds, else that of the cell it mirrors or goes on in."""
+    for f in range(padded.shape[2]):
+        if kind != PERIODIC and held[f]:
+            if kind in (WALL, NO_SLIP):
+                padded[j, i, f] = 2.0 * values[f] - padded[from_j, from_i, f]
+            else:
+                padded[j, i, f] = values[f]
+        else:
+            padded[j, i, f] = padded[from_j, from_i, f]
+
+
+@kernel
+def fill_scalar_ghosts(padded, kinds, held, values):
+    """Ghosts of scalars, padded (ny + 2 PAD, nx + 2 PAD, fields).
+
+    held (4, fields) bool: whether the side holds the value (4, fields): beyond an inflow or open side it is
+    that value, behind a wall such that the wall itself has it; not held, a wall lets nothing pass.
+    """
+    ny, nx = padded.shape[0] - 2 * PAD, padded.shape[1] - 2 * PAD
+    low, high = PAD, PAD + nx - 1
+    for j in range(PAD, PAD + ny):
+        for k in range(1, PAD + 1):
+            left, right = kinds[LEFT], kinds[RIGHT]
+            _fill_cell(
+                padded, j, low - k, j, high + 1 - k if left == PERIODIC else low + k - 1, left, held[LEFT],
+                values[LEFT],
+            )  # fmt: skip
+            _fill_cell(
+                padded, j, high + k, j, low + k - 1 if right == PERIODIC else high + 1 - k, right,
+                held[RIGHT], values[RIGHT],
+            )  # fmt: skip
+    low, high = PAD, PAD + ny - 1
+    for i in range(padded.shape[1]):
+        for k in range(1, PAD + 1):
+            bottom, top = kinds[BOTTOM], kinds[TOP]
+            _fill_cell(
+                padded, low - k, i, high + 1 - k if bottom == PERIODIC else low + k - 1, i, bottom,
+                held[BOTTOM], values[BOTTOM],
+            )  # fmt: skip
+            _fill_cell(
+                padded, high + k, i, low + k - 1 if top == PERIODIC else high + 1 - k, i, top, held[TOP],
+                values[TOP],
+            )  # fmt: skip
+
+
+@kernel
+def set_side_velocities(u, v, edges):
+    """Give the faces on the sides what holds there: walls 0, inflow its velocity, periodic one value."""
+    ny, nx = v.shape[0] - 1, u.shape[1] - 1
+    kinds, given = edges.kinds, edges.velocities
+    for side, i in ((LEFT, 0), (RIGHT, nx)):
+        for j in range(ny):
+            if kinds[side] == INFLOW:
+                u[j, i] = given[side, j, X]
+            elif kinds[side] == PERIODIC:
+                u[j, nx] = u[j, 0]
+            elif kinds[side] != OPEN:
+                u[j, i] = 0.0
+    for side, j in ((BOTTOM, 0), (TOP, ny)):
+        for i in range(nx):
+            if kinds[side] == INFLOW:
+                v[j, i] = given[side, i, Y]
+            elif kinds[side] == PERIODIC:
+                v[ny, i] = v[0, i]
+            elif kinds[side] != OPEN:
+                v[j, i] = 0.0

@@ -1,0 +1,210 @@
+"""A V-cycle over all levels, in one kernel (Brandt 1977; Trottenberg, Oosterlee and Schueller 2001)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.kernels.jit import kernel
+from game.physics.multigrid.levels import JOINED, Axis, axis_tables, levels_of
+from game.physics.multigrid.smoothing import FACTORS, begin, relax, residual, wrap_ghosts
+from game.physics.multigrid.transfer import invert_diagonal, prolong, restrict
+from game.physics.multigrid.walls import (
+    choose_cells,
+    coarsen_x,
+    coarsen_y,
+    list_irregular,
+    prolong_irregular,
+    restrict_irregular,
+)
+
+Floats = NDArray[np.float64]
+Whole = NDArray[np.int64]
+W0, W1, W2 = FACTORS
+LAST_PAIRS = 8  # of sweeps on the coarsest level, which has at most two by two cells
+
+
+class Hierarchy(NamedTuple):
+    """All levels, finest first; each array holds those of all levels one after the other."""
+
+    rows: Whole  # (levels,)
+    columns: Whole
+    padded_at: Whole  # (levels,) where a level begins in p, q, r
+    cell_at: Whole  # in b, inverse, norm
+    x_at: Whole  # in cx
+    y_at: Whole  # in cy
+    p: Floats
+    q: Floats
+    r: Floats
+    b: Floats
+    inverse: Floats
+    norm: Floats
+    cx: Floats
+    cy: Floats
+    x: Axis
+    y: Axis
+    row: Floats  # room for a row
+    stands: Whole  # as the cells: whether a coarse cell stands for it
+    ways: Whole  # of irregular cells, from where each level's cells begin
+    listed: Whole
+    irregular: Whole  # (levels,) how many
+    joined: NDArray[np.bool_]  # (2,) whether x, y are periodic
+
+
+def make_hierarchy(nx: int, ny: int, ends: tuple[int, int, int, int]) -> Hierarchy:
+    """For ny rows and nx columns; ends (of levels.py) at left, right, bottom, top."""
+    count = levels_of(nx, ny)
+    columns, x = axis_tables(nx, count, ends[:2])
+    rows, y = axis_tables(ny, count, ends[2:])
+    wide, high = np.array(columns), np.array(rows)
+    sizes = [(high + 2) * (wide + 2), high * wide, high * (wide + 1), (high + 1) * wide]
+    starts = [np.concatenate([[0], np.cumsum(size)[:-1]]).astype(np.int64) for size in sizes]
+    totals = [int(np.sum(size)) for size in sizes]
+    return Hierarchy(
+        high.astype(np.int64), wide.astype(np.int64), *starts,
+        np.zeros(totals[0]), np.zeros(totals[0]), np.zeros(totals[0]),
+        np.zeros(totals[1]), np.zeros(totals[1]), np.zeros(totals[1]),
+        np.zeros(totals[2]), np.zeros(totals[3]), x, y, np.zeros(nx + 2),
+        np.zeros(totals[1], np.int64), np.zeros(totals[1], np.int64), np.zeros(totals[1], np.int64),
+        np.zeros(count, np.int64),
+        np.array([ends[0] == JOINED, ends[2] == JOINED]),
+    )  # fmt: skip
+
+
+@kernel
+def padded(array, h, level):
+    """A level of p, q or r, (ny + 2, nx + 2)."""
+    ny, nx, at = h.rows[level] + 2, h.columns[level] + 2, h.padded_at[level]
+    return array[at : at + ny * nx].reshape(ny, nx)
+
+
+@kernel
+def cells(array, h, level):
+    """A level of b, inverse or norm, (ny, nx)."""
+    ny, nx, at = h.rows[level], h.columns[level], h.cell_at[level]
+    return array[at : at + ny * nx].reshape(ny, nx)
+
+
+@kernel
+def faces_x(h, level):
+    """A level of cx (ny, nx + 1)."""
+    ny, nx, at = h.rows[level], h.columns[level] + 1, h.x_at[level]
+    return h.cx[at : at + ny * nx].reshape(ny, nx)
+
+
+@kernel
+def faces_y(h, level):
+    """A level of cy (ny + 1, nx)."""
+    ny, nx, at = h.rows[level] + 1, h.columns[level], h.y_at[level]
+    return h.cy[at : at + ny * nx].reshape(ny, nx)
+
+
+@kernel
+def up_tables(axis, level, fine):
+    """near, far, share of a level with so many fine cells."""
+    at = axis.fine_at[level]
+    return axis.near[at : at + fine], axis.far[at : at + fine], axis.share[at : at + fine]
+
+
+@kernel
+def down_tables(axis, level, coarse):
+    """members, gather of a level with so many coarse cells."""
+    at = axis.coarse_at[level]
+    return axis.members[at : at + coarse], axis.gather[at : at + coarse]
+
+
+@kernel
+def coarsen_all(h):
+    """Conductances, diagonals and weights of all levels from the finest's cx, cy."""
+    invert_diagonal(faces_x(h, 0), faces_y(h, 0), cells(h.inverse, h, 0))
+    for level in range(h.rows.size - 1):
+        ny, nx = h.rows[level + 1], h.columns[level + 1]
+        mx, my = down_tables(h.x, level, nx)[0], down_tables(h.y, level, ny)[0]
+        cx, cy, inverse = faces_x(h, level), faces_y(h, level), cells(h.inverse, h, level)
+        stands = cells(h.stands, h, level)
+        choose_cells(stands, inverse, cx, cy, mx, my)
+        at = h.x.face_at[level]
+        coarsen_x(cx, faces_x(h, level + 1), stands, h.x.mid[at:], h.x.ratio[at:], my)
+        at = h.y.face_at[level]
+        coarsen_y(cy, faces_y(h, level + 1), stands, h.y.mid[at:], h.y.ratio[at:], mx)
+        invert_diagonal(faces_x(h, level + 1), faces_y(h, level + 1), cells(h.inverse, h, level + 1))
+        x, y = up_tables(h.x, level, h.columns[level]), up_tables(h.y, level, h.rows[level])
+        at = h.cell_at[level]
+        h.irregular[level] = list_irregular(
+            cells(h.norm, h, level), h.ways[at:], h.listed[at:], stands, inverse, cx, cy, x, y
+        )
+
+
+@kernel
+def _smooth(h, level, factor, back):
+    """One sweep from p to q, or back."""
+    source, goal = (h.q, h.p) if back else (h.p, h.q)
+    field = padded(source, h, level)
+    wrap_ghosts(field, h.joined[0], h.joined[1])
+    relax(
+        field, padded(goal, h, level), cells(h.b, h, level), faces_x(h, level), faces_y(h, level),
+        cells(h.inverse, h, level), factor,
+    )  # fmt: skip
+
+
+@kernel
+def _down(h, level):
+    """Smooth, and pass the residual on to the next level."""
+    begin(padded(h.q, h, level), cells(h.b, h, level), cells(h.inverse, h, level), W0)
+    _smooth(h, level, W1, True)
+    _smooth(h, level, W2, False)
+    q, r, norm = padded(h.q, h, level), padded(h.r, h, level), cells(h.norm, h, level)
+    wrap_ghosts(q, h.joined[0], h.joined[1])
+    residual(q, r, cells(h.b, h, level), faces_x(h, level), faces_y(h, level))
+    at, count = h.cell_at[level], h.irregular[level]
+    coarse = cells(h.b, h, level + 1)
+    if count > 0:
+        _keep_regular(r, norm, padded(h.p, h, level))
+    wrap_ghosts(r, h.joined[0], h.joined[1])
+    x = down_tables(h.x, level, h.columns[level + 1])
+    y = down_tables(h.y, level, h.rows[level + 1])
+    restrict(r, h.row, coarse, x, y)
+    if count > 0:
+        x, y = up_tables(h.x, level, h.columns[level]), up_tables(h.y, level, h.rows[level])
+        whole = padded(h.p, h, level)
+        restrict_irregular(whole, coarse, h.ways[at : at + count], h.listed[at : at + count], x, y)
+
+
+@kernel
+def _keep_regular(r, norm, whole):
+    """Copy r (padded by one) to whole, and keep of it only what is regular."""
+    for j in range(norm.shape[0]):
+        for i in range(norm.shape[1]):
+            whole[j + 1, i + 1] = r[j + 1, i + 1]
+            r[j + 1, i + 1] *= norm[j, i]
+
+
+@kernel
+def _up(h, level):
+    """Add the coarser level's correction, and smooth."""
+    coarse, fine = padded(h.p, h, level + 1), padded(h.q, h, level)
+    wrap_ghosts(coarse, h.joined[0], h.joined[1])
+    x, y = up_tables(h.x, level, h.columns[level]), up_tables(h.y, level, h.rows[level])
+    prolong(coarse, h.row, fine, cells(h.norm, h, level), x, y)
+    at, count = h.cell_at[level], h.irregular[level]
+    if count > 0:
+        prolong_irregular(coarse, fine, h.ways[at : at + count], h.listed[at : at + count], x, y)
+    _smooth(h, level, W2, True)
+    _smooth(h, level, W1, False)
+    _smooth(h, level, W0, True)
+
+
+@kernel
+def v_cycle(h):
+    """The finest p from 0, for the finest b."""
+    last = h.rows.size - 1
+    for level in range(last):
+        _down(h, level)
+    padded(h.p, h, last)[:] = 0.0
+    for _ in range(LAST_PAIRS):
+        _smooth(h, last, 1.0, False)
+        _smooth(h, last, 0.5, True)
+    for level in range(last - 1, -1, -1):
+        _up(h, level)
