@@ -13,6 +13,7 @@ from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 STEFAN_BOLTZMANN = 5.670374419e-8  # W/(m² K⁴)
 MOST_NEWTON = 60
+SMALL = 5e-4  # b T³ dt below which the series will do
 
 
 @inner_kernel
@@ -53,6 +54,13 @@ def cooled_inside(start, ambient, rate, dt):
     """`cooled`, for other kernels."""
     if not rate * dt > 0.0 or start == ambient:
         return start
+    most = max(start, ambient)
+    small = rate * dt * most * most * most
+    if small < SMALL:  # four terms of Taylor's series: what follows is as large as a rounding
+        f = rate * (start * start * start * start - ambient * ambient * ambient * ambient)
+        slope, bend = 4.0 * rate * start * start * start, 12.0 * rate * start * start
+        third = f * slope * slope + f * f * bend
+        return start - dt * (f - dt * (0.5 * f * slope - dt * third / 6.0))
     if ambient < 1e-3 * start:  # as into empty space; what is left out is (Ta / T)⁴ of the rate
         lower = start / (1.0 + 3.0 * rate * dt * start * start * start) ** (1.0 / 3.0)
         if lower > 1e3 * ambient or ambient == 0.0:

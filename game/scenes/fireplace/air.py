@@ -33,15 +33,16 @@ Floats = NDArray[np.float64]
 FIELDS = ("temperature", "fuel", "oxygen", "soot")
 FRESH = 0.27  # kg/m³ of oxygen
 GRAVITY_NOW = 9.81  # m/s²
+SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
 VAPOUR = {
     "ignition": 580.0, "rate": 30.0, "oxygen": 1.3, "heat": 1.6e7, "capacity": 1212.0, "soot": 0.05,
     "soot_rate": 2.0, "glow": 8e-12, "soot_glow": 3.2e-7, "ambient": ROOM,
 }  # fmt: skip
-HEAD = 0.022  # m about the head of a match that its flame fills
+HEAD = 0.026  # m about the head of a match that its flame fills
 MATCH_HOT = 1500.0  # K at most, of its flame
-THICK_SOOT = 9.0e-3  # kg/m³ in a cell of the picture that is all black
-FLAME_FROM, FLAME_TO = 680.0, 1350.0  # K between which gas begins to glow and is brightest
-SHINING = 6.0e-4  # kg/m³ of soot with which a flame is seen in full
+THICK_SOOT = 4.0e-3  # kg/m³ in a cell of the picture that is all black
+FLAME_FROM, FLAME_TO = 520.0, 1150.0  # K between which gas begins to glow and is brightest
+SHINING = 2.0e-4  # kg/m³ of soot with which a flame is seen in full
 SIDES = 0.62  # m beside the middle: beyond, a draught takes the air along
 EDGE = 2  # cells within the box at which the picture of the gas fades
 
@@ -132,14 +133,15 @@ class Air(Part):
         return j, i
 
     def around(self, points: Floats) -> tuple[Floats, Floats, Floats]:
-        """K, share of fresh air and m/s of the gas, means over points (n, k, 2) m of n things."""
+        """K (of the three hottest), share of fresh air and m/s of the gas, means over points (n, k, 2) m."""
         j, i = self._cells_at(points)
         cells = self.gas.scalars[j, i]
         along = 0.5 * (self.gas.u[j, i] + self.gas.u[j, i + 1])
         upward = 0.5 * (self.gas.v[j, i] + self.gas.v[j + 1, i])
         speed = np.sqrt(along * along + upward * upward)
+        hottest = np.sort(cells[..., 0], axis=1)[:, -3:]
         return (
-            np.mean(cells[..., 0], axis=1), np.clip(np.mean(cells[..., 2], axis=1) / FRESH, 0.0, 1.0),
+            np.mean(hottest, axis=1), np.clip(np.mean(cells[..., 2], axis=1) / FRESH, 0.0, 1.0),
             np.mean(speed, axis=1),
         )  # fmt: skip
 
@@ -206,8 +208,11 @@ class Air(Part):
         gas.force[:] = 0.0
         if self.lifts:
             lift_cells(gas.scalars, 0, ROOM, GRAVITY_NOW, gas.force)
+        along = self._along()
+        gas.force[..., 0] -= SLOWS * along
+        gas.force[..., 1] -= 0.5 * SLOWS * (gas.v[1:] + gas.v[:-1])
         if self.wind != 0.0:
-            gas.force[self._outside, 0] += 3.0 * (self.wind - self._along()[self._outside])
+            gas.force[self._outside, 0] += 3.0 * (self.wind - along[self._outside])
         gas.step(dt)
         self.flows[1] += self._through_sides() * dt
 
@@ -253,7 +258,7 @@ class Air(Part):
         cells, veil = self.gas.scalars, self._veil
         soot = np.maximum(cells[..., 3], 0.0)
         warm = np.clip((cells[..., 0] - FLAME_FROM) / (FLAME_TO - FLAME_FROM), 0.0, 1.0)
-        veil[..., 1] = warm * np.sqrt(warm) * (0.25 + 0.75 * np.minimum(soot / SHINING, 1.0)) * self._edge
+        veil[..., 1] = warm * (0.3 + 0.7 * np.minimum(soot / SHINING, 1.0)) * self._edge
         veil[..., 0] = np.minimum(soot / THICK_SOOT, 0.85) * (1.0 - np.minimum(2.0 * warm, 1.0)) * self._edge
         return veil
 

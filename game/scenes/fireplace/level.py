@@ -44,7 +44,10 @@ LOGS = (
     WoodEntry(at=(-0.235, 0.375), turn=52.0, length=0.44, thick=0.075, pieces=5),
 )
 KINDLING = tuple(
-    WoodEntry(at=(x, 0.062), turn=turn, length=0.15, thick=0.013, pieces=2)
-    for x, turn in ((-0.15, 52.0), (-0.09, -50.0), (-0.03, 55.0), (0.03, -52.0), (0.09, 50.0), (0.15, -54.0))
-)
+    WoodEntry(at=(x, 0.066), turn=turn, length=0.155, thick=0.014, pieces=2)
+    for x, turn in (
+        (-0.2, 50.0), (-0.14, -52.0), (-0.075, 54.0), (-0.02, -50.0), (0.035, 52.0), (0.09, -54.0),
+        (0.15, 50.0), (0.21, -52.0),
+    )
+)  # fmt: skip
 DEFAULT = FireplaceContent(wood=(*LOGS, *KINDLING))

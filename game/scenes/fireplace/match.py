@@ -10,15 +10,15 @@ from game.physics.surfaces import KeyFrames
 from game.stage import Part
 
 LONG, THICK = 0.12, 0.0045  # m: of a match for fireplaces, and half its thickness
-TIMES = (0.0, 0.7, 1.15, 1.9, 2.6, 4.0, 6.4, 7.4, 8.4)  # s after it is taken out
+TIMES = (0.0, 0.7, 1.15, 1.9, 2.7, 4.5, 7.5, 8.5, 9.5)  # s after it is taken out
 # m, m, rad: its head, and which way the wood lies from there
 KEYS = (
-    (1.05, 0.5, 0.9), (0.78, 0.014, 0.55), (0.56, 0.014, 0.55), (0.36, 0.13, 0.5), (0.215, 0.045, 0.45),
-    (0.2, 0.04, 0.45), (0.2, 0.042, 0.45), (0.5, 0.26, 0.7), (1.1, 0.6, 0.9),
+    (1.05, 0.5, 0.9), (0.78, 0.014, 0.55), (0.56, 0.014, 0.55), (0.36, 0.13, 0.5), (0.16, 0.035, 0.4),
+    (0.14, 0.03, 0.4), (0.15, 0.032, 0.4), (0.5, 0.26, 0.7), (1.1, 0.6, 0.9),
 )  # fmt: skip
-STRUCK, OUT = 0.95, 7.0  # s after it was taken out: it flares up, it is shaken out
+STRUCK, OUT = 0.95, 8.1  # s after it was taken out: it flares up, it is shaken out
 FLARE = 0.35  # s
-POWER = 2_500.0  # W/m of its flame, a metre deep as all else is
+POWER = 14_000.0  # W/m of its flame, a metre deep as all else is
 Point = tuple[float, float]
 
 

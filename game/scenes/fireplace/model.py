@@ -34,13 +34,15 @@ from game.stage import Part
 
 Floats = NDArray[np.float64]
 GIVES = np.array([(-0.8, 1.0), (0.0, 1.0), (0.8, 1.0), (-0.8, -1.0), (0.0, -1.0), (0.8, -1.0)])
-SEES_FLAMES = 0.35  # most of what a piece sees that flames are
-BRIGHT = 4.0e4  # W/m of flames at which it is so
+SEES_FLAMES = 0.3  # most of what a piece sees that flames are
+BRIGHT = 6.0e4  # W/m of flames at which it is so
+FAR = 0.35  # m from the middle of the fire at which it is half of that
 BEAT_S, LEAST_BEATS = 5.0, 4  # s over which the puffs are counted, and how many it takes
 EMBER_FROM = 520.0  # K: hotter, a burnt out piece is an ember
 HEARD_S = 0.25
 LOG = WoodEntry(at=(0.0, 0.0), length=0.44, thick=0.085, pieces=5)
 POUR_REACH = 0.14  # m
+TOUCH, TOUCH_HOT = 0.065, 1300.0  # m, K: of the flame of a match
 GRIP, QUICKEST = 0.12, 2.0  # m, m/s of a hand
 
 
@@ -193,8 +195,15 @@ class FireplaceModel(Part):
     def _burn_wood(self, dt: float) -> None:
         wood, points = self.wood, self._surfaces()
         gas, oxygen, speed = self.air.around(points)
-        glow = SEES_FLAMES * min(1.0, self.shine / BRIGHT)
-        wood.meet(gas, oxygen, speed, glow)
+        head = self.match.place(self.time)
+        if head is not None and self.match.lit(self.time):  # its flame is smaller than a cell
+            away = wood.places() - head[0]
+            touched = away[:, 0] ** 2 + away[:, 1] ** 2 < TOUCH**2
+            gas[touched], speed[touched] = np.maximum(gas[touched], TOUCH_HOT), 4.0
+        places = wood.places()
+        away = places[:, 0] ** 2 + (places[:, 1] - 0.2) ** 2
+        strong = SEES_FLAMES * min(1.0, max(self.shine, 0.0) / BRIGHT)
+        wood.meet(gas, oxygen, speed, strong / (1.0 + away / FAR**2))
         torn = int(wood.nodes.torn.sum())
         wood.advance(dt)
         joule, vapour, _ = wood.nodes.take_given()

@@ -45,7 +45,7 @@ SPEED_STOPS = ((0.0, "stage"), (0.4, "body"), (0.7, "chalk"), (1.0, "text1"))
 OXYGEN_STOPS = ((0.0, "vermilion"), (0.5, "amber"), (1.0, "chalk"))
 WHOLE_BOX = (-1.0, -1.0, 1.0, 1.0)
 CORE = (-1.0, -0.42, 1.0, 0.42)
-LIT_EDGE = (-1.0, -1.0, 1.0, -0.62)
+LIT_EDGE = (-1.0, -1.0, 1.0, -0.2)
 
 
 class FireplaceView:
@@ -118,12 +118,16 @@ class FireplaceView:
         hot = np.clip((wood.nodes.nodes[TEMPERATURE, : wood.count] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0)
         sizes = np.stack([table[:, HALF_LENGTH] * 1.04, table[:, HALF_THICK] * table[:, SCALE]], axis=1)
         inks = self._bark(left, hot, strength)
-        edges = np.full(len(table), 0x120E0C, dtype=np.int64)
-        _quads(canvas, placed(WHOLE_BOX, sizes, places, turned), inks, np.ones(len(table)), edges)
         none = np.full(len(table), NO_EDGE, dtype=np.int64)
+        rim = sizes + canvas.px(1.1)
+        _quads(canvas, placed(WHOLE_BOX, rim, places, turned), _darker(inks, 0.5), np.ones(len(table)), none)
+        _quads(canvas, placed(WHOLE_BOX, sizes, places, turned), inks, np.ones(len(table)), none)
+        for box, share in (((-1.0, -1.0, 1.0, -0.5), 0.35), ((-1.0, 0.55, 1.0, 1.0), 0.2)):
+            dark = _darker(inks, 0.6)
+            _quads(canvas, placed(box, sizes, places, turned), dark, np.full(len(table), share), none)
         _quads(canvas, placed(CORE, sizes, places, turned), _lighter(inks, 0.16), np.full(len(table), 0.5), none)
         under = _embers(np.minimum(1.0, hot + 0.1))
-        share = np.clip(1.6 * hot, 0.0, 0.85)
+        share = np.clip(1.1 * hot, 0.0, 0.5)
         _quads(canvas, placed(LIT_EDGE, sizes, places, turned), under, share, none)
         self._draw_embers(canvas, places, turned, sizes, hot)
 
@@ -239,6 +243,11 @@ def _quads(canvas: Canvas, corners: Floats, inks: Longs, shares: Floats, edges: 
 def _packed(colors: Floats) -> Longs:
     whole = (colors + 0.5).astype(np.int64)
     return np.asarray(whole[..., 0] << 16 | whole[..., 1] << 8 | whole[..., 2])
+
+
+def _darker(inks: Longs, share: float) -> Longs:
+    parts = np.stack([inks >> 16 & 255, inks >> 8 & 255, inks & 255], axis=-1).astype(np.float64)
+    return _packed(parts * (1.0 - share))
 
 
 def _lighter(inks: Longs, share: float) -> Longs:

@@ -37,13 +37,15 @@ from game.stage import Part
 Floats = NDArray[np.float64]
 DENSITY = 3.0  # kg/m³ of fuel: real wood has some 500, and takes an hour or two
 HEAT = 1.6e7  # J/kg
-SKIN = 260.0  # J/(m² K): the outermost third of a millimetre, of a log; a stick has less
+SKIN = 130.0  # J/(m² K): what of a log is quickly warmed with its fuel; a stick has less
 THIN = 0.04  # m: what is thinner warms as a whole
 GRAIN = 40.0  # W/K along the wood, from piece to piece
 OPEN, OPEN_STICK = 0.35, 0.8  # share of a piece's surface that sees the room, and meets the gas
-WEAK, SPENT = 0.34, 0.03  # share of its fuel below which its welds break; it is all ash
+WEAK, SPENT = 0.34, 0.08  # share of its fuel below which its welds break; it is all ash
 NEAR = 0.2  # m: so near to each other pieces warm each other by their glow
 MOST_SEEN = 0.75  # of what a piece sees, other pieces and flames
+FLAME = 1200.0  # K, as flames shine
+STILL, STIRRED, CALM = 2.5, 18.0, 0.25  # W/(m² K) in calm gas, more with the root of its speed beyond so many m/s
 SHRINK = 0.05  # of its thickness, at a time
 
 
@@ -171,20 +173,19 @@ class Wood(Part):
 
     # -- a step -------------------------------------------------------------------------------------------
 
-    def meet(self, gas: Floats, oxygen: Floats, speed: Floats, glow: float) -> None:
-        """What gas (K, share of fresh air, m/s) is at each piece; glow: share of what it sees that flames
-        are.
-        """
-        self.nodes.meet_gas(gas, oxygen, 6.0 + 16.0 * np.sqrt(np.minimum(speed, 9.0)))
+    def meet(self, gas: Floats, oxygen: Floats, speed: Floats, flames: Floats) -> None:
+        """What gas (K, share of fresh air, m/s) is at each piece; flames (n,): share of what it sees that they are."""
+        self.nodes.meet_gas(gas, oxygen, STILL + STIRRED * np.sqrt(np.clip(speed - CALM, 0.0, 9.0)))
         places, hot = self.places(), self.nodes.temperature
         apart = places[:, None] - places[None]
         away = np.sqrt(apart[..., 0] ** 2 + apart[..., 1] ** 2)
         half = self.table[:, HALF_THICK] * self.table[:, SCALE]
         seen = np.where((away > 0.0) & (away < NEAR), half[None] / (math.pi * np.maximum(away, half[None])), 0.0)
-        seen *= np.minimum(1.0, MOST_SEEN / np.maximum(np.sum(seen, axis=1) + glow, 1e-9))[:, None]
+        most = np.maximum(MOST_SEEN - flames, 0.0)
+        seen *= np.minimum(1.0, most / np.maximum(np.sum(seen, axis=1), 1e-9))[:, None]
         of_wood = np.sum(seen, axis=1)
         fourth = hot * hot * hot * hot
-        around = seen @ fourth + glow * gas**2 * gas**2 + (1.0 - of_wood - glow) * ROOM**4
+        around = seen @ fourth + flames * FLAME**4 + (1.0 - of_wood - flames) * ROOM**4
         self.nodes.meet_light(np.sqrt(np.sqrt(around)))
 
     def advance(self, dt: float) -> None:
