@@ -12,7 +12,7 @@ from game.physics.combustion import Flames, GasFuel
 from game.physics.combustion.burning import lift_cells
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
-from game.physics.gas.effects import BUOYANCY
+from game.physics.gas.effects import BUOYANCY, EXPANSION
 from game.physics.grid import Border, Borders, Grid
 from game.physics.solids import Material, Polygon, SolidWorld
 from game.physics.surfaces import SolidSurface
@@ -43,6 +43,8 @@ MATCH_HOT = 1500.0  # K at most, of its flame
 THICK_SOOT = 4.0e-3  # kg/m³ in a cell of the picture that is all black
 FLAME_FROM, FLAME_TO = 520.0, 1150.0  # K between which gas begins to glow and is brightest
 SHINING = 2.0e-4  # kg/m³ of soot with which a flame is seen in full
+COLDEST = 250.0  # K to which wood can cool gas
+QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
 SIDES = 0.62  # m beside the middle: beyond, a draught takes the air along
 EDGE = 2  # cells within the box at which the picture of the gas fades
 
@@ -88,6 +90,7 @@ class Air(Part):
             self._shell.add_body(Polygon(_plate(side, 0.5), 0.0, stone), kind="fixed") for side in (-1.0, 1.0)
         ]
         x, _ = self.gas.grid.centres()
+        self._rise = np.zeros(self.gas.grid.shape)  # K that wood and match have warmed cells by in this step
         self._outside = np.abs(x) > SIDES
         self._veil = np.zeros((*self.gas.grid.shape, 2), np.float32)
         self._edge = _edge_of(self.gas.grid.shape)
@@ -156,12 +159,11 @@ class Air(Part):
         j, i = self._cells_at(points)
         volume, share = self.cell**2, 1.0 / points.shape[1]
         warmth = np.repeat(joule[:, None] * share / (VAPOUR["capacity"] * volume), points.shape[1], axis=1)
-        np.add.at(self.gas.scalars[..., 0], (j, i), warmth)
+        np.add.at(self._rise, (j, i), warmth)
         np.add.at(
             self.gas.scalars[..., 1], (j, i),
             np.repeat(vapour[:, None] * share / volume, points.shape[1], axis=1),
         )  # fmt: skip
-        np.maximum(self.gas.scalars[..., 0], 250.0, out=self.gas.scalars[..., 0])
 
     def heat_match(self, head: tuple[float, float], power: float, dt: float) -> None:
         """The flame of a match of so many W/m at its head."""
@@ -172,7 +174,7 @@ class Air(Part):
             return
         t = self.gas.scalars[..., 0]
         rise = np.minimum(power * dt / (VAPOUR["capacity"] * self.cell**2 * count), np.maximum(MATCH_HOT - t, 0.0))
-        t[near] += rise[near]
+        self._rise[near] += rise[near]
         self.flows[0] += float(np.sum(rise[near])) * VAPOUR["capacity"] * self.cell**2
 
     def pour(self, place: tuple[float, float], reach: float) -> None:
@@ -201,10 +203,16 @@ class Air(Part):
 
     def advance(self, dt: float) -> None:
         """Burn, and flow."""
-        gas = self.gas
-        gas.expansion[:] = 0.0
+        gas, t = self.gas, self.gas.scalars[..., 0]
+        np.maximum(self._rise, COLDEST - t, out=self._rise)
+        if EXPANSION in self.flames.made_of.effects:
+            np.divide(self._rise, t * dt, out=gas.expansion)
+        else:
+            gas.expansion[:] = 0.0
+        t += self._rise
+        self._rise[:] = 0.0
         self.flames.step(gas.scalars, dt, gas.expansion)
-        np.clip(gas.expansion, -8.0, 25.0, out=gas.expansion)
+        np.clip(gas.expansion, -QUICKEST, QUICKEST, out=gas.expansion)
         gas.force[:] = 0.0
         if self.lifts:
             lift_cells(gas.scalars, 0, ROOM, GRAVITY_NOW, gas.force)
@@ -218,7 +226,7 @@ class Air(Part):
 
     def _through_sides(self) -> float:
         """W/m that leave the box."""
-        warm = (self.gas.scalars[..., 0] - ROOM) * VAPOUR["capacity"] * self.cell
+        warm = self._heats() * self.cell
         u, v = self.gas.u, self.gas.v
         sums = (warm[:, -1] * u[:, -1], -warm[:, 0] * u[:, 0], warm[-1] * v[-1], -warm[0] * v[0])
         return math.fsum(float(np.sum(part)) for part in sums)
@@ -272,9 +280,17 @@ class Air(Part):
         j, i = self.gas.grid.cell_at(0.0, 0.6)
         return float(self.gas.v[j, i])
 
+    def _heats(self) -> Floats:
+        """(ny, nx) J/m³ above that of the room. Gas that has been warmed by C dT and has expanded by dT / T holds
+        C (T² - Ta²) / 2 T of it, as d(h T) = C T dT; in a box where nothing expands it is C (T - Ta).
+        """
+        t = self.gas.scalars[..., 0]
+        share = 0.5 * (t + ROOM) / t if EXPANSION in self.flames.made_of.effects else 1.0
+        return np.asarray(VAPOUR["capacity"] * (t - ROOM) * share)
+
     def heat(self) -> float:
         """J/m in the gas above that of the room."""
-        return self.flames.contents(self.gas.scalars)[0]
+        return float(np.sum(self._heats())) * self.cell**2
 
     def state(self) -> AirState:
         """All that later steps depend on."""
