@@ -44,6 +44,7 @@ class Room(NamedTuple):
     way_u: Floats
     way_v: Floats
     way_s: Floats
+    stage_s: Floats
     curl: Floats  # (ny, nx)
 
 
@@ -77,7 +78,8 @@ def make_room(grid: Grid, fields: int) -> Room:
         np.zeros((ny, nx, 2)), np.zeros((ny, nx, 2)), np.zeros((ny, nx, 2)),
         _padded(ny, nx + 1), _padded(ny + 1, nx), _padded(ny, nx, fields),
         _padded(ny, nx + 1), _padded(ny + 1, nx), _padded(ny, nx, fields),
-        np.zeros((ny, nx + 1)), np.zeros((ny + 1, nx)), np.zeros((ny, nx, fields)), np.zeros((ny, nx)),
+        np.zeros((ny, nx + 1)), np.zeros((ny + 1, nx)), np.zeros((ny, nx, fields)),
+        np.zeros((ny, nx, fields)), np.zeros((ny, nx)),
     )  # fmt: skip
 
 

@@ -7,9 +7,19 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.physics.grid.borders import BOTTOM, LEFT, PERIODIC
 from game.physics.grid.layout import PAD
-from game.physics.grid.sampling import bounds_at, clamped, cubic_at, cubic_weights, linear_at, wrapped
+from game.physics.grid.sampling import (
+    bounds_at,
+    clamped,
+    corner,
+    cubic_at,
+    cubic_weights,
+    linear_at,
+    wrapped,
+)
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel
 
@@ -26,12 +36,12 @@ def _place(x, count, period, joined):
 
 
 @inner_kernel
-def _value(padded, x, y, how):
+def _value(flat, width, x, y, how):
     if how == LINEAR:
-        return linear_at(padded, x, y)
-    found = cubic_at(padded, x, y)
+        return linear_at(flat, width, x, y)
+    found = cubic_at(flat, width, x, y)
     if how == LIMITED:
-        low, high = bounds_at(padded, x, y)
+        low, high = bounds_at(flat, width, x, y)
         return clamped(found, low, high)
     return found
 
@@ -41,7 +51,7 @@ def carry_u(padded, shift, way, kinds, how, out):
     """out (ny, nx + 1): padded u where each face comes from, back by way times its shift."""
     ny, nx = shift.shape[0], shift.shape[1]
     joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
-    half = 0.5 * way
+    half, flat, width = 0.5 * way, padded.reshape(-1), padded.shape[1]
     for j in range(ny):
         goal, moves = out[j], shift[j]
         for i in range(nx + 1):
@@ -52,7 +62,7 @@ def carry_u(padded, shift, way, kinds, how, out):
                 right = 0 if joined_x else nx - 1
             x = _place(i - half * (moves[left, 0] + moves[right, 0]), nx + 1, nx, joined_x)
             y = _place(j - half * (moves[left, 1] + moves[right, 1]), ny, ny, joined_y)
-            goal[i] = _value(padded, x, y, how)
+            goal[i] = _value(flat, width, x, y, how)
 
 
 @kernel
@@ -60,7 +70,7 @@ def carry_v(padded, shift, way, kinds, how, out):
     """out (ny + 1, nx): the same for v."""
     ny, nx = shift.shape[0], shift.shape[1]
     joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
-    half = 0.5 * way
+    half, flat, width = 0.5 * way, padded.reshape(-1), padded.shape[1]
     for j in range(ny + 1):
         below, above = j - 1, j
         if j == 0:
@@ -71,34 +81,41 @@ def carry_v(padded, shift, way, kinds, how, out):
         for i in range(nx):
             x = _place(i - half * (low[i, 0] + high[i, 0]), nx, nx, joined_x)
             y = _place(j - half * (low[i, 1] + high[i, 1]), ny + 1, ny, joined_y)
-            goal[i] = _value(padded, x, y, how)
+            goal[i] = _value(flat, width, x, y, how)
 
 
 @inner_kernel
-def _linear_fields(padded, j, i, f, g, out):
-    low, high = padded[j + PAD], padded[j + PAD + 1]
-    i += PAD
+def _linear_fields(flat, at, row, f, g, out):
+    """Bilinear, all fields of a cell; at: the lower left value, row: values from one row to the next."""
+    step = np.uint64(out.size)
     a, b, c, d = (1.0 - g) * (1.0 - f), (1.0 - g) * f, g * (1.0 - f), g * f
     for k in range(out.size):
-        out[k] = (a * low[i, k] + b * low[i + 1, k]) + (c * high[i, k] + d * high[i + 1, k])
+        m = at + np.uint64(k)
+        n = m + row
+        out[k] = (a * flat[m] + b * flat[m + step]) + (c * flat[n] + d * flat[n + step])
 
 
 @inner_kernel
-def _cubic_fields(padded, j, i, f, g, out):
-    """Bicubic, kept within the four values around."""
+def _cubic_fields(flat, at, row, f, g, out):
+    """Bicubic, kept within the four values around; at: the lowest left of the sixteen values."""
+    one = np.uint64(out.size)
+    two = one + one
+    three = two + one
     a, b, c, d = cubic_weights(f)
     p, q, r, s = cubic_weights(g)
-    i += PAD
-    j += PAD
-    r0, r1, r2, r3 = padded[j - 1], padded[j], padded[j + 1], padded[j + 2]
     for k in range(out.size):
-        e0, e1, e2, e3 = r1[i, k], r1[i + 1, k], r2[i, k], r2[i + 1, k]
-        outer = p * ((a * r0[i - 1, k] + d * r0[i + 2, k]) + (b * r0[i, k] + c * r0[i + 1, k]))
-        outer += s * ((a * r3[i - 1, k] + d * r3[i + 2, k]) + (b * r3[i, k] + c * r3[i + 1, k]))
-        inner = q * ((a * r1[i - 1, k] + d * r1[i + 2, k]) + (b * e0 + c * e1))
-        inner += r * ((a * r2[i - 1, k] + d * r2[i + 2, k]) + (b * e2 + c * e3))
-        low, high = min(min(e0, e1), min(e2, e3)), max(max(e0, e1), max(e2, e3))
-        out[k] = clamped(outer + inner, low, high)
+        k0 = at + np.uint64(k)
+        k1 = k0 + row
+        k2 = k1 + row
+        k3 = k2 + row
+        e0, e1, e2, e3 = flat[k1 + one], flat[k1 + two], flat[k2 + one], flat[k2 + two]
+        outer = p * ((a * flat[k0] + d * flat[k0 + three]) + (b * flat[k0 + one] + c * flat[k0 + two]))
+        outer += s * ((a * flat[k3] + d * flat[k3 + three]) + (b * flat[k3 + one] + c * flat[k3 + two]))
+        inner = q * ((a * flat[k1] + d * flat[k1 + three]) + (b * e0 + c * e1))
+        inner += r * ((a * flat[k2] + d * flat[k2 + three]) + (b * e2 + c * e3))
+        low, other = (e0 if e0 < e1 else e1), (e2 if e2 < e3 else e3)
+        high, another = (e0 if e0 > e1 else e1), (e2 if e2 > e3 else e3)
+        out[k] = clamped(outer + inner, low if low < other else other, high if high > another else another)
 
 
 @inner_kernel
@@ -128,17 +145,20 @@ def _beside_walls(padded, ax, ay, x, y, joined, out):
 def carry_scalars(padded, shift, way, kinds, how, out):
     """out (ny, nx, fields): padded scalars where each cell's gas comes from."""
     ny, nx = shift.shape[0], shift.shape[1]
+    flat, row = padded.reshape(-1), np.uint64(padded.shape[1] * padded.shape[2])
     joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
     for j in range(ny):
         moves, goals = shift[j], out[j]
         for i in range(nx):
             x = _place(i - way * moves[i, 0], nx, nx, joined_x)
             y = _place(j - way * moves[i, 1], ny, ny, joined_y)
-            column, row = int(math.floor(x)), int(math.floor(y))
+            left, low = math.floor(x), math.floor(y)
+            before = 0 if how == LINEAR else 1
+            at = corner(int(low), int(left), before, padded.shape[1], padded.shape[2])
             if how == LINEAR:
-                _linear_fields(padded, row, column, x - column, y - row, goals[i])
+                _linear_fields(flat, at, row, x - left, y - low, goals[i])
             else:
-                _cubic_fields(padded, row, column, x - column, y - row, goals[i])
+                _cubic_fields(flat, at, row, x - left, y - low, goals[i])
 
 
 @kernel

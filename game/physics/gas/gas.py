@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.gas.arrays import LAST, SETTLED, TIME, GasState, make_room, make_state
+from game.physics.gas.effects import VISCOSITY
+from game.physics.gas.loads import Load, loads_on
 from game.physics.gas.settings import GasSettings
 from game.physics.gas.solids import GasSolids
 from game.physics.gas.stepping import Step, advance
@@ -58,13 +60,13 @@ class Gas:
 
     Solids: `set_solids(surface, ...)`; each answers ``sample(points)`` as those of `physics.surfaces` do. With
     moving=True they are sampled again before every step, and push the gas with their true velocity.
-    `loads()` is what the gas does to them.
+    `loads()` is the force on them.
 
     A step: everything is carried (with `rates`), diffuses, forces push, viscosity drags, the pressure makes
     the flow free of divergence but for `expansion`. After an explosion or any jump by hand call `jolt()`:
     the next step is then fully implicit in the pressure. ``report`` tells what the solver did.
-    After a step with a number that is not finite `step` raises ValueError, naming array and index; the state
-    is then what it was before the step.
+    After a step with a number that is not finite `step` raises ValueError, naming array and index; velocity
+    and scalars are then what they were before the step.
     """
 
     def __init__(
@@ -91,7 +93,7 @@ class Gas:
         self.solver = PressureSolver(grid.nx, grid.ny, self.edges.kinds)
         self._state = make_state(grid, len(self.fields), self.solver.equation.p)
         self._room = make_room(grid, len(self.fields))
-        self._keep = make_state(grid, len(self.fields), np.zeros_like(self._state.pressure))
+        self._kept: Floats = np.zeros_like(self._state.scalars)
         ny, nx = grid.shape
         self.expansion: Floats = np.zeros((ny, nx))
         self.force: Floats = np.zeros((ny, nx, 2))
@@ -209,7 +211,7 @@ class Gas:
             self._take_faces()
         if abs(dt - clock[LAST]) > 1e-9 * dt or moved:
             clock[SETTLED] = 0.0
-        self._copy(state, self._keep)
+        np.copyto(self._kept, state.scalars)
         step = Step(
             self.grid.cell, float(dt), self.settings, self.edges, self._held, self._values, self.fields,
             self.ambient,
@@ -233,9 +235,18 @@ class Gas:
             array = getattr(self._state, name)
             if not finite_doubles(array.reshape(-1).view(np.uint64)):
                 index = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
-                time = self.time
-                self._copy(self._keep, self._state)
-                raise ValueError(f"{name}{list(index)} is not finite after the step to {time:.6g} s")
+                self._go_back()
+                raise ValueError(f"{name}{list(index)} is not finite after the step to {self.time:.6g} s")
+
+    def _go_back(self) -> None:
+        """The fields as they were before the step; what it knew of the pressure is given up."""
+        state = self._state
+        for goal, source in ((state.u, state.before_u), (state.v, state.before_v)):
+            np.copyto(goal, source)
+        np.copyto(state.scalars, self._kept)
+        for array in (state.pressure, state.force_u, state.force_v):
+            array[:] = 0.0
+        self.jolt()
 
     @staticmethod
     def _copy(source: GasState, goal: GasState) -> None:
@@ -283,6 +294,23 @@ class Gas:
         """A field over the cells that are not closed, times their area, m²."""
         open_cells = self.solver.equation.inverse > 0.0
         return float(np.sum(self.field(name)[open_cells])) * self.grid.cell**2
+
+    def loads(self, point: tuple[float, float] = (0.0, 0.0), density: float = 1.2) -> list[Load]:
+        """Force (N/m) on each body and torque (N) about a point (m), by a gas of a density (kg/m³).
+
+        Pressure on the outline, and, where the gas sticks (settings.slip False), drag along closed faces.
+        """
+        if not 0.0 < density < math.inf or not all(map(math.isfinite, point)):
+            raise ValueError(f"density = {density!r}, point = {point!r}: expected a number above 0, and a place")
+        h, lower, chosen = self.grid.cell, self.grid.lower, self.settings
+        places = np.array([lower[0] + 0.5 * h, lower[1] + 0.5 * h, float(point[0]), float(point[1])])
+        drags = not chosen.slip and VISCOSITY in chosen.effects
+        numbers = np.array([h, chosen.viscosity if drags else 0.0])
+        found = loads_on(self._state.pressure, self.u, self.v, self.solids.faces, places, numbers)
+        return [
+            Load(load.body, (density * load.force[0], density * load.force[1]), density * load.torque)
+            for load in found
+        ]
 
     def state(self) -> GasState:
         """All that later steps depend on: views, not copies."""

@@ -33,7 +33,7 @@ def correct_face(padded, shift, kinds, axis, returned, out):
             y = j - 0.5 * (shift[one_j, one_i, 1] + shift[two_j, two_i, 1])
             x = wrapped(x, nx) if joined_x else clamped(x, -1.0, columns - INSIDE)
             y = wrapped(y, ny) if joined_y else clamped(y, -1.0, rows - INSIDE)
-            low, high = bounds_at(padded, x, y)
+            low, high = bounds_at(padded.reshape(-1), padded.shape[1], x, y)
             out[j, i] = clamped(out[j, i] + 0.5 * (padded[j + PAD, i + PAD] - returned[j, i]), low, high)
 
 

@@ -19,6 +19,7 @@ from game.physics.gas.carrying import (
     carry_u,
     carry_v,
 )
+from game.physics.gas.conserving import flux_stage, largest_outflow, substeps_for
 from game.physics.gas.diffusion import STABLE, diffuse
 from game.physics.gas.effects import (
     ADVECTION,
@@ -44,7 +45,7 @@ from game.physics.gas.solids import GasSolids
 from game.physics.gas.tracing import centre_velocities, stop_at_walls, trace
 from game.physics.gas.viscosity import add_laplacian, diffuse_velocity, turns_for
 from game.physics.grid import Edges
-from game.physics.grid.borders import INFLOW, LEFT, NO_SLIP, PERIODIC, WALL
+from game.physics.grid.borders import INFLOW, NO_SLIP, WALL
 from game.physics.grid.ghosts import X, Y, fill_scalar_ghosts, fill_velocity_ghosts, set_side_velocities
 from game.physics.grid.obstacles import LAYERS
 from game.physics.multigrid import Found, PressureSolver
@@ -77,7 +78,7 @@ def advance(
         _prime(s, room, solver, solids, sources, step)
         settled = True
     q = chosen.centring if centred and settled else 1.0
-    return _advance(s, room, solver, solids, sources, step._replace(), q, 0.5 if centred and settled else 0.0)
+    return _advance(s, room, solver, solids, sources, step, q, 0.5 if centred and settled else 0.0)
 
 
 def _prime(s, room, solver, solids, sources, step):
@@ -94,8 +95,12 @@ def _advance(s, room, solver, solids, sources, step, q, ahead):
     effects, dt = step.settings.effects, step.dt
     if ADVECTION in effects:
         _find_ways(s, room, solids, step, ahead)
+    keeps = bool(step.settings.conservative) and ADVECTION in effects
+    conserved = _conserve(s, room, solids, step, rates) if keeps else None
     _carry_velocity(s, room, solids, step, (1.0 - q) * dt, ADVECTION in effects)
     _carry_scalars(s, room, solids, step, rates, ADVECTION in effects)
+    if conserved is not None:
+        s.scalars[:, :, _kept(step)] = conserved
     if DIFFUSION in effects:
         _diffuse(s, room, solids, step)
     _find_forces(s, room, step, force)
@@ -191,6 +196,30 @@ def _carry_scalars(
         carry_beside_walls(room.pad_s, room.shift, 1.0, kinds, faces.clear, faces.ax, faces.ay, s.scalars)
 
 
+def _conserve(s: GasState, room: Room, solids: GasSolids, step: Step, rates: Floats) -> Floats:
+    """Fields that are kept, carried in flux form by the velocity that the step begins with (free of
+    divergence), with their sources: (ny, nx, kept fields).
+    """
+    kept = _kept(step)
+    faces, kinds, inner = solids.faces, step.edges.kinds, room.pad_s[2:-2, 2:-2]
+    count = substeps_for(largest_outflow(s.u, s.v, faces.ax, faces.ay), step.dt / step.h)
+    scale = step.dt / step.h / count
+    inner[:] = s.scalars
+    for _ in range(count):
+        np.copyto(room.way_s, inner)
+        fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
+        flux_stage(room.pad_s, s.u, s.v, faces, scale, kept, 0.0, room.stage_s)
+        inner[:] = room.stage_s
+        fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
+        flux_stage(room.pad_s, s.u, s.v, faces, scale, kept, 0.5, room.way_s)
+        inner[:] = room.way_s
+    return np.asarray(inner[:, :, kept] + step.dt * rates[:, :, kept])
+
+
+def _kept(step: Step) -> NDArray[np.bool_]:
+    return np.array([name in step.settings.conservative for name in step.fields])
+
+
 def _diffuse(s: GasState, room: Room, solids: GasSolids, step: Step) -> None:
     given = step.settings.diffusivity
     if isinstance(given, Mapping):
@@ -252,11 +281,10 @@ def _add_drag(s: GasState, room: Room, solids: GasSolids, step: Step) -> None:
     pad_field(s.v, room.pad_v)
     fill_velocity_ghosts(room.pad_u, X, step.edges)
     fill_velocity_ghosts(room.pad_v, Y, step.edges)
-    _ = LEFT, PERIODIC
     add_laplacian(room.pad_u, solids.drag.gain_u, part, s.force_u)
     add_laplacian(room.pad_v, solids.drag.gain_v, part, s.force_v)
-    s.force_u *= solids.drag.free_u
-    s.force_v *= solids.drag.free_v
+    np.multiply(s.force_u, solids.drag.free_u, out=s.force_u)
+    np.multiply(s.force_v, solids.drag.free_v, out=s.force_v)
 
 
 def _project(

@@ -1,15 +1,20 @@
 """Values between grid points: linear, and cubic Catmull-Rom (1974), of padded fields.
 
 Places count in grid points from the first value of the unpadded field. A padded field answers places from -1
-to its count (one beyond the last value); what comes from outside is clamped there by the caller.
+to its count (one beyond the last value); what comes from outside is clamped there by the caller. Padded fields
+are read flat by unsigned places, for which no sign has to be looked at: `corner` is the first of those read.
 """
 
 from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.physics.grid.layout import PAD
 from game.physics.kernels.lean import inner_kernel
+
+ONE, TWO, THREE = np.uint64(1), np.uint64(2), np.uint64(3)
 
 
 @inner_kernel
@@ -33,34 +38,45 @@ def cubic_weights(f):
 
 
 @inner_kernel
-def linear_at(padded, x, y):
-    """Bilinear value of a padded field at (x, y)."""
-    i, j = int(math.floor(x)), int(math.floor(y))
-    f, g = x - i, y - j
-    low, high = padded[j + PAD], padded[j + PAD + 1]
-    i += PAD
-    return (1.0 - g) * ((1.0 - f) * low[i] + f * low[i + 1]) + g * ((1.0 - f) * high[i] + f * high[i + 1])
+def corner(row, column, before, width, fields):
+    """Flat place of the value so many points before (row, column), both ways, in a padded field."""
+    return np.uint64(((row + PAD - before) * width + column + PAD - before) * fields)
 
 
 @inner_kernel
-def cubic_at(padded, x, y):
-    """Bicubic Catmull-Rom value of a padded field at (x, y), not limited."""
-    i, j = int(math.floor(x)), int(math.floor(y))
-    a, b, c, d = cubic_weights(x - i)
-    p, q, r, s = cubic_weights(y - j)
-    i += PAD - 1
-    j += PAD - 1
-    r0, r1, r2, r3 = padded[j], padded[j + 1], padded[j + 2], padded[j + 3]
-    outer = p * ((a * r0[i] + d * r0[i + 3]) + (b * r0[i + 1] + c * r0[i + 2]))
-    inner = q * ((a * r1[i] + d * r1[i + 3]) + (b * r1[i + 1] + c * r1[i + 2]))
-    inner += r * ((a * r2[i] + d * r2[i + 3]) + (b * r2[i + 1] + c * r2[i + 2]))
-    outer += s * ((a * r3[i] + d * r3[i + 3]) + (b * r3[i + 1] + c * r3[i + 2]))
+def linear_at(flat, width, x, y):
+    """Bilinear value at (x, y) of a padded field of one value a point, so many values wide."""
+    left, low = math.floor(x), math.floor(y)
+    f, g = x - left, y - low
+    a = corner(int(low), int(left), 0, width, 1)
+    b = a + np.uint64(width)
+    return (1.0 - g) * ((1.0 - f) * flat[a] + f * flat[a + ONE]) + g * (
+        (1.0 - f) * flat[b] + f * flat[b + ONE]
+    )
+
+
+@inner_kernel
+def cubic_at(flat, width, x, y):
+    """Bicubic Catmull-Rom value, not limited."""
+    left, low = math.floor(x), math.floor(y)
+    a, b, c, d = cubic_weights(x - left)
+    p, q, r, s = cubic_weights(y - low)
+    k, row = corner(int(low), int(left), 1, width, 1), np.uint64(width)
+    m, n = k + row, k + row + row
+    o = n + row
+    outer = p * ((a * flat[k] + d * flat[k + THREE]) + (b * flat[k + ONE] + c * flat[k + TWO]))
+    inner = q * ((a * flat[m] + d * flat[m + THREE]) + (b * flat[m + ONE] + c * flat[m + TWO]))
+    inner += r * ((a * flat[n] + d * flat[n + THREE]) + (b * flat[n + ONE] + c * flat[n + TWO]))
+    outer += s * ((a * flat[o] + d * flat[o + THREE]) + (b * flat[o + ONE] + c * flat[o + TWO]))
     return outer + inner
 
 
 @inner_kernel
-def bounds_at(padded, x, y):
+def bounds_at(flat, width, x, y):
     """Least and largest of the four values around a place."""
-    i, j = int(math.floor(x)) + PAD, int(math.floor(y)) + PAD
-    a, b, c, d = padded[j, i], padded[j, i + 1], padded[j + 1, i], padded[j + 1, i + 1]
-    return min(min(a, b), min(c, d)), max(max(a, b), max(c, d))
+    k = corner(int(math.floor(y)), int(math.floor(x)), 0, width, 1)
+    m = k + np.uint64(width)
+    a, b, c, d = flat[k], flat[k + ONE], flat[m], flat[m + ONE]
+    low, other = (a if a < b else b), (c if c < d else d)
+    high, another = (a if a > b else b), (c if c > d else d)
+    return (low if low < other else other), (high if high > another else another)

@@ -99,14 +99,25 @@ def label_regions(e):
 def balance(e, field, count, pad):
     """Take its mean over each closed region out of a field (padded by pad); sums[0] holds the means."""
     ny, nx = e.b.shape
+    if count == 1 and e.fixed[0]:
+        e.sums[0, 0] = 0.0
+        return
     for k in range(count):
         e.sums[0, k], e.sums[1, k] = 0.0, 0.0
     for j in range(ny):
+        total, cells, last = 0.0, 0.0, -1
         for i in range(nx):
             k = e.labels[j, i]
-            if k >= 0:
-                e.sums[0, k] += field[j + pad, i + pad]
-                e.sums[1, k] += 1.0
+            if k != last:
+                if last >= 0:
+                    e.sums[0, last] += total
+                    e.sums[1, last] += cells
+                total, cells, last = 0.0, 0.0, k
+            total += field[j + pad, i + pad]
+            cells += 1.0
+        if last >= 0:
+            e.sums[0, last] += total
+            e.sums[1, last] += cells
     for k in range(count):
         e.sums[0, k] = 0.0 if e.fixed[k] else e.sums[0, k] / e.sums[1, k]
     for j in range(ny):
