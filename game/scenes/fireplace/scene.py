@@ -129,6 +129,10 @@ class Fireplace(Scene):
     def save_content(self) -> FireplaceContent:
         return content_of(self.model)
 
+    def content_of_level(self) -> FireplaceContent:
+        """What the level said."""
+        return self.model.content
+
     def check(self) -> None:
         """What must always hold among the logs."""
         self.model.wood.world.check()
