@@ -281,8 +281,8 @@ class Air(Part):
         return float(self.gas.v[j, i])
 
     def _heats(self) -> Floats:
-        """(ny, nx) J/m³ above that of the room. Gas that has been warmed by C dT and has expanded by dT / T holds
-        C (T² - Ta²) / 2 T of it, as d(h T) = C T dT; in a box where nothing expands it is C (T - Ta).
+        """(ny, nx) J/m³ above that of the room. Gas that has been warmed by C dT and has expanded by dT / T
+        holds C (T² - Ta²) / 2 T of it, as d(h T) = C T dT; in a box where nothing expands it is C (T - Ta).
         """
         t = self.gas.scalars[..., 0]
         share = 0.5 * (t + ROOM) / t if EXPANSION in self.flames.made_of.effects else 1.0

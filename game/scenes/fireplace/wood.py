@@ -174,7 +174,9 @@ class Wood(Part):
     # -- a step -------------------------------------------------------------------------------------------
 
     def meet(self, gas: Floats, oxygen: Floats, speed: Floats, flames: Floats) -> None:
-        """What gas (K, share of fresh air, m/s) is at each piece; flames (n,): share of what it sees that they are."""
+        """What gas (K, share of fresh air, m/s) is at each piece; flames (n,): share of what it sees that
+        they are.
+        """
         self.nodes.meet_gas(gas, oxygen, STILL + STIRRED * np.sqrt(np.clip(speed - CALM, 0.0, 9.0)))
         places, hot = self.places(), self.nodes.temperature
         apart = places[:, None] - places[None]
