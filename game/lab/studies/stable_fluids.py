@@ -48,6 +48,7 @@ def whirl_after(method: str, cells: int, seconds: float) -> Whirl:
     if method in PAPERS:
         fluid = PrintedFluid(grid.shape, grid.cell, 0, method)
         fluid.inner[0][:], fluid.inner[1][:] = exact[..., 0], exact[..., 1]
+        first = float(np.sum(exact * exact))
         for _ in range(steps):
             fluid.step(seconds / steps)
         found, left = np.stack(fluid.inner[:2], axis=2), fluid.face_divergence()
@@ -55,12 +56,13 @@ def whirl_after(method: str, cells: int, seconds: float) -> Whirl:
         gas = Gas(grid, Borders(), GasSettings(advection=method, turns=4, tolerance=1e-8), ("smoke",))
         gas.u[:], gas.v[:] = flow(*grid.u_places())[0], flow(*grid.v_places())[1]
         gas.jolt()
+        first = float(np.sum(gas.velocity() ** 2))
         for _ in range(steps):
             gas.step(seconds / steps)
         found, left = gas.velocity(), gas.divergence()
     off = found - exact
     return Whirl(
-        float(np.sqrt(np.mean(off * off))), float(np.sum(found * found) / np.sum(exact * exact)),
+        float(np.sqrt(np.mean(off * off))), float(np.sum(found * found)) / first,
         float(np.sqrt(np.mean(left * left))), steps,
     )  # fmt: skip
 

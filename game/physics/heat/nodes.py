@@ -55,13 +55,13 @@ def _capacity(nodes, i, laws):
 def warm(nodes, i, joule, laws, totals):
     """Heat a node; at 373.15 K its water goes first."""
     capacity = _capacity(nodes, i, laws)
-    if nodes[WATER, i] > 0.0 and joule > 0.0:
-        missing = max((BOILING - nodes[TEMPERATURE, i]) * capacity, 0.0)
+    if nodes[WATER, i] > 0.0:
+        missing = (BOILING - nodes[TEMPERATURE, i]) * capacity  # below 0 of a hot one that was wetted
         if joule > missing:
             gone = min(nodes[WATER, i], (joule - missing) / STEAM_HEAT)
-            nodes[TEMPERATURE, i] = max(BOILING, nodes[TEMPERATURE, i])
+            nodes[TEMPERATURE, i] = BOILING
             nodes[WATER, i] = nodes[WATER, i] - gone if gone < nodes[WATER, i] else 0.0
-            totals[STEAM] += gone * (STEAM_HEAT + WATER_HEAT * nodes[TEMPERATURE, i])
+            totals[STEAM] += gone * (STEAM_HEAT + WATER_HEAT * BOILING)
             totals[STEAM_KG] += gone
             joule -= missing + gone * STEAM_HEAT
             capacity = _capacity(nodes, i, laws)
@@ -118,8 +118,9 @@ def step_nodes(nodes, links, conductances, torn, laws, substeps, dt, totals):
             if laws.mask & RADIATION_BIT:
                 capacity, hot = _capacity(nodes, i, laws), nodes[TEMPERATURE, i]
                 rate = laws.emissivity * STEFAN_BOLTZMANN * nodes[AREA, i] / capacity
-                nodes[TEMPERATURE, i] = cooled_inside(hot, nodes[AMBIENT, i], rate, h)
-                totals[RADIATED] += capacity * (hot - nodes[TEMPERATURE, i])
+                joule = capacity * (cooled_inside(hot, nodes[AMBIENT, i], rate, h) - hot)
+                totals[RADIATED] -= joule
+                warm(nodes, i, joule, laws, totals)  # what shines on it dries it first
 
 
 @lean_kernel

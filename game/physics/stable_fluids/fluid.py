@@ -76,12 +76,12 @@ class PrintedFluid:
     def _solve(self, x: Floats, right: Floats, number: float, share: float, kind: int) -> None:
         """By 20 sweeps, or to the end."""
         if self.paper == "stam-2003":
-            relax(x, right, number, share, kind, self.most)
+            relax(x, right, number, share, kind, self.most, 1.0)
             self.sweeps += self.most
             return
-        done = 0
+        done, over = 0, 2.0 / (1.0 + math.pi / max(self.solid.shape))  # the best for a square without viscosity
         while done < MOST_SWEEPS:
-            change = relax(x, right, number, share, kind, AT_ONCE)
+            change = relax(x, right, number, share, kind, AT_ONCE, over)
             done += AT_ONCE
             if change <= SOLVED * float(np.max(np.abs(x))) + 1e-300:
                 break

@@ -37,9 +37,9 @@ def fill_ghosts(a, kind):
 
 
 @lean_kernel
-def relax(x, right, number, share, kind, sweeps):
+def relax(x, right, number, share, kind, sweeps, over):
     """Sweeps of Gauss and Seidel for share x = right + number (sum of the four neighbours); gives the last
-    change.
+    change. over: 1, or more (below 2) for successive over-relaxation (Young 1954).
     """
     ny, nx = x.shape[0] - 2, x.shape[1] - 2
     change = 0.0
@@ -48,9 +48,9 @@ def relax(x, right, number, share, kind, sweeps):
         for j in range(1, ny + 1):
             for i in range(1, nx + 1):
                 around = x[j, i - 1] + x[j, i + 1] + x[j - 1, i] + x[j + 1, i]
-                new = (right[j, i] + number * around) / share
-                change = max(change, abs(new - x[j, i]))
-                x[j, i] = new
+                move = over * ((right[j, i] + number * around) / share - x[j, i])
+                change = max(change, abs(move))
+                x[j, i] += move
         fill_ghosts(x, kind)
     return change
 

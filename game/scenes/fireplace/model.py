@@ -69,7 +69,7 @@ class FireplaceModel(Part):
         self.content, self.parameters, self.active = content, parameters, active
         self.time, self.shine, self.most_power, self.most_height = 0.0, 0.0, 0.0, 0.0
         self.crossings: list[float] = []
-        self.rising, self.mean_rise = False, 0.0
+        self.rising, self.mean_rise, self.last_beat = False, 0.0, 0.0
         self.changed, self.given_up = False, 0.0
         self.held, self.target = -1, (0.0, 0.0)
         self.heard: Floats = np.zeros((0, HEARD_WIDTH))
@@ -258,6 +258,8 @@ class FireplaceModel(Part):
         elif not self.rising and rise > self.mean_rise + 0.06:
             self.rising = True
             self.crossings = [at for at in self.crossings if at > self.time - BEAT_S] + [self.time]
+            if len(self.crossings) >= LEAST_BEATS:
+                self.last_beat = (len(self.crossings) - 1) / (self.crossings[-1] - self.crossings[0])
         if len(self.heard):
             self.heard = self.heard[self.heard[:, HEARD_TIME] > self.time - HEARD_S]
         piece = int(self.ember[0])
@@ -283,11 +285,8 @@ class FireplaceModel(Part):
         return float(np.clip(np.sum(np.clip((hot - 750.0) / 500.0, 0.0, 1.0) ** 2) / 8.0, 0.0, 1.0)) if len(hot) else 0.0
 
     def beat(self) -> float:
-        """Hz at which the fire puffs; nan while too few puffs were seen."""
-        lately = [at for at in self.crossings if at > self.time - BEAT_S]
-        if len(lately) < LEAST_BEATS:
-            return math.nan
-        return (len(lately) - 1) / (lately[-1] - lately[0])
+        """Hz at which the fire puffs, or did when it last puffed for some time; nan before that."""
+        return self.last_beat if self.last_beat > 0.0 else math.nan
 
     def books(self) -> dict[str, float]:
         """J/m: made by burning and the match; radiated, gone with steam and through the sides, in gas and

@@ -5,7 +5,7 @@ from __future__ import annotations
 from game.scenes.smoke.model import TALL, WIDE, SmokeModel
 from game.stage import Part, Pointer
 
-STRENGTH, FASTEST = 12.0, 4.0  # m/s of a push for a m of a drag; at most
+STRENGTH, FASTEST = 30.0, 6.0  # m/s of a push for a m of a drag; at most
 Point = tuple[float, float]
 
 

@@ -153,6 +153,32 @@ def test_what_glows_beside_it_keeps_an_ember_hot():
     assert embers.totals[RADIATED] == pytest.approx(10.0 * (3000.0 - embers.temperature.sum()), rel=1e-9)
 
 
+def test_what_is_shone_on_dries_before_it_is_hotter_than_373_kelvin():
+    wet = BurningBodies(1, rest=5.0, water=0.005, area=0.02, made_of=Fuel(effects=EffectSet([RADIATION])))
+    wet.meet_light(1100.0)
+    before = books(wet)
+    while wet.water[0] > 0.0:
+        assert wet.temperature[0] <= BOILING + 1e-9
+        wet.step(0.05)
+    assert books(wet) == pytest.approx(before, rel=1e-12)
+    wet.step(5.0)
+    assert 400.0 < wet.temperature[0] < 1100.0
+
+
+def test_water_on_what_glows_takes_its_heat_at_once():
+    ember = BurningBodies(1, rest=100.0, area=1e-9, temperature=900.0, made_of=Fuel(effects=EffectSet([CONVECTION])))
+    ember.wet(0, 0.01)
+    before = books(ember)
+    ember.step(0.01)
+    heat = (100.0 + 0.01 * WATER_HEAT) * (900.0 - BOILING)
+    assert ember.water[0] == 0.0 and ember.totals[STEAM_KG] == 0.01
+    assert ember.temperature[0] == pytest.approx(BOILING + (heat - 0.01 * STEAM_HEAT) / 100.0, rel=1e-9)
+    assert books(ember) == pytest.approx(before, rel=1e-12)
+    ember.wet(0, 0.1)
+    ember.step(0.01)
+    assert ember.temperature[0] == BOILING and 0.05 < ember.water[0] < 0.1
+
+
 def test_what_is_torn_off_keeps_its_heat():
     bodies = row(10, Fuel(effects=EffectSet([CONDUCTION])), rest=1.0)
     bodies.temperature[:5] = 900.0

@@ -70,16 +70,29 @@ def test_a_match_lights_the_kindling():
     assert measured(stage, "match") == 0.0 and stage.scene.model.match.place(stage.scene.model.time) is None
 
 
-def test_the_books_of_heat_and_of_wood_close():
-    stage = opened("embers", **SMALL)
-    model = stage.scene.model
-    fuel = float(model.wood.nodes.fuel.sum())
-    stage.run(180)
-    totals = model.wood.nodes.totals
-    assert abs(measured(stage, "open share")) < 25.0
-    assert model.wood.nodes.heat() > 0.0 and totals[0] > 0.0
-    assert float(model.wood.nodes.fuel.sum()) < fuel
-    assert 0.0 < measured(stage, "burnt") < 100.0
+def test_the_books_close_for_the_wood_and_the_better_for_the_gas_the_finer_it_is():
+    left = {}
+    for cells in (32, 80):
+        stage = opened("embers", tier="own", cells=cells)
+        model = stage.scene.model
+        fuel, wood = float(model.wood.nodes.fuel.sum()), model.wood.nodes
+        given = 0.0
+        take = wood.take_given
+
+        def noted(take=take):
+            nonlocal given
+            rows = take()
+            given += math.fsum(rows[0].tolist())
+            return rows
+
+        wood.take_given = noted
+        stage.run(120)
+        radiated, steam, of_fuel, _ = wood.totals.tolist()
+        change = wood.heat() - model.heat_at_first
+        assert abs(change + given + radiated + steam - of_fuel) < 1e-9 * of_fuel
+        assert float(wood.fuel.sum()) < fuel and 0.0 < measured(stage, "burnt") < 100.0
+        left[cells] = abs(measured(stage, "open share"))
+    assert left[80] < 0.8 * left[32]
 
 
 def test_burnt_wood_is_thinner_breaks_and_falls():
@@ -141,8 +154,8 @@ def test_tools_blow_drag_hold_a_match_and_pour():
     x, y = model.wood.places()[2].tolist()
     stage.post(Pointer("down", x, y, button=1))
     stage.post(Pointer("move", x, y + 0.4, button=1))
-    stage.run(40)
-    assert model.wood.places()[2, 1] > y + 0.3
+    stage.run(60)
+    assert model.wood.places()[2, 1] > y + 0.25
     stage.post(Pointer("up", x, y, button=1))
     stage.post(SetParameter("tool", "match"))
     stage.post(Pointer("down", 0.5, 0.2, button=1))
@@ -154,7 +167,7 @@ def test_tools_blow_drag_hold_a_match_and_pour():
     x, y = model.wood.places()[0].tolist()
     stage.post(Pointer("down", x, y, button=1))
     assert measured(stage, "water left") > 0.0
-    stage.run(60)
+    stage.run(30)
     assert float(model.wood.nodes.temperature[0]) < hot - 100.0
 
 
@@ -165,7 +178,7 @@ def test_the_damper_shuts_the_flue():
     open_ways = float(air.gas.faces.ay[row].sum())
     stage.post(Action("flue"))
     shut = float(air.gas.faces.ay[row].sum())
-    assert stage.scene.parameters.damper == 0.0 and shut < open_ways - 2.0
+    assert stage.scene.parameters.damper == 0.0 and shut < open_ways - 1.5
     stage.post(Action("flue"))
     assert float(air.gas.faces.ay[row].sum()) == pytest.approx(open_ways)
 
