@@ -120,8 +120,8 @@ whirl_study = Study(
     settings=_settings,
     trial=WhirlTrial,
     reference="The whirl itself: it is steady.",
-    expectation="All that was carried along by interpolation is smeared in proportion to the cells; with a stored "
-    "pressure the error falls with their square.",
+    expectation="What is carried along by interpolation alone is smeared in proportion to the cells; with a "
+    "stored pressure the error falls with their square.",
     present=_present,
     workload=Workload("two whirls in a box of 2 m by 1 m, Courant number 1"),
 )

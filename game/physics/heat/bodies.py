@@ -162,13 +162,18 @@ class BurningBodies:
         self.nodes[[GIVEN, VAPOUR, BURNT]] = 0.0
         return rows[0], rows[1], rows[2]
 
-    def wet(self, node: int, kilograms: float) -> None:
-        """Water of its temperature onto a node, at most of 373 K. ValueError."""
-        if not 0 <= node < self.count or not 0.0 <= kilograms <= 1e12:
+    def wet(self, node: int, kilograms: float, kelvin: float = 293.15) -> None:
+        """Water of so many K onto a node; both come to one temperature. ValueError."""
+        if not 0 <= node < self.count or not 0.0 <= kilograms <= 1e12 or not 0.0 < kelvin <= 373.15:
             raise ValueError(
-                f"node {node!r}, kilograms = {kilograms!r}: expected one that is there, and from 0"
+                f"node {node!r}, kilograms = {kilograms!r}, kelvin = {kelvin!r}: expected one that is there, from 0, "
+                "and up to 373.15"
             )
-        self.nodes[WATER, node] += kilograms
+        nodes = self.nodes
+        own = nodes[REST, node] + self.made_of.fuel_heat * nodes[FUEL, node] + WATER_HEAT * nodes[WATER, node]
+        more = WATER_HEAT * kilograms
+        nodes[TEMPERATURE, node] = (own * nodes[TEMPERATURE, node] + more * kelvin) / (own + more)
+        nodes[WATER, node] += kilograms
 
     def tear(self, link: int) -> None:
         """No heat goes along a link any more; what it tears off keeps its own. ValueError."""

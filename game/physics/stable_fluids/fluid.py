@@ -79,7 +79,10 @@ class PrintedFluid:
             relax(x, right, number, share, kind, self.most, 1.0)
             self.sweeps += self.most
             return
-        done, over = 0, 2.0 / (1.0 + math.pi / max(self.solid.shape))  # the best for a square without viscosity
+        done, over = (
+            0,
+            2.0 / (1.0 + math.pi / max(self.solid.shape)),
+        )  # the best for a square without viscosity
         while done < MOST_SWEEPS:
             change = relax(x, right, number, share, kind, AT_ONCE, over)
             done += AT_ONCE

@@ -173,7 +173,9 @@ class Air(Part):
         if not count:
             return
         t = self.gas.scalars[..., 0]
-        rise = np.minimum(power * dt / (VAPOUR["capacity"] * self.cell**2 * count), np.maximum(MATCH_HOT - t, 0.0))
+        rise = np.minimum(
+            power * dt / (VAPOUR["capacity"] * self.cell**2 * count), np.maximum(MATCH_HOT - t, 0.0)
+        )
         self._rise[near] += rise[near]
         self.flows[0] += float(np.sum(rise[near])) * VAPOUR["capacity"] * self.cell**2
 
@@ -322,5 +324,3 @@ def _edge_of(shape: tuple[int, int]) -> Floats:
     across = np.minimum(np.arange(nx), np.arange(nx)[::-1])
     wide = np.clip(across / (0.12 * nx), 0.0, 1.0)
     return np.asarray(np.broadcast_to(wide, (ny, nx)))
-
-

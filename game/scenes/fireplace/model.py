@@ -26,6 +26,7 @@ from game.scenes.fireplace.tables import (
     HALF_THICK,
     HEARD_TIME,
     HEARD_WIDTH,
+    ROOM,
     SCALE,
     WHOLE,
 )
@@ -78,7 +79,8 @@ class FireplaceModel(Part):
             content, parameters.haste, parameters.moisture, active & HEAT.known, active & SOLIDS.known
         )
         self.air = Air(
-            parameters.cells_now(), int(parameters.cycles), min(parameters.damper, content.damper), content.sealed,
+            parameters.cells_now(), int(parameters.cycles), min(parameters.damper, content.damper),
+            content.sealed,
             active & COMBUSTION.known, active & GAS.known,
         )  # fmt: skip
         self.air.wind = parameters.wind
@@ -131,7 +133,7 @@ class FireplaceModel(Part):
         near = np.flatnonzero(away[:, 0] ** 2 + away[:, 1] ** 2 < POUR_REACH**2)
         for piece in near.tolist():
             most = 0.4 * float(self.wood.table[piece, WHOLE])
-            self.heat_at_first += most * WATER_HEAT * float(nodes.temperature[piece])
+            self.heat_at_first += most * WATER_HEAT * ROOM
             nodes.wet(piece, most)
         self.air.pour(point, POUR_REACH)
 
@@ -161,7 +163,9 @@ class FireplaceModel(Part):
         world, body = self.wood.world, int(self.wood.table[self.held, BODY])
         way = np.array(self.target) - world.bodies.positions[body]
         fast = 8.0 * math.hypot(*way.tolist())
-        world.set_velocity(body, 8.0 * way * min(1.0, QUICKEST / max(fast, 1e-9)), 0.5 * float(world.bodies.spins[body]))
+        world.set_velocity(
+            body, 8.0 * way * min(1.0, QUICKEST / max(fast, 1e-9)), 0.5 * float(world.bodies.spins[body])
+        )
 
     # -- a step -------------------------------------------------------------------------------------------
 
@@ -171,7 +175,9 @@ class FireplaceModel(Part):
         bodies = table[:, BODY].astype(np.int64)
         rows = self.wood.world.bodies
         turned = rows.rotations[bodies]
-        half = np.stack([table[:, HALF_LENGTH], table[:, HALF_THICK] * table[:, SCALE] + 0.6 * self.air.cell], 1)
+        half = np.stack(
+            [table[:, HALF_LENGTH], table[:, HALF_THICK] * table[:, SCALE] + 0.6 * self.air.cell], 1
+        )
         own = GIVES[None] * half[:, None]
         c, s = turned[:, 0, None], turned[:, 1, None]
         x, y = own[..., 0], own[..., 1]
@@ -266,7 +272,9 @@ class FireplaceModel(Part):
         if piece >= 0:
             nodes = self.wood.nodes
             capacity = float(nodes.nodes[1, piece] + WATER_HEAT * nodes.nodes[WATER, piece])
-            rate = self.wood.made_of.emissivity * STEFAN_BOLTZMANN * float(nodes.nodes[AREA, piece]) / capacity
+            rate = (
+                self.wood.made_of.emissivity * STEFAN_BOLTZMANN * float(nodes.nodes[AREA, piece]) / capacity
+            )
             self.ember[1] = cooled(float(self.ember[1]), float(nodes.nodes[AMBIENT, piece]), rate, dt)
 
     # -- what there is ------------------------------------------------------------------------------------
@@ -282,7 +290,11 @@ class FireplaceModel(Part):
     def embers_shine(self) -> float:
         """0 to 1: how much light what glows gives."""
         hot = self.wood.nodes.temperature[: self.wood.count]
-        return float(np.clip(np.sum(np.clip((hot - 750.0) / 500.0, 0.0, 1.0) ** 2) / 8.0, 0.0, 1.0)) if len(hot) else 0.0
+        return (
+            float(np.clip(np.sum(np.clip((hot - 750.0) / 500.0, 0.0, 1.0) ** 2) / 8.0, 0.0, 1.0))
+            if len(hot)
+            else 0.0
+        )
 
     def beat(self) -> float:
         """Hz at which the fire puffs, or did when it last puffed for some time; nan before that."""
@@ -307,14 +319,10 @@ class FireplaceModel(Part):
 
     def state(self) -> FireplaceState:
         """All that later steps depend on."""
-        return FireplaceState(
-            self.wood.state(), self.air.state(), self.sparks.table, self.heard, self.ember
-        )
+        return FireplaceState(self.wood.state(), self.air.state(), self.sparks.table, self.heard, self.ember)
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.wood.restore(state.wood)
         self.air.restore(state.air)
         self.sparks.table[:], self.heard, self.ember[:] = state.sparks, state.heard.copy(), state.ember
-
-

@@ -19,13 +19,20 @@ class FireplaceParameters(Parameters):
         help="what the left button does",
     )  # fmt: skip
     damper = Param(1.0, 0.0, 1.0, group="Air", label="Flue open", help="share of the flue that is open")
-    wind = Param(0.0, -3.0, 3.0, unit="m/s", group="Air", label="Draught", help="through the room, to the right")
+    wind = Param(
+        0.0, -3.0, 3.0, unit="m/s", group="Air", label="Draught", help="through the room, to the right"
+    )
     haste = Param(
         1.0, 0.25, 4.0, log=True, group="Wood", label="Burning rate",
         help="times as quick as usual; the wood is light, so that an hour of real wood goes by in a minute",
     )  # fmt: skip
     moisture = Param(
-        0.0, 0.0, 1.0, group="Wood", help="kg of water in a kg of logs, beside what a level says", rebuild=True
+        0.0,
+        0.0,
+        1.0,
+        group="Wood",
+        help="kg of water in a kg of logs, beside what a level says",
+        rebuild=True,
     )
     tier = Choice(
         "teach", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Gas", label="Quality",
@@ -33,7 +40,7 @@ class FireplaceParameters(Parameters):
     )  # fmt: skip
     cells = Param(96, 16, 256, step=16, whole=True, group="Gas", rebuild=True, help="across, with Own")
     cycles = Param(6, 3, 20, whole=True, group="Gas", label="V-cycles",
-                   help="of the pressure, in each step, at most; with walls fewer let errors of it grow")  # fmt: skip
+                   help="of the pressure in a step, at most; with walls fewer let its errors grow")  # fmt: skip
     step_length = Param(
         1.0 / 60.0, 1.0 / 1000.0, 1.0 / 30.0, unit="s", log=True, group="Gas", label="Time step"
     )

@@ -148,7 +148,10 @@ def _smooth(random: np.random.Generator, shape: tuple[int, int]) -> Floats:
     found = np.zeros(shape, np.float32)
     for coarse, share in ((12, 0.6), (40, 0.4)):
         small = random.standard_normal((shape[0] // coarse + 2, shape[1] // coarse + 2), dtype=np.float32)
-        rows, columns = np.arange(shape[0], dtype=np.float32) / coarse, np.arange(shape[1], dtype=np.float32) / coarse
+        rows, columns = (
+            np.arange(shape[0], dtype=np.float32) / coarse,
+            np.arange(shape[1], dtype=np.float32) / coarse,
+        )
         i, j = rows.astype(int), columns.astype(int)
         f, g = (rows - i)[:, None], (columns - j)[None, :]
         upper = small[i][:, j] * (1.0 - g) + small[i][:, j + 1] * g

@@ -27,7 +27,8 @@ def content_of(model: FireplaceModel) -> FireplaceContent:
         entries.append(
             WoodEntry(
                 at=(float(x), float(y)), turn=math.remainder(turn, 360.0), pieces=1, thick=thick,
-                length=float(max(2.0 * row[HALF_LENGTH] * row[SCALE], 0.01)), kelvin=float(min(kelvin, 2000.0)),
+                length=float(max(2.0 * row[HALF_LENGTH] * row[SCALE], 0.01)),
+                kelvin=float(min(kelvin, 2000.0)),
                 moisture=float(min(water / row[WHOLE], 2.0)),
             )
         )  # fmt: skip

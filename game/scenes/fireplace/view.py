@@ -58,7 +58,8 @@ class FireplaceView:
     def legend(self) -> list[tuple[str, str, str]]:
         """What a view of the gas shows."""
         words = {
-            "temperature": "293 K dark to 1500 K bright", "speed": "0 to 4 m/s", "oxygen": "none to fresh air",
+            "temperature": "293 K dark to 1500 K bright", "speed": "0 to 4 m/s",
+            "oxygen": "none to fresh air",
         }  # fmt: skip
         view = self.model.parameters.view
         return [("square:amber", words[view], "")] if view in words else []
@@ -104,7 +105,9 @@ class FireplaceView:
             canvas.circle((x, 0.285), 1.9 * BAR, IRON, outline=lit, width=1.0)
             canvas.line((x, 0.0), (x, 0.26), lit, 1.0)
         low = GRATE - 1.6 * BAR
-        canvas.line((UPRIGHTS[0], low), (UPRIGHTS[1], low), IRON, 1.4 * BAR * canvas.pixels_per_unit / canvas.k)
+        canvas.line(
+            (UPRIGHTS[0], low), (UPRIGHTS[1], low), IRON, 1.4 * BAR * canvas.pixels_per_unit / canvas.k
+        )
         for x in BARS:
             canvas.circle((x, GRATE), BAR, IRON, outline=lit, width=1.0)
 
@@ -115,7 +118,9 @@ class FireplaceView:
             return
         table = wood.table
         left = np.clip(wood.nodes.nodes[FUEL, : wood.count] / table[:, WHOLE], 0.0, 1.0)
-        hot = np.clip((wood.nodes.nodes[TEMPERATURE, : wood.count] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0)
+        hot = np.clip(
+            (wood.nodes.nodes[TEMPERATURE, : wood.count] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0
+        )
         sizes = np.stack([table[:, HALF_LENGTH] * 1.04, table[:, HALF_THICK] * table[:, SCALE]], axis=1)
         inks = self._bark(left, hot, strength)
         none = np.full(len(table), NO_EDGE, dtype=np.int64)
@@ -125,7 +130,9 @@ class FireplaceView:
         for box, share in (((-1.0, -1.0, 1.0, -0.5), 0.35), ((-1.0, 0.55, 1.0, 1.0), 0.2)):
             dark = _darker(inks, 0.6)
             _quads(canvas, placed(box, sizes, places, turned), dark, np.full(len(table), share), none)
-        _quads(canvas, placed(CORE, sizes, places, turned), _lighter(inks, 0.16), np.full(len(table), 0.5), none)
+        _quads(
+            canvas, placed(CORE, sizes, places, turned), _lighter(inks, 0.16), np.full(len(table), 0.5), none
+        )
         under = _embers(np.minimum(1.0, hot + 0.1))
         share = np.clip(1.1 * hot, 0.0, 0.5)
         _quads(canvas, placed(LIT_EDGE, sizes, places, turned), under, share, none)
@@ -136,7 +143,9 @@ class FireplaceView:
         light.
         """
         bark, char, ash = (np.array(color, dtype=np.float64) for color in (BARK, CHAR, ASH))
-        wet = np.minimum(1.0, self.model.wood.nodes.nodes[WATER, : len(left)] / self.model.wood.table[:, WHOLE])
+        wet = np.minimum(
+            1.0, self.model.wood.nodes.nodes[WATER, : len(left)] / self.model.wood.table[:, WHOLE]
+        )
         charred = np.clip((1.0 - left) * 5.0 + 2.0 * hot, 0.0, 1.0)[:, None]
         grey = (np.clip(0.3 - left, 0.0, 0.3) / 0.3 * np.clip(1.0 - 2.0 * hot, 0.0, 1.0))[:, None]
         colors = bark * (1.0 - 0.35 * wet[:, None])
@@ -156,7 +165,9 @@ class FireplaceView:
         seeds = (glowing[:, None] * 97 + np.arange(per)[None] * 31) % 211
         across = 2.0 * ((seeds * 0.61803) % 1.0) - 1.0
         along = 2.0 * ((seeds * 0.7548 + 0.3) % 1.0) - 1.0
-        own = np.stack([0.92 * across * sizes[glowing, 0, None], 0.8 * along * sizes[glowing, 1, None]], axis=2)
+        own = np.stack(
+            [0.92 * across * sizes[glowing, 0, None], 0.8 * along * sizes[glowing, 1, None]], axis=2
+        )
         c, s = turned[glowing, 0, None], turned[glowing, 1, None]
         at = np.stack([c * own[..., 0] - s * own[..., 1], s * own[..., 0] + c * own[..., 1]], axis=2)
         at += places[glowing][:, None]
@@ -184,7 +195,9 @@ class FireplaceView:
         ny, nx = veil.shape[:2]
         block = max(nx // 16, 1)
         rows, columns = ny // block, nx // block
-        light = veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
+        light = (
+            veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
+        )
         j, i = np.nonzero(light > 0.02)
         if not len(j):
             return
@@ -264,5 +277,3 @@ def _embers(hot: Floats) -> Longs:
 
 def _mixed(a: pygame.Color, b: pygame.Color, share: float) -> pygame.Color:
     return a.lerp(b, min(max(share, 0.0), 1.0))
-
-

@@ -45,7 +45,11 @@ WEAK, SPENT = 0.34, 0.08  # share of its fuel below which its welds break; it is
 NEAR = 0.2  # m: so near to each other pieces warm each other by their glow
 MOST_SEEN = 0.75  # of what a piece sees, other pieces and flames
 FLAME = 1200.0  # K, as flames shine
-STILL, STIRRED, CALM = 2.5, 18.0, 0.25  # W/(m² K) in calm gas, more with the root of its speed beyond so many m/s
+STILL, STIRRED, CALM = (
+    2.5,
+    18.0,
+    0.25,
+)  # W/(m² K) in calm gas, more with the root of its speed beyond so many m/s
 SHRINK = 0.05  # of its thickness, at a time
 
 
@@ -182,7 +186,9 @@ class Wood(Part):
         apart = places[:, None] - places[None]
         away = np.sqrt(apart[..., 0] ** 2 + apart[..., 1] ** 2)
         half = self.table[:, HALF_THICK] * self.table[:, SCALE]
-        seen = np.where((away > 0.0) & (away < NEAR), half[None] / (math.pi * np.maximum(away, half[None])), 0.0)
+        seen = np.where(
+            (away > 0.0) & (away < NEAR), half[None] / (math.pi * np.maximum(away, half[None])), 0.0
+        )
         most = np.maximum(MOST_SEEN - flames, 0.0)
         seen *= np.minimum(1.0, most / np.maximum(np.sum(seen, axis=1), 1e-9))[:, None]
         of_wood = np.sum(seen, axis=1)
@@ -258,5 +264,3 @@ class Wood(Part):
         links = [(i - 1, i) for i in range(self.count) if self.table[i, JOINT] != NONE]
         thick = self.table[[b for _, b in links], HALF_THICK] if links else 1.0
         self.nodes = BurningBodies(max(self.count, 1), links, GRAIN * 2.0 * thick, made_of=self.made_of)
-
-

@@ -45,8 +45,12 @@ def draw_projection(pen: Pen) -> None:
             for column in range(4):
                 x, y = (column - 1.5) * 18.0, (row - 1.5) * 18.0
                 turn, spread = (-y, x), (x, y)
-                vx = 0.26 * ((turn[0] if kind != "spreads" else 0.0) + (spread[0] if kind != "turns" else 0.0))
-                vy = 0.26 * ((turn[1] if kind != "spreads" else 0.0) + (spread[1] if kind != "turns" else 0.0))
+                vx = 0.26 * (
+                    (turn[0] if kind != "spreads" else 0.0) + (spread[0] if kind != "turns" else 0.0)
+                )
+                vy = 0.26 * (
+                    (turn[1] if kind != "spreads" else 0.0) + (spread[1] if kind != "turns" else 0.0)
+                )
                 pen.arrow((middle + x, 96.0 + y), (middle + x + vx, 96.0 + y + vy), color, 1.4)
         if k < 2:
             pen.words("=" if k == 0 else "+", middle + 47.0, 96.0, "text1")

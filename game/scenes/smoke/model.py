@@ -83,7 +83,12 @@ class SmokeModel(Part):
         self.printed: PrintedFluid | None = None
         if parameters.method in PRINTED:
             self.printed = PrintedFluid(
-                self.grid.shape, self.cell, len(FIELDS), parameters.method, parameters.viscosity, self._turns()
+                self.grid.shape,
+                self.cell,
+                len(FIELDS),
+                parameters.method,
+                parameters.viscosity,
+                self._turns(),
             )
         else:
             self.gas = Gas(self.grid, self._borders(), self._settings(), FIELDS, {"oxygen": FRESH})
@@ -113,12 +118,15 @@ class SmokeModel(Part):
         if chosen.confinement == 0.0:
             effects = effects.without(CONFINEMENT)
         return GasSettings(
-            effects=effects, advection=chosen.method, pressure=chosen.pressure, turns=max(int(chosen.turns), self._fewest()),
+            effects=effects, advection=chosen.method, pressure=chosen.pressure,
+            turns=max(int(chosen.turns), self._fewest()),
             viscosity=chosen.viscosity, confinement=chosen.confinement, ambient=ROOM,
         )  # fmt: skip
 
     def _fewest(self) -> int:
-        """V-cycles at least: beside solids a pressure that is carried along lets its errors grow with fewer."""
+        """V-cycles at least: beside solids a pressure that is carried along lets its errors grow with
+        fewer.
+        """
         return 6 if self.parameters.method == "time-centred" and len(self.obstacles.rows) else 1
 
     def _burns(self) -> GasFuel:
@@ -140,7 +148,7 @@ class SmokeModel(Part):
         self.change()
 
     def _begin(self) -> None:
-        x, y = self.grid.centres()
+        _x, y = self.grid.centres()
         if self.content.start == "layers":
             self.scalars[..., WARM] = np.where(y > 0.5 * TALL, HOT_LAYER, ROOM)
         if self.content.start == "whirl":
@@ -354,5 +362,3 @@ def _whirl(x: Floats, y: Floats) -> tuple[Floats, Floats]:
     """Two whirls side by side in the box: a steady flow without friction."""
     across, upright = np.pi * x / (0.5 * WIDE), np.pi * y / TALL
     return WHIRL * np.sin(across) * np.cos(upright), -WHIRL * np.cos(across) * np.sin(upright)
-
-

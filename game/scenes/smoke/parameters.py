@@ -23,12 +23,12 @@ class SmokeParameters(Parameters):
     confinement = Param(0.0, 0.0, 1.0, group="Gas", help="of vorticity (Fedkiw, Stam and Jensen 2001)")
     method = Choice(
         "maccormack", METHODS,
-        labels=("time-centred", "MacCormack", "cubic", "linear", "Stam 1999 as printed", "Stam 2003 as printed"),
+        labels=("time-centred", "MacCormack", "cubic", "linear", "Stam 1999, printed", "Stam 2003, printed"),
         group="Method", rebuild=True, help="how the gas is carried along",
     )  # fmt: skip
     pressure = Choice("multigrid", SOLVERS, group="Method", help="how the pressure is found")
     turns = Param(10, 1, 400, whole=True, log=True, group="Method",
-                  help="V-cycles or sweeps at most; of Stam 2003 the sweeps of each system, 20 at least")  # fmt: skip
+                  help="V-cycles or sweeps at most; of Stam 2003 at least 20 sweeps")  # fmt: skip
     cells = Param(128, 16, 320, step=16, whole=True, group="Method", rebuild=True, help="across two metres")
     step_length = Param(1.0 / 60.0, 1.0 / 1000.0, 1.0 / 10.0, unit="s", log=True, group="Method",
                         label="Time step")  # fmt: skip

@@ -21,7 +21,11 @@ def readouts_of(model: SmokeModel) -> list[Readout]:
     return [
         Readout("divergence", math.sqrt(float(np.mean(left * left))), "1/s"),
         Readout("smear", 100.0 * model.smear(), "%"),
-        Readout("energy kept", 100.0 * model.energy() / model.energy_at_first if model.energy_at_first else math.nan, "%"),
+        Readout(
+            "energy kept",
+            100.0 * model.energy() / model.energy_at_first if model.energy_at_first else math.nan,
+            "%",
+        ),
         Readout("smoke", smoke, "m²"),
         Readout("smoke kept", 100.0 * smoke / at_first if at_first > 0.0 else math.nan, "%"),
         Readout("fastest", fastest, "m/s"),

@@ -57,7 +57,9 @@ class Smoke(Scene):
     equations = (
         Equation("Carried along", r"\v{u}_2(\v{x}) = \v{u}_1(\v{p}(\v{x}, - \Delta t))", "Stam 1999"),
         Equation("Pressure", r"\nabla^2 p = \frac{1}{\Delta t} \nabla \v{u}", "Chorin 1968"),
-        Equation("Time-centred", r"\v{u} - (1 - q) \Delta t \nabla p", "what is carried, with the old pressure"),
+        Equation(
+            "Time-centred", r"\v{u} - (1 - q) \Delta t \nabla p", "what is carried, with the old pressure"
+        ),
         Equation("Lift", r"g \frac{T - T_a}{T + T_a} 2", "hot gas moves what is around it"),
     )
     try_this = (

@@ -26,7 +26,8 @@ FLAME_FROM, FLAME_TO = 520.0, 1300.0  # K
 FULL = {"speed": 1.5, "vorticity": 25.0, "divergence": 0.5}  # m/s, 1/s, 1/s drawn in the last colour
 EVERY = 0.09  # m from arrow to arrow
 WORDS = {
-    "temperature": "293 K dark to 1000 K bright", "speed": "0 to 1.5 m/s", "vorticity": "−25 to 25 per second",
+    "temperature": "293 K dark to 1000 K bright", "speed": "0 to 1.5 m/s",
+    "vorticity": "−25 to 25 per second",
     "divergence": "−0.5 to 0.5 per second", "schlieren": "where the density changes",
 }  # fmt: skip
 
@@ -82,7 +83,9 @@ class SmokeView:
         light = self._veil[..., 1]
         block = max(light.shape[1] // 32, 1)
         rows, columns = light.shape[0] // block, light.shape[1] // block
-        means = light[: rows * block, : columns * block].reshape(rows, block, columns, block).mean(axis=(1, 3))
+        means = (
+            light[: rows * block, : columns * block].reshape(rows, block, columns, block).mean(axis=(1, 3))
+        )
         j, i = np.nonzero(means > 0.03)
         if len(j):
             step = WIDE / light.shape[1] * block

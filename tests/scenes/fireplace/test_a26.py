@@ -118,7 +118,9 @@ def test_a_log_more_keeps_what_the_others_have():
     stage.post(Action("log"))
     assert wood.count == len(before) + 5
     assert np.array_equal(wood.nodes.temperature[: len(before)], before)
-    assert measured(stage, "burnt") < burnt and measured(stage, "open share") == pytest.approx(share, abs=1e-9)
+    assert measured(stage, "burnt") < burnt and measured(stage, "open share") == pytest.approx(
+        share, abs=1e-9
+    )
     stage.run(5)
     stage.step_back()
     stage.post(Pointer("down", 0.1, 0.6, button=3))
