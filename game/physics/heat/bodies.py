@@ -166,8 +166,8 @@ class BurningBodies:
         """Water of so many K onto a node; both come to one temperature. ValueError."""
         if not 0 <= node < self.count or not 0.0 <= kilograms <= 1e12 or not 0.0 < kelvin <= 373.15:
             raise ValueError(
-                f"node {node!r}, kilograms = {kilograms!r}, kelvin = {kelvin!r}: expected one that is there, from 0, "
-                "and up to 373.15"
+                f"node {node!r}, kilograms = {kilograms!r}, kelvin = {kelvin!r}: expected one that is "
+                "there, from 0, and up to 373.15"
             )
         nodes = self.nodes
         own = nodes[REST, node] + self.made_of.fuel_heat * nodes[FUEL, node] + WATER_HEAT * nodes[WATER, node]

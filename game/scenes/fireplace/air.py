@@ -120,7 +120,7 @@ class Air(Part):
     def _change(self, **changes: object) -> None:
         now = self.gas.settings
         kept = {name: getattr(now, name) for name in ("effects", "turns", "ambient")}
-        self.gas.settings = GasSettings(**(kept | changes))  # type: ignore[arg-type]
+        self.gas.settings = GasSettings(**(kept | changes))
 
     def plates(self) -> list[Floats]:
         """Corners (4, 2) m of the damper's two plates."""

@@ -39,8 +39,10 @@ class FireplaceParameters(Parameters):
         help=f"cells across: {', '.join(map(str, TIERS.values()))}, or as many as you say", rebuild=True,
     )  # fmt: skip
     cells = Param(96, 16, 256, step=16, whole=True, group="Gas", rebuild=True, help="across, with Own")
-    cycles = Param(6, 3, 20, whole=True, group="Gas", label="V-cycles",
-                   help="of the pressure in a step, at most; with walls fewer let its errors grow")  # fmt: skip
+    cycles = Param(
+        6, 3, 20, whole=True, group="Gas", label="V-cycles",
+        help="of the pressure in a step, at most; with walls fewer let its errors grow",
+    )  # fmt: skip
     step_length = Param(
         1.0 / 60.0, 1.0 / 1000.0, 1.0 / 30.0, unit="s", log=True, group="Gas", label="Time step"
     )

@@ -135,7 +135,7 @@ def room_picture(dark: bool) -> RoomPicture:
     colors *= np.where(ground, 1.0 - 0.45 * shade, 1.0)[..., None]
     packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
     inks = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
-    return RoomPicture(inks, _light(x, y, ground), NIGHT[5] if dark else DAY[5])
+    return RoomPicture(inks.astype(np.uint32), _light(x, y, ground), NIGHT[5] if dark else DAY[5])
 
 
 def _lay(colors: Floats, where: NDArray[np.bool_], over: Floats) -> None:

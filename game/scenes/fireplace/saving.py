@@ -16,7 +16,8 @@ def content_of(model: FireplaceModel) -> FireplaceContent:
     """The level; where wood has burnt or was moved, each piece by itself, as thick as it is now."""
     if not model.changed:
         return model.content
-    wood, entries = model.wood, []
+    wood = model.wood
+    entries: list[WoodEntry] = []
     for row, x, y, kelvin, water in zip(
         wood.table, *wood.places().T, wood.nodes.nodes[TEMPERATURE], wood.nodes.nodes[WATER], strict=False
     ):

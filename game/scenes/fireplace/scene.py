@@ -68,7 +68,7 @@ class Fireplace(Scene):
     )
     actions = (
         SceneAction("match", "light a match", "M"),
-        SceneAction("log", "add a log", "L"),
+        SceneAction("log", "add a log", "G"),
         SceneAction("blow", "blow into the fire", "B"),
         SceneAction("flue", "open or close the flue", "F"),
     )

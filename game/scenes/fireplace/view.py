@@ -134,8 +134,8 @@ class FireplaceView:
             canvas, placed(CORE, sizes, places, turned), _lighter(inks, 0.16), np.full(len(table), 0.5), none
         )
         under = _embers(np.minimum(1.0, hot + 0.1))
-        share = np.clip(1.1 * hot, 0.0, 0.5)
-        _quads(canvas, placed(LIT_EDGE, sizes, places, turned), under, share, none)
+        lit = np.asarray(np.clip(1.1 * hot, 0.0, 0.5))
+        _quads(canvas, placed(LIT_EDGE, sizes, places, turned), under, lit, none)
         self._draw_embers(canvas, places, turned, sizes, hot)
 
     def _bark(self, left: Floats, hot: Floats, strength: float) -> Longs:

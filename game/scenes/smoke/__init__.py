@@ -10,7 +10,7 @@ SMOKE = Entry(
     category="Papers",
     module="game.scenes.smoke.scene",
     class_name="Smoke",
-    keywords="fluid gas smoke dye fire stam stable fluids semi-lagrangian projection pressure vorticity schlieren",
+    keywords="fluid gas smoke dye fire stam stable fluids semi-lagrangian pressure vorticity schlieren",
     card="draw_whirls",
 )
 ENTRIES = (SMOKE,)
