@@ -47,11 +47,12 @@ FOLDERS = {
         "effects integrators",
         "fields proximity_effects dominoes",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
-        "spheres generations oscillators acoustics spacetime deformables",
+        "spheres generations oscillators acoustics spacetime deformables heat",
         "surfaces",
         "grid",
         "multigrid",
         "gas",
+        "combustion stable_fluids",
     ),
     "billiards": (
         "table",

@@ -16,6 +16,7 @@ from game.scenes import (
     depth,
     domino,
     examples,
+    fireplace,
     fireworks,
     fountain,
     key_frames,
@@ -25,6 +26,7 @@ from game.scenes import (
     real_table,
     rigid_body,
     skeletons,
+    smoke,
     snooker,
     solids,
     spacetime,
@@ -62,9 +64,11 @@ CATALOGUE = Catalogue(
         *spacetime.ENTRIES,
         *levitation.ENTRIES,
         *cavity.ENTRIES,
+        *smoke.ENTRIES,
         *depth.ENTRIES,
         *deformables.ENTRIES,
         *domino.ENTRIES,
+        *fireplace.ENTRIES,
         *metal.ENTRIES,
     )
 )

@@ -78,7 +78,7 @@ def cubic_at(flat, width, x, y):
 @inner_kernel
 def bounds_at(flat, width, x, y):
     """Least and largest of the four values around a place."""
-    k = corner(int(math.floor(y)), int(math.floor(x)), 0, width, 1)
+    k = corner(math.floor(y), math.floor(x), 0, width, 1)
     m = k + np.uint64(width)
     a, b, c, d = flat[k], flat[k + ONE], flat[m], flat[m + ONE]
     low, other = (a if a < b else b), (c if c < d else d)

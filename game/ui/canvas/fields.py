@@ -12,6 +12,7 @@ from game.ui.canvas.base import Point, Token
 from game.ui.canvas.lights import LightCanvas
 from game.ui.look.look import Look
 from game.ui.raster.field import paint_field, shade_table
+from game.ui.raster.veil import paint_veil
 
 Stop = tuple[float, Token]
 
@@ -23,6 +24,7 @@ class FieldCanvas(LightCanvas):
         super().__init__(look)
         self._tables: dict[tuple[tuple[float, int], ...], NDArray[np.uint32]] = {}
         self._row = np.empty(0, np.float32)
+        self._veil_row = np.empty((0, 2), np.float32)
 
     def field(
         self, values: Any, corner: Point, opposite: Point, stops: Sequence[Stop], alpha: float = 1.0
@@ -33,13 +35,37 @@ class FieldCanvas(LightCanvas):
         lowest. Linear between the middles of cells.
         """
         grid = np.ascontiguousarray(values, dtype=np.float32)
-        key = tuple((place, self.ink(color)) for place, color in stops)  # a theme has colours of its own
-        table = self._tables.get(key)
-        if table is None:
-            self._tables[key] = table = shade_table([(place, self.color(color)) for place, color in stops])
+        table = self._table(stops)
         if len(self._row) < grid.shape[1]:
             self._row = np.empty(grid.shape[1], np.float32)
         left, bottom = self._place(corner)
         right, top = self._place(opposite)
         box = np.array((left, top, right, bottom))
         paint_field(self._pixels, self._clip, grid, box, table, self._row, float(alpha))
+
+    def veil(
+        self, values: Any, corner: Point, opposite: Point, smoke: Token, stops: Sequence[Stop],
+        adds: bool = True,
+    ) -> None:  # fmt: skip
+        """Smoke and light (rows, columns, 2), both 0 to 1, over what is drawn, between two corners.
+
+        The first covers with the colour ``smoke``; the second is light in the colours of ``stops``, added
+        (the first stop is black then), or laid over where ``adds`` is false, as on a light ground.
+        """
+        cells = np.ascontiguousarray(values, dtype=np.float32)
+        if len(self._veil_row) < cells.shape[1]:
+            self._veil_row = np.empty((cells.shape[1], 2), np.float32)
+        left, bottom = self._place(corner)
+        right, top = self._place(opposite)
+        box = np.array((left, top, right, bottom))
+        paint_veil(
+            self._pixels, self._clip, cells, box, self.ink(smoke), self._table(stops), self._veil_row, adds
+        )
+
+    def _table(self, stops: Sequence[Stop]) -> NDArray[np.uint32]:
+        """256 colours through stops; a theme has colours of its own."""
+        key = tuple((place, self.ink(color)) for place, color in stops)
+        table = self._tables.get(key)
+        if table is None:
+            self._tables[key] = table = shade_table([(place, self.color(color)) for place, color in stops])
+        return table

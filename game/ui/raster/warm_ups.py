@@ -21,6 +21,7 @@ from game.ui.raster.discs import (
 from game.ui.raster.glow import Bloom, add_lights, gather_glows, gather_lights, stamps_of
 from game.ui.raster.lines import BUTT, ROUND, stroke_segment, stroke_segments
 from game.ui.raster.scratch import scratch_for
+from game.ui.raster.veil import paint_veil
 from game.ui.raster.water import mirror_rows, wave_table
 
 _PIXELS = np.zeros((8, 8), np.uint32)
@@ -36,6 +37,12 @@ def _lights() -> None:
     gather_lights(bloom.light, 0.0, 0.0, _POINTS, _COLORS, shares)
     gather_glows(bloom.light, 0.0, 0.0, _POINTS, _RADII, _COLORS, shares)
     bloom.shine(_PIXELS, _CLIP, 1.0, 0.5)
+
+
+def _veil() -> None:
+    veil, row = np.zeros((2, 2, 2), np.float32), np.zeros((2, 2), np.float32)
+    box = np.array((0.0, 0.0, 8.0, 8.0))
+    paint_veil(_PIXELS, _CLIP, veil, box, 0, np.zeros(256, np.uint32), row, True)
 
 
 def _chain(kernel: Callable[..., object], *rest: object) -> object:
@@ -69,6 +76,7 @@ WARM_UPS: list[tuple[str, Callable[[], object]]] = [
     ("fill_box", lambda: fill_box(_PIXELS, _CLIP, 1.0, 1.0, 6.0, 6.0, 1.0, 0, 1.0)),
     ("stroke_box", lambda: stroke_box(_PIXELS, _CLIP, 1.0, 1.0, 6.0, 6.0, 1.0, 1.0, 0, 1.0)),
     ("lights", _lights),
+    ("paint_veil", _veil),
     ("mirror_rows", lambda: mirror_rows(_PIXELS, _CLIP, 4.0, 1.0, wave_table(), 0.0, 0, 0.5)),
     ("fill_shadow", lambda: fill_shadow(_PIXELS, _CLIP, 1.0, 1.0, 6.0, 6.0, 1.0, 2.0, 0, 1.0)),
 ]

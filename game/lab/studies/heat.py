@@ -1,0 +1,96 @@
+"""What accuracy costs for heat: a hot spot that spreads, by three schemes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.heat import HeatGrid
+
+CELLS, SIZE, SECONDS, DIFFUSIVITY = 48, 1.0, 0.04, 1.0
+STEPS = {
+    "explicit": (400, 800, 1600, 3200),
+    "crank-nicolson": (4, 8, 16, 32, 64),
+    "alternating": (4, 8, 16, 32, 64),
+}
+WAVES = ((1, 2, 100.0), (2, 1, 60.0), (3, 3, 25.0))  # across, along, K: of which the start is made
+
+
+def start_and_end() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Temperatures K at first, and exactly as the grid itself has them at the end."""
+    cell = SIZE / CELLS
+    x = (np.arange(CELLS) + 0.5) / CELLS
+    first, last = np.full((CELLS, CELLS), 300.0), np.full((CELLS, CELLS), 300.0)
+    for across, along, high in WAVES:
+        wave = high * np.cos(math.pi * across * x)[None, :] * np.cos(math.pi * along * x)[:, None]
+        slow = sum(2.0 - 2.0 * math.cos(math.pi * number / CELLS) for number in (across, along))
+        first += wave
+        last += wave * math.exp(-DIFFUSIVITY * slow / cell**2 * SECONDS)
+    return first, last
+
+
+class HeatTrial:
+    """The plate with so many steps."""
+
+    simulated_s = SECONDS
+
+    def __init__(self, setting: Setting):
+        self.setting = setting
+        self.first, self.last = start_and_end()
+
+    def reset(self) -> None:
+        """A plate as at first."""
+        self.grid = HeatGrid(self.first, SIZE / CELLS, DIFFUSIVITY, 1.0, scheme=self.setting.method)
+        self.grid.fresh = 0  # nothing jumps here
+
+    def run(self) -> None:
+        """All steps."""
+        for _ in range(int(self.setting.knob)):
+            self.grid.step(SECONDS / int(self.setting.knob))
+
+    def outcome(self) -> Outcome:
+        """The root of the mean square of what the temperatures are off."""
+        off = self.grid.temperature - self.last
+        return Outcome(float(np.sqrt(np.mean(off * off))), int(self.setting.knob))
+
+
+def _settings() -> list[Setting]:
+    return [
+        Setting(scheme, float(steps), {}, {}, float(steps))
+        for scheme, counts in STEPS.items()
+        for steps in counts
+    ]
+
+
+def _present(_parameters: Mapping[str, Any]) -> Setting:
+    """The fire's own steps are those of what moves; its threads take the explicit scheme in short
+    substeps.
+    """
+    return Setting("explicit", float(STEPS["explicit"][0]), {})
+
+
+conduction_study = Study(
+    name="conduction",
+    title="Heat that spreads in a plate",
+    error="temperature after 0.04 s",
+    error_unit="K",
+    counter="steps",
+    knob=Knob("steps", "steps"),
+    methods=(
+        Method("explicit", "explicit Euler", 1.0),
+        Method("crank-nicolson", "Crank and Nicolson", 2.0),
+        Method("alternating", "Peaceman and Rachford", 2.0),
+    ),
+    settings=_settings,
+    trial=HeatTrial,
+    reference="Three waves of the grid, each with its exact rate.",
+    expectation="The explicit scheme needs 370 steps to be stable at all; the implicit ones are of second "
+    "order from the first step on.",
+    present=_present,
+    workload=Workload("48 by 48 cells, insulated"),
+)

@@ -1,0 +1,326 @@
+"""The gas about the fire: hood and flue, what burns in it, what wood and match give it."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.combustion import Flames, GasFuel
+from game.physics.combustion.burning import lift_cells
+from game.physics.effects import EffectSet
+from game.physics.gas import Gas, GasSettings, GasState
+from game.physics.gas.effects import BUOYANCY, EXPANSION
+from game.physics.grid import Border, Borders, Grid
+from game.physics.solids import Material, Polygon, SolidWorld
+from game.physics.surfaces import SolidSurface
+from game.scenes.fireplace.tables import (
+    DAMPER_AT,
+    HALF,
+    HOOD_FOOT,
+    HOOD_IN,
+    HOOD_OUT,
+    ROOM,
+    TALL,
+    THROAT,
+    WALL,
+)
+from game.stage import Part
+
+Floats = NDArray[np.float64]
+FIELDS = ("temperature", "fuel", "oxygen", "soot")
+FRESH = 0.27  # kg/m³ of oxygen
+GRAVITY_NOW = 9.81  # m/s²
+SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
+VAPOUR = {
+    "ignition": 580.0, "rate": 30.0, "oxygen": 1.3, "heat": 1.6e7, "capacity": 1212.0, "soot": 0.05,
+    "soot_rate": 2.0, "glow": 8e-12, "soot_glow": 3.2e-7, "ambient": ROOM,
+}  # fmt: skip
+HEAD = 0.026  # m about the head of a match that its flame fills
+MATCH_HOT = 1500.0  # K at most, of its flame
+THICK_SOOT = 4.0e-3  # kg/m³ in a cell of the picture that is all black
+FLAME_FROM, FLAME_TO = 520.0, 1150.0  # K between which gas begins to glow and is brightest
+SHINING = 2.0e-4  # kg/m³ of soot with which a flame is seen in full
+COLDEST = 250.0  # K to which wood can cool gas
+QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
+SIDES = 0.62  # m beside the middle: beyond, a draught takes the air along
+EDGE = 2  # cells within the box at which the picture of the gas fades
+
+
+class AirState(NamedTuple):
+    """gas; books (6,) of what burnt; flows (2,) J/m: from the match (less what water took), through the
+    sides.
+    """
+
+    gas: GasState
+    books: Floats
+    flows: Floats
+
+
+class Air(Part):
+    """cells: across. power: W/m of flames in the last step."""
+
+    def __init__(
+        self, cells: int, cycles: int, damper: float, sealed: bool, active: EffectSet, gas_effects: EffectSet
+    ):  # fmt: skip
+        self.cell = 2.0 * HALF / cells
+        tall = round(TALL / self.cell)
+        kind = "wall" if sealed else "open"
+        borders = Borders(Border(kind), Border(kind), Border("wall"), Border(kind))
+        self.gas = Gas(
+            Grid(cells, tall, self.cell, (-HALF, 0.0)), borders,
+            GasSettings(effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=ROOM),
+            FIELDS, {"oxygen": FRESH},
+        )  # fmt: skip
+        self.flames = Flames(range(4), self.cell, GasFuel(**VAPOUR, effects=active))
+        self.flows: Floats = np.zeros(2)
+        self.lifts, self.wind, self.damper = BUOYANCY in gas_effects, 0.0, -1.0
+        self._shell = SolidWorld()
+        stone = Material(density=2000.0)
+        for side in (-1.0, 1.0):
+            out = [
+                (side * HOOD_OUT, HOOD_FOOT), (side * (HOOD_OUT + WALL), HOOD_FOOT),
+                (side * (HOOD_IN + WALL), THROAT), (side * (HOOD_IN + WALL), TALL + 0.2),
+                (side * HOOD_IN, TALL + 0.2), (side * HOOD_IN, THROAT),
+            ]  # fmt: skip
+            self._shell.add_body(Polygon(out, 0.0, stone), kind="fixed")
+        self._plates = [
+            self._shell.add_body(Polygon(_plate(side, 0.5), 0.0, stone), kind="fixed") for side in (-1.0, 1.0)
+        ]
+        x, _ = self.gas.grid.centres()
+        self._rise = np.zeros(self.gas.grid.shape)  # K that wood and match have warmed cells by in this step
+        self._outside = np.abs(x) > SIDES
+        self._veil = np.zeros((*self.gas.grid.shape, 2), np.float32)
+        self._edge = _edge_of(self.gas.grid.shape)
+        self.set_damper(damper)
+
+    # -- what it is made of -----------------------------------------------------------------------------
+
+    def set_damper(self, share: float) -> None:
+        """Open so much of the flue, 0 to 1."""
+        if share == self.damper:
+            return
+        self.damper = share
+        for side, body in zip((-1.0, 1.0), self._plates, strict=True):
+            self._shell.set_pose(body, (side * _plate_middle(share), DAMPER_AT), 0.0)
+        self.gas.set_solids(SolidSurface(self._shell))
+
+    def set_cycles(self, cycles: int) -> None:
+        """So many V-cycles in a step."""
+        self._change(turns=cycles)
+
+    def set_effects(self, active: EffectSet, gas_effects: EffectSet) -> None:
+        """Compute these from now on."""
+        self.flames.made_of = GasFuel(**VAPOUR, effects=active)
+        self.lifts = BUOYANCY in gas_effects
+        self._change(effects=gas_effects.without(BUOYANCY))
+
+    def _change(self, **changes: object) -> None:
+        now = self.gas.settings
+        kept = {name: getattr(now, name) for name in ("effects", "turns", "ambient")}
+        self.gas.settings = GasSettings(**(kept | changes))
+
+    def plates(self) -> list[Floats]:
+        """Corners (4, 2) m of the damper's two plates."""
+        return [np.array(_plate(side, self.damper)) for side in (-1.0, 1.0)]
+
+    # -- what comes in ------------------------------------------------------------------------------------
+
+    def _cells_at(self, points: Floats) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Rows and columns of the cells at points (..., 2) m."""
+        ny, nx = self.gas.grid.shape
+        i = np.clip(((points[..., 0] + HALF) / self.cell).astype(np.int64), 0, nx - 1)
+        j = np.clip((points[..., 1] / self.cell).astype(np.int64), 0, ny - 1)
+        return j, i
+
+    def around(self, points: Floats) -> tuple[Floats, Floats, Floats]:
+        """K (of the three hottest), share of fresh air and m/s of the gas, means over points (n, k, 2) m."""
+        j, i = self._cells_at(points)
+        cells = self.gas.scalars[j, i]
+        along = 0.5 * (self.gas.u[j, i] + self.gas.u[j, i + 1])
+        upward = 0.5 * (self.gas.v[j, i] + self.gas.v[j + 1, i])
+        speed = np.sqrt(along * along + upward * upward)
+        hottest = np.sort(cells[..., 0], axis=1)[:, -3:]
+        return (
+            np.mean(hottest, axis=1), np.clip(np.mean(cells[..., 2], axis=1) / FRESH, 0.0, 1.0),
+            np.mean(speed, axis=1),
+        )  # fmt: skip
+
+    def wind_at(self, points: Floats) -> Floats:
+        """Velocity (n, 2) m/s at points (n, 2) m."""
+        j, i = self._cells_at(points)
+        along = 0.5 * (self.gas.u[j, i] + self.gas.u[j, i + 1])
+        return np.stack([along, 0.5 * (self.gas.v[j, i] + self.gas.v[j + 1, i])], axis=1)
+
+    def take(self, points: Floats, joule: Floats, vapour: Floats) -> None:
+        """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, in equal parts."""
+        j, i = self._cells_at(points)
+        volume, share = self.cell**2, 1.0 / points.shape[1]
+        warmth = np.repeat(joule[:, None] * share / (VAPOUR["capacity"] * volume), points.shape[1], axis=1)
+        np.add.at(self._rise, (j, i), warmth)
+        np.add.at(
+            self.gas.scalars[..., 1], (j, i),
+            np.repeat(vapour[:, None] * share / volume, points.shape[1], axis=1),
+        )  # fmt: skip
+
+    def heat_match(self, head: tuple[float, float], power: float, dt: float) -> None:
+        """The flame of a match of so many W/m at its head."""
+        x, y = self.gas.grid.centres()
+        near = (x - head[0]) ** 2 + (y - head[1] - 0.012) ** 2 < HEAD**2
+        count = int(np.count_nonzero(near))
+        if not count:
+            return
+        t = self.gas.scalars[..., 0]
+        rise = np.minimum(
+            power * dt / (VAPOUR["capacity"] * self.cell**2 * count), np.maximum(MATCH_HOT - t, 0.0)
+        )
+        self._rise[near] += rise[near]
+        self.flows[0] += float(np.sum(rise[near])) * VAPOUR["capacity"] * self.cell**2
+
+    def pour(self, place: tuple[float, float], reach: float) -> None:
+        """Steam where water falls on a fire: it takes heat (J/m) of the gas around, and drives the air
+        out.
+        """
+        x, y = self.gas.grid.centres()
+        near = (x - place[0]) ** 2 + (y - place[1]) ** 2 < reach**2
+        t = self.gas.scalars[..., 0]
+        cooler = np.where(near, 373.15 + 0.3 * (t - 373.15), t)
+        taken = np.where(near & (t > 373.15), t - cooler, 0.0)
+        t -= taken
+        self.gas.scalars[..., 2][near] *= 0.4
+        self.flows[0] -= float(np.sum(taken)) * VAPOUR["capacity"] * self.cell**2
+
+    def blow(self, place: tuple[float, float], way: tuple[float, float], reach: float = 0.09) -> None:
+        """Push the gas about a place (m) by a way (m/s)."""
+        for field, (x, y), part in (
+            (self.gas.u, self.gas.grid.u_places(), way[0]), (self.gas.v, self.gas.grid.v_places(), way[1]),
+        ):  # fmt: skip
+            away = ((x - place[0]) ** 2 + (y - place[1]) ** 2) / reach**2
+            field += part * np.clip(1.0 - away, 0.0, None) ** 2
+        self.gas.jolt()
+
+    # -- a step -------------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        """Burn, and flow."""
+        gas, t = self.gas, self.gas.scalars[..., 0]
+        np.maximum(self._rise, COLDEST - t, out=self._rise)
+        if EXPANSION in self.flames.made_of.effects:
+            np.divide(self._rise, t * dt, out=gas.expansion)
+        else:
+            gas.expansion[:] = 0.0
+        t += self._rise
+        self._rise[:] = 0.0
+        self.flames.step(gas.scalars, dt, gas.expansion)
+        np.clip(gas.expansion, -QUICKEST, QUICKEST, out=gas.expansion)
+        gas.force[:] = 0.0
+        if self.lifts:
+            lift_cells(gas.scalars, 0, ROOM, GRAVITY_NOW, gas.force)
+        along = self._along()
+        gas.force[..., 0] -= SLOWS * along
+        gas.force[..., 1] -= 0.5 * SLOWS * (gas.v[1:] + gas.v[:-1])
+        if self.wind != 0.0:
+            gas.force[self._outside, 0] += 3.0 * (self.wind - along[self._outside])
+        gas.step(dt)
+        self.flows[1] += self._through_sides() * dt
+
+    def _through_sides(self) -> float:
+        """W/m that leave the box."""
+        warm = self._heats() * self.cell
+        u, v = self.gas.u, self.gas.v
+        sums = (warm[:, -1] * u[:, -1], -warm[:, 0] * u[:, 0], warm[-1] * v[-1], -warm[0] * v[0])
+        return math.fsum(float(np.sum(part)) for part in sums)
+
+    @property
+    def of_match(self) -> float:
+        """J/m that a match gave, less what water took."""
+        return float(self.flows[0])
+
+    @property
+    def gone(self) -> float:
+        """J/m that left the box with the gas."""
+        return float(self.flows[1])
+
+    def _along(self) -> Floats:
+        return np.asarray(0.5 * (self.gas.u[:, 1:] + self.gas.u[:, :-1]))
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    @property
+    def temperature(self) -> Floats:
+        """(ny, nx) K."""
+        return self.gas.field("temperature")
+
+    def speeds(self) -> Floats:
+        """(ny, nx) m/s."""
+        upward = 0.5 * (self.gas.v[1:] + self.gas.v[:-1])
+        along = self._along()
+        return np.asarray(np.sqrt(along * along + upward * upward))
+
+    def fresh(self) -> Floats:
+        """(ny, nx) share of the oxygen of fresh air."""
+        return np.asarray(self.gas.field("oxygen") / FRESH)
+
+    def veil(self) -> NDArray[np.float32]:
+        """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
+        cells, veil = self.gas.scalars, self._veil
+        soot = np.maximum(cells[..., 3], 0.0)
+        warm = np.clip((cells[..., 0] - FLAME_FROM) / (FLAME_TO - FLAME_FROM), 0.0, 1.0)
+        veil[..., 1] = warm * (0.3 + 0.7 * np.minimum(soot / SHINING, 1.0)) * self._edge
+        veil[..., 0] = np.minimum(soot / THICK_SOOT, 0.85) * (1.0 - np.minimum(2.0 * warm, 1.0)) * self._edge
+        return veil
+
+    def flame_height(self) -> float:
+        """m, of the highest gas that is seen to burn."""
+        rows = np.flatnonzero(np.max(self.temperature, axis=1) > 950.0)
+        return float(rows[-1] + 1) * self.cell if len(rows) else 0.0
+
+    def rise(self) -> float:
+        """m/s upwards above the fire, by which it is seen to puff."""
+        j, i = self.gas.grid.cell_at(0.0, 0.6)
+        return float(self.gas.v[j, i])
+
+    def _heats(self) -> Floats:
+        """(ny, nx) J/m³ above that of the room. Gas that has been warmed by C dT and has expanded by dT / T
+        holds C (T² - Ta²) / 2 T of it, as d(h T) = C T dT; in a box where nothing expands it is C (T - Ta).
+        """
+        t = self.gas.scalars[..., 0]
+        share = 0.5 * (t + ROOM) / t if EXPANSION in self.flames.made_of.effects else 1.0
+        return np.asarray(VAPOUR["capacity"] * (t - ROOM) * share)
+
+    def heat(self) -> float:
+        """J/m in the gas above that of the room."""
+        return float(np.sum(self._heats())) * self.cell**2
+
+    def state(self) -> AirState:
+        """All that later steps depend on."""
+        return AirState(self.gas.state(), self.flames.books, self.flows)
+
+    def restore(self, state: AirState) -> None:
+        """Take over a copy of a state."""
+        self.gas.restore(state.gas)
+        self.flames.books[:], self.flows[:] = state.books, state.flows
+
+
+def _plate_middle(share: float) -> float:
+    """m beside the middle of the flue: of a plate that is as long as half of it and slides into the wall."""
+    return HOOD_IN * (0.5 + share)
+
+
+def _plate(side: float, share: float) -> list[tuple[float, float]]:
+    """Corners of a plate of the damper."""
+    middle, half, thick = side * _plate_middle(share), 0.5 * HOOD_IN, 0.017
+    return [
+        (middle - half, DAMPER_AT - thick), (middle + half, DAMPER_AT - thick),
+        (middle + half, DAMPER_AT + thick), (middle - half, DAMPER_AT + thick),
+    ]  # fmt: skip
+
+
+def _edge_of(shape: tuple[int, int]) -> Floats:
+    """1 within, falling to 0 at the sides of the box, so that the picture has no edge there."""
+    ny, nx = shape
+    across = np.minimum(np.arange(nx), np.arange(nx)[::-1])
+    wide = np.clip(across / (0.12 * nx), 0.0, 1.0)
+    return np.asarray(np.broadcast_to(wide, (ny, nx)))

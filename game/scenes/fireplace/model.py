@@ -1,0 +1,328 @@
+"""The fireplace: wood, gas and match together, stepped in one order; what is measured of them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.combustion.effects import COMBUSTION
+from game.physics.effects import EffectSet
+from game.physics.gas.effects import GAS
+from game.physics.heat import STEFAN_BOLTZMANN, cooled
+from game.physics.heat.effects import HEAT
+from game.physics.heat.nodes import AMBIENT, AREA, FUEL, OF_FUEL, RADIATED, STEAM, WATER, WATER_HEAT
+from game.physics.solids.effects import SOLIDS
+from game.scenes.fireplace.air import Air, AirState
+from game.scenes.fireplace.level import FireplaceContent, WoodEntry
+from game.scenes.fireplace.match import Match
+from game.scenes.fireplace.parameters import FireplaceParameters
+from game.scenes.fireplace.sparks import Sparks, X, Y
+from game.scenes.fireplace.tables import (
+    BODY,
+    HALF_LENGTH,
+    HALF_THICK,
+    HEARD_TIME,
+    HEARD_WIDTH,
+    ROOM,
+    SCALE,
+    WHOLE,
+)
+from game.scenes.fireplace.wood import SPENT, Wood, WoodState
+from game.stage import Part
+
+Floats = NDArray[np.float64]
+GIVES = np.array([(-0.8, 1.0), (0.0, 1.0), (0.8, 1.0), (-0.8, -1.0), (0.0, -1.0), (0.8, -1.0)])
+SEES_FLAMES = 0.3  # most of what a piece sees that flames are
+BRIGHT = 6.0e4  # W/m of flames at which it is so
+FAR = 0.35  # m from the middle of the fire at which it is half of that
+BEAT_S, LEAST_BEATS = 5.0, 4  # s over which the puffs are counted, and how many it takes
+EMBER_FROM = 520.0  # K: hotter, a burnt out piece is an ember
+HEARD_S = 0.25
+LOG = WoodEntry(at=(0.0, 0.0), length=0.44, thick=0.085, pieces=5)
+POUR_REACH = 0.14  # m
+TOUCH, TOUCH_HOT = 0.065, 1300.0  # m, K: of the flame of a match
+GRIP, QUICKEST = 0.12, 2.0  # m, m/s of a hand
+
+
+class FireplaceState(NamedTuple):
+    """wood, air; sparks (MOST, 6); heard (k, HEARD_WIDTH), see `tables`; ember (4,): see `FireplaceModel`."""
+
+    wood: WoodState
+    air: AirState
+    sparks: Floats
+    heard: Floats
+    ember: Floats
+
+
+class FireplaceModel(Part):
+    """time s; shine: W/m of flames, as the eye sees it; crossings: s at which the fire began to puff.
+
+    ember (4,): number of the piece that is followed (-1: none), K as the law of T⁴ has it, K and s when it
+    had burnt out. changed: by a hand or by fire, so that it is no longer as the level says.
+    """
+
+    def __init__(
+        self, content: FireplaceContent, parameters: FireplaceParameters, active: EffectSet, seed: int
+    ):
+        self.content, self.parameters, self.active = content, parameters, active
+        self.time, self.shine, self.most_power, self.most_height = 0.0, 0.0, 0.0, 0.0
+        self.crossings: list[float] = []
+        self.rising, self.mean_rise, self.last_beat = False, 0.0, 0.0
+        self.changed, self.given_up = False, 0.0
+        self.held, self.target = -1, (0.0, 0.0)
+        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
+        self.ember: Floats = np.array([-1.0, 0.0, 0.0, 0.0])
+        self.wood = Wood(
+            content, parameters.haste, parameters.moisture, active & HEAT.known, active & SOLIDS.known
+        )
+        self.air = Air(
+            parameters.cells_now(), int(parameters.cycles), min(parameters.damper, content.damper),
+            content.sealed,
+            active & COMBUSTION.known, active & GAS.known,
+        )  # fmt: skip
+        self.air.wind = parameters.wind
+        self.match = Match(self.wood.world)
+        self.sparks = Sparks(seed)
+        self.fuel_at_first = math.fsum(self.wood.nodes.fuel.tolist())
+        self.heat_at_first = self.wood.nodes.heat()
+
+    # -- changes ------------------------------------------------------------------------------------------
+
+    def change_parameter(self, name: str) -> None:
+        """Take over a parameter's new value."""
+        chosen = self.parameters
+        if name == "damper":
+            self.air.set_damper(chosen.damper)
+        elif name == "wind":
+            self.air.wind = chosen.wind
+        elif name == "haste":
+            self.wood.change_haste(chosen.haste)
+        elif name == "cycles":
+            self.air.set_cycles(int(chosen.cycles))
+
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on."""
+        self.active = active
+        self.wood.change_effects(active & HEAT.known, active & SOLIDS.known)
+        self.air.set_effects(active & COMBUSTION.known, active & GAS.known)
+
+    def add_log(self, point: tuple[float, float]) -> bool:
+        """A log falls from a point (m); False if there is no room."""
+        self.changed = True
+        x = min(max(point[0], -0.3), 0.3)
+        before_heat, before_fuel = self.wood.nodes.heat(), math.fsum(self.wood.nodes.fuel.tolist())
+        turn = 24.0 * math.sin(37.0 * x + self.time)
+        entry = WoodEntry(at=(x, max(point[1], 0.3)), turn=turn, length=LOG.length, thick=LOG.thick, pieces=5)
+        if not self.wood.add(entry):
+            return False
+        self.heat_at_first += self.wood.nodes.heat() - before_heat
+        self.fuel_at_first += math.fsum(self.wood.nodes.fuel.tolist()) - before_fuel
+        return True
+
+    def blow(self, point: tuple[float, float], way: tuple[float, float]) -> None:
+        """A gust along the way (m) of the hand."""
+        self.air.blow(point, (min(max(14.0 * way[0], -3.0), 3.0), min(max(14.0 * way[1], -3.0), 3.0)))
+
+    def pour(self, point: tuple[float, float]) -> None:
+        """Water on what is near."""
+        self.changed = True
+        nodes, away = self.wood.nodes, self.wood.places() - point
+        near = np.flatnonzero(away[:, 0] ** 2 + away[:, 1] ** 2 < POUR_REACH**2)
+        for piece in near.tolist():
+            most = 0.4 * float(self.wood.table[piece, WHOLE])
+            self.heat_at_first += most * WATER_HEAT * ROOM
+            nodes.wet(piece, most)
+        self.air.pour(point, POUR_REACH)
+
+    def hold(self, point: tuple[float, float]) -> None:
+        """Grip the piece of wood at a point, if there is one."""
+        places = self.wood.places()
+        if not len(places):
+            return
+        away = places - point
+        nearest = int(np.argmin(away[:, 0] ** 2 + away[:, 1] ** 2))
+        if math.hypot(*away[nearest].tolist()) <= GRIP:
+            self.changed = True
+            self.held, self.target = nearest, point
+
+    def lead(self, point: tuple[float, float]) -> None:
+        """Where what is gripped is to go."""
+        self.target = point
+
+    def let_go(self) -> None:
+        """Grip nothing."""
+        self.held = -1
+
+    def _pull(self) -> None:
+        """What is gripped goes to where the hand is, no faster than a hand."""
+        if not 0 <= self.held < self.wood.count:
+            return
+        world, body = self.wood.world, int(self.wood.table[self.held, BODY])
+        way = np.array(self.target) - world.bodies.positions[body]
+        fast = 8.0 * math.hypot(*way.tolist())
+        world.set_velocity(
+            body, 8.0 * way * min(1.0, QUICKEST / max(fast, 1e-9)), 0.5 * float(world.bodies.spins[body])
+        )
+
+    # -- a step -------------------------------------------------------------------------------------------
+
+    def _surfaces(self) -> Floats:
+        """(n, 6, 2) m: points just above and below each piece."""
+        table = self.wood.table
+        bodies = table[:, BODY].astype(np.int64)
+        rows = self.wood.world.bodies
+        turned = rows.rotations[bodies]
+        half = np.stack(
+            [table[:, HALF_LENGTH], table[:, HALF_THICK] * table[:, SCALE] + 0.6 * self.air.cell], 1
+        )
+        own = GIVES[None] * half[:, None]
+        c, s = turned[:, 0, None], turned[:, 1, None]
+        x, y = own[..., 0], own[..., 1]
+        return np.stack([c * x - s * y, s * x + c * y], axis=2) + rows.positions[bodies][:, None]
+
+    def advance(self, dt: float) -> None:
+        """Match, wood, then gas."""
+        self.match.lead(self.time, dt)
+        self._pull()
+        head = self.match.place(self.time)
+        if head is not None and self.match.lit(self.time):
+            self.air.heat_match(head[0], self.match.power(self.time), dt)
+        if self.wood.count:
+            self._burn_wood(dt)
+        else:
+            self.wood.world.step(dt)
+        self.air.advance(dt)
+        self.time += dt
+        self._see(dt)
+
+    def _burn_wood(self, dt: float) -> None:
+        wood, points = self.wood, self._surfaces()
+        gas, oxygen, speed = self.air.around(points)
+        head = self.match.place(self.time)
+        if head is not None and self.match.lit(self.time):  # its flame is smaller than a cell
+            away = wood.places() - head[0]
+            touched = away[:, 0] ** 2 + away[:, 1] ** 2 < TOUCH**2
+            gas[touched], speed[touched] = np.maximum(gas[touched], TOUCH_HOT), 4.0
+        places = wood.places()
+        away = places[:, 0] ** 2 + (places[:, 1] - 0.2) ** 2
+        strong = SEES_FLAMES * min(1.0, max(self.shine, 0.0) / BRIGHT)
+        wood.meet(gas, oxygen, speed, strong / (1.0 + away / FAR**2))
+        torn = int(wood.nodes.torn.sum())
+        wood.advance(dt)
+        joule, vapour, _ = wood.nodes.take_given()
+        self.air.take(points, joule[: wood.count], vapour[: wood.count])
+        self._spend()
+        broken = int(wood.nodes.torn.sum()) - torn
+        if broken or wood.nodes.burning().any():
+            self.changed = True
+        self._crackle(broken, dt)
+
+    def _spend(self) -> None:
+        """What is nearly all ash burns no more."""
+        wood = self.wood
+        fuel = wood.nodes.nodes[FUEL, : wood.count]
+        spent = (fuel > 0.0) & (fuel < SPENT * wood.table[:, WHOLE])
+        if not spent.any():
+            return
+        laws, hot = wood.made_of, wood.nodes.temperature
+        for piece in np.flatnonzero(spent).tolist():
+            self.given_up += float(fuel[piece])
+            wood.nodes.nodes[1, piece] += laws.fuel_heat * float(fuel[piece])  # its warmth stays, as ash
+            fuel[piece] = 0.0
+            if self.ember[0] < 0.0 and hot[piece] > EMBER_FROM and wood.is_log()[piece]:
+                self.ember[:] = piece, hot[piece], hot[piece], self.time
+
+    def _crackle(self, broken: int, dt: float) -> None:
+        """Sparks and sounds, by chance: the more burns, the more."""
+        wood, chance = self.wood, self.sparks.chance
+        burning = np.flatnonzero(wood.nodes.burning()[: wood.count])
+        often = min(0.6 * len(burning) * dt, 0.5)
+        pops = int(chance.random() < often) if len(burning) else 0
+        for number in range(pops + 2 * broken):
+            if not len(burning):
+                break
+            piece = int(burning[int(chance.integers(len(burning)))])
+            x, y = wood.places()[piece].tolist()
+            self.sparks.burst((x, y), 2 if number < pops else 10, 0.8 if number < pops else 1.2)
+            sound = [[self.time, 1.0 if number < pops else 2.0, 0.4 + 0.6 * float(chance.random()), x]]
+            self.heard = np.concatenate([self.heard, np.array(sound)])[-24:]
+        self.sparks.step(self.air.wind_at(self.sparks.table[:, X : Y + 1]), dt)
+
+    def _see(self, dt: float) -> None:
+        """What is measured from step to step."""
+        power = self.power()
+        self.shine += (power - self.shine) * min(1.0, dt / 0.12)
+        self.most_power = max(self.most_power, self.shine)
+        self.most_height = max(self.most_height, self.flame_height())
+        rise = self.air.rise()
+        self.mean_rise += (rise - self.mean_rise) * min(1.0, dt / 1.5)
+        if self.rising and rise < self.mean_rise - 0.06:
+            self.rising = False
+        elif not self.rising and rise > self.mean_rise + 0.06:
+            self.rising = True
+            self.crossings = [at for at in self.crossings if at > self.time - BEAT_S] + [self.time]
+            if len(self.crossings) >= LEAST_BEATS:
+                self.last_beat = (len(self.crossings) - 1) / (self.crossings[-1] - self.crossings[0])
+        if len(self.heard):
+            self.heard = self.heard[self.heard[:, HEARD_TIME] > self.time - HEARD_S]
+        piece = int(self.ember[0])
+        if piece >= 0:
+            nodes = self.wood.nodes
+            capacity = float(nodes.nodes[1, piece] + WATER_HEAT * nodes.nodes[WATER, piece])
+            rate = (
+                self.wood.made_of.emissivity * STEFAN_BOLTZMANN * float(nodes.nodes[AREA, piece]) / capacity
+            )
+            self.ember[1] = cooled(float(self.ember[1]), float(nodes.nodes[AMBIENT, piece]), rate, dt)
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    def power(self) -> float:
+        """W/m of the flames."""
+        return self.air.flames.power
+
+    def flame_height(self) -> float:
+        """m."""
+        return self.air.flame_height()
+
+    def embers_shine(self) -> float:
+        """0 to 1: how much light what glows gives."""
+        hot = self.wood.nodes.temperature[: self.wood.count]
+        return (
+            float(np.clip(np.sum(np.clip((hot - 750.0) / 500.0, 0.0, 1.0) ** 2) / 8.0, 0.0, 1.0))
+            if len(hot)
+            else 0.0
+        )
+
+    def beat(self) -> float:
+        """Hz at which the fire puffs, or did when it last puffed for some time; nan before that."""
+        return self.last_beat if self.last_beat > 0.0 else math.nan
+
+    def books(self) -> dict[str, float]:
+        """J/m: made by burning and the match; radiated, gone with steam and through the sides, in gas and
+        wood; and what is missing of it ("open"): what the gas's way of carrying heat has lost or made.
+        """
+        flames, wood, air = self.air.flames.books_now(), self.wood.nodes, self.air
+        made = flames.released + float(wood.totals[OF_FUEL]) + air.of_match
+        found = {
+            "radiated": flames.radiated + float(wood.totals[RADIATED]), "steam": float(wood.totals[STEAM]),
+            "flue": air.gone, "gas": air.heat(), "wood": wood.heat() - self.heat_at_first,
+        }  # fmt: skip
+        return {"made": made, **found, "open": made - sum(found.values())}
+
+    def burnt_share(self) -> float:
+        """Of the wood, by its fuel."""
+        left = math.fsum(self.wood.nodes.fuel.tolist()) + self.given_up
+        return 1.0 - left / self.fuel_at_first if self.fuel_at_first > 0.0 else 0.0
+
+    def state(self) -> FireplaceState:
+        """All that later steps depend on."""
+        return FireplaceState(self.wood.state(), self.air.state(), self.sparks.table, self.heard, self.ember)
+
+    def restore(self, state: Any) -> None:
+        """Take over a copy of a state."""
+        self.wood.restore(state.wood)
+        self.air.restore(state.air)
+        self.sparks.table[:], self.heard, self.ember[:] = state.sparks, state.heard.copy(), state.ember

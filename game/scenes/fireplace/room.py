@@ -1,0 +1,185 @@
+"""The room behind the fire: wall, hearth, hood and flue in a cut, a floor of boards; lit by what burns."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.kernels.lean import lean_kernel
+from game.scenes.fireplace.tables import HOOD_FOOT, HOOD_IN, HOOD_OUT, THROAT, WALL
+from game.ui.canvas.canvas import Canvas
+
+Floats = NDArray[Any]  # of single precision, for pictures
+Inks = NDArray[np.uint32]
+CELL = 1.0 / 200.0  # m of the room to a cell of its picture
+LEFT, BOTTOM, RIGHT, TOP = -2.6, -0.75, 2.6, 2.3  # m that are painted
+SLAB, SLAB_HALF = 0.1, 0.98  # m: how thick the hearth is, and half as wide
+FLOOR = -0.1  # m, where the floor begins
+BRICK, COURSE, MORTAR = 0.19, 0.066, 0.007  # m
+MIDDLE = (0.0, 0.3)  # m, of the light of a fire
+# night, day: plaster, brick, mortar, stone, boards; light of the room itself (256: all)
+NIGHT = (0x6A5A4C, 0x7A4430, 0x2E2520, 0x6A6259, 0x6A4630, 92)
+DAY = (0xE9DFCB, 0xA8624A, 0xB9A894, 0xA8A198, 0x9A6B44, 232)
+WARM = (400, 240, 120)  # red, green, blue of firelight where it is strongest, at full strength
+
+
+class RoomPicture(NamedTuple):
+    """colors (h, w) 0xFFRRGGBB; lit (h, w) 0 to 255: how much firelight comes there; own: light of the
+    room.
+    """
+
+    colors: Inks
+    lit: NDArray[np.uint8]
+    own: int
+
+
+@lean_kernel
+def paint_room(pixels, clip, colors, lit, rows, columns, own, warm):
+    """Lay cell (rows[y], columns[x]) at each pixel, times own + warm (3,) lit / 256 (256: as it is)."""
+    left, top = clip[0], clip[1]
+    red_warm, green_warm, blue_warm = warm[0], warm[1], warm[2]
+    for y in range(rows.shape[0]):
+        row = rows[y]
+        for x in range(columns.shape[0]):
+            column = columns[x]
+            ink = np.int64(colors[row, column])
+            near = np.int64(lit[row, column])
+            red = min((ink >> 16 & 255) * (own + (red_warm * near >> 8)) >> 8, 255)
+            green = min((ink >> 8 & 255) * (own + (green_warm * near >> 8)) >> 8, 255)
+            blue = min((ink & 255) * (own + (blue_warm * near >> 8)) >> 8, 255)
+            pixels[top + y, left + x] = np.uint32(0xFF000000 | red << 16 | green << 8 | blue)
+
+
+class Room:
+    """Paints the room behind all else."""
+
+    def draw(self, canvas: Canvas, dark: bool, strength: float) -> None:
+        """strength: of the firelight, 0 to 1."""
+        picture = room_picture(dark)
+        pixels, clip = canvas.raster_target
+        width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
+        if width <= 0 or height <= 0:
+            return
+        (cx, cy), scale = canvas.camera.center, canvas.pixels_per_unit
+        mid_x, mid_y = canvas.place((cx, cy))
+        x = cx + (np.arange(width) + 0.5 + int(clip[0]) - mid_x) / scale
+        y = cy - (np.arange(height) + 0.5 + int(clip[1]) - mid_y) / scale
+        tall, wide = picture.colors.shape
+        columns = np.clip(((x - LEFT) / CELL).astype(np.int64), 0, wide - 1)
+        rows = np.clip(((TOP - y) / CELL).astype(np.int64), 0, tall - 1)
+        warm = np.array([int(part * strength) for part in WARM], dtype=np.int64)
+        paint_room(pixels, clip, picture.colors, picture.lit, rows, columns, picture.own, warm)
+
+
+def warm_up_room() -> None:
+    """Compile what paints, on a tiny picture."""
+    paint_room(
+        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((2, 2), np.uint32),
+        np.zeros((2, 2), np.uint8), np.zeros(4, np.int64), np.zeros(4, np.int64), 256, np.zeros(3, np.int64),
+    )  # fmt: skip
+
+
+def _parts(ink: int) -> Floats:
+    return np.array([ink >> 16 & 255, ink >> 8 & 255, ink & 255], dtype=np.float32)
+
+
+def hood_half(y: Floats) -> Floats:
+    """Half the inner width of hood and flue at heights y, m."""
+    share = np.clip((y - HOOD_FOOT) / (THROAT - HOOD_FOOT), 0.0, 1.0)
+    return np.asarray(HOOD_OUT + (HOOD_IN - HOOD_OUT) * share)
+
+
+@lru_cache(maxsize=2)
+def room_picture(dark: bool) -> RoomPicture:
+    """All of it, as the theme has it."""
+    plaster, brick, mortar, stone, boards = (_parts(ink) for ink in (NIGHT if dark else DAY)[:5])
+    x = (np.arange(LEFT, RIGHT, CELL)[None, :] + 0.5 * CELL).astype(np.float32)
+    y = (np.arange(TOP, BOTTOM, -CELL)[:, None] - 0.5 * CELL).astype(np.float32)
+    shape = (y.shape[0], x.shape[1])
+    random = np.random.default_rng(26)
+    grain = random.standard_normal(shape, dtype=np.float32)
+    cloud = _smooth(random, shape)
+    colors = plaster * (1.0 + 0.05 * cloud + 0.012 * grain)[..., None]
+    wall = _bricks(x, y, brick, mortar, random)
+    back = (np.abs(x) < HOOD_OUT + 0.05) & (y < HOOD_FOOT + 0.02)
+    _lay(colors, back & (y > 0.0), wall * (0.5 + 0.1 * cloud)[..., None])
+    half = hood_half(y)
+    inner = (y >= HOOD_FOOT) & (np.abs(x) < half)
+    _lay(colors, inner, wall * (0.26 + 0.06 * cloud)[..., None])
+    shell = (y >= HOOD_FOOT) & (np.abs(x) >= half) & (np.abs(x) < half + WALL * 1.35)
+    edge = np.clip((np.abs(x) - half) / (1.35 * WALL), 0.0, 1.0)
+    _lay(colors, shell, stone * (0.72 + 0.4 * edge + 0.06 * cloud + 0.02 * grain)[..., None])
+    beam = (np.abs(y - HOOD_FOOT + 0.012) < 0.03) & (np.abs(np.abs(x) - HOOD_OUT - 0.05) < 0.085)
+    _lay(colors, beam, boards * (0.9 + 0.07 * np.sin(170.0 * y + 6.0 * cloud))[..., None])
+    for side in (-1.0, 1.0):  # the two pillars that the hood stands on
+        pillar = (np.abs(x - side * (HOOD_OUT + 0.085)) < 0.045) & (y > 0.0) & (y < HOOD_FOOT - 0.015)
+        across = (x - side * (HOOD_OUT + 0.085)) / 0.045
+        _lay(colors, pillar, stone * (0.8 - 0.18 * side * across + 0.07 * cloud + 0.02 * grain)[..., None])
+    slab = (np.abs(x) < SLAB_HALF) & (y <= 0.0) & (y > -SLAB)
+    _lay(colors, slab, stone * (0.82 + 1.8 * np.clip(y + 0.012, 0.0, 0.012) / 0.012 * 0.18
+                                + 0.07 * cloud + 0.03 * grain)[..., None])  # fmt: skip
+    ground = (y <= FLOOR) & ~slab
+    away = (FLOOR - y) / (FLOOR - BOTTOM)  # 0 at the wall, 1 in front
+    wide = 0.16 * (1.0 + 1.6 * away)
+    number = np.floor(x / wide + 40.0)
+    tint = random.uniform(-1.0, 1.0, 200).astype(np.float32)[np.clip(number, 0, 199).astype(int)]
+    seam = np.abs(x / wide - np.round(x / wide)) * wide < 0.004 * (1.0 + away)
+    wood = boards * (0.7 + 0.5 * away + 0.07 * tint + 0.04 * cloud - 0.35 * seam)[..., None]
+    _lay(colors, ground, wood)
+    edge = np.clip((SLAB_HALF + 0.1 - np.abs(x)) / 0.2, 0.0, 1.0)
+    shade = np.exp(-np.clip(FLOOR - y, 0.0, None) / 0.05) * edge
+    colors *= np.where(ground, 1.0 - 0.45 * shade, 1.0)[..., None]
+    packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
+    inks = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
+    return RoomPicture(inks.astype(np.uint32), _light(x, y, ground), NIGHT[5] if dark else DAY[5])
+
+
+def _lay(colors: Floats, where: NDArray[np.bool_], over: Floats) -> None:
+    """Other colours where a shape is."""
+    colors[where] = np.broadcast_to(over, colors.shape)[where]
+
+
+def _smooth(random: np.random.Generator, shape: tuple[int, int]) -> Floats:
+    """Soft patches, about -1 to 1."""
+    found = np.zeros(shape, np.float32)
+    for coarse, share in ((12, 0.6), (40, 0.4)):
+        small = random.standard_normal((shape[0] // coarse + 2, shape[1] // coarse + 2), dtype=np.float32)
+        rows, columns = (
+            np.arange(shape[0], dtype=np.float32) / coarse,
+            np.arange(shape[1], dtype=np.float32) / coarse,
+        )
+        i, j = rows.astype(int), columns.astype(int)
+        f, g = (rows - i)[:, None], (columns - j)[None, :]
+        upper = small[i][:, j] * (1.0 - g) + small[i][:, j + 1] * g
+        lower = small[i + 1][:, j] * (1.0 - g) + small[i + 1][:, j + 1] * g
+        found += share * (upper * (1.0 - f) + lower * f)
+    return found
+
+
+def _bricks(x: Floats, y: Floats, brick: Floats, mortar: Floats, random: np.random.Generator) -> Floats:
+    """Courses of bricks, each with a tint of its own."""
+    course = np.floor(y / COURSE)
+    along = x / BRICK + 0.5 * np.mod(course, 2.0)
+    number = np.floor(along)
+    tints = random.uniform(-1.0, 1.0, (97, 89)).astype(np.float32)
+    tint = tints[np.mod(course, 97).astype(int), np.mod(number, 89).astype(int)]
+    joint = ((along - number) * BRICK < MORTAR) | (np.mod(y, COURSE) < MORTAR)
+    tone = brick * (0.85 + 0.2 * tint)[..., None]
+    return np.where(joint[..., None], mortar, tone)
+
+
+def _light(x: Floats, y: Floats, ground: NDArray[np.bool_]) -> NDArray[np.uint8]:
+    """Firelight (h, w): falls off with the distance, shaded by the pillars and the hood."""
+    away = np.sqrt((x - MIDDLE[0]) ** 2 + (1.15 * (y - MIDDLE[1])) ** 2)
+    light = 1.0 / (1.0 + (away / 0.42) ** 2)
+    side = np.clip((np.abs(x) - HOOD_OUT) / 0.12, 0.0, 1.0)
+    above = np.clip((y - HOOD_FOOT) / 0.5, 0.0, 1.0)
+    light = light * (1.0 - 0.55 * side * above)
+    down = np.clip(FLOOR - y, 0.0, None)
+    light = np.where(ground, 0.85 * np.exp(-((x / 1.25) ** 2)) * np.exp(-down / 0.55), light)
+    light = light + 0.05 * math.exp(-1.0)
+    return np.clip(255.0 * light, 0.0, 255.0).astype(np.uint8)

@@ -1,0 +1,185 @@
+"""The fireplace: a story, and a fire to play with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+from game.lab.studies.heat import conduction_study
+from game.levels import Level
+from game.physics.combustion.effects import COMBUSTION
+from game.physics.gas.effects import USUAL
+from game.physics.heat.effects import HEAT
+from game.physics.solids.effects import USUAL as SOLID_EFFECTS
+from game.scenes.fireplace import A26
+from game.scenes.fireplace.figure import draw_ember
+from game.scenes.fireplace.hand import FireplaceHand
+from game.scenes.fireplace.level import DEFAULT, FireplaceContent
+from game.scenes.fireplace.model import FireplaceModel, FireplaceState
+from game.scenes.fireplace.parameters import OF_PICTURE, OF_TOOLS, FireplaceParameters
+from game.scenes.fireplace.readouts import readouts_of
+from game.scenes.fireplace.room import warm_up_room
+from game.scenes.fireplace.saving import content_of
+from game.scenes.fireplace.sounds import hearing_of
+from game.scenes.fireplace.targets import story_targets
+from game.scenes.fireplace.view import FireplaceView
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.polygons import warm_up_painter
+from game.stage import Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
+from game.stage.messages import Messages
+
+
+class Fireplace(Scene):
+    """A match lights sticks, these light logs, and the fire grows until the logs are used up, break and fall.
+    At the end embers glow, and cool as T⁴.
+
+    Wood is warmed by the gas at it, by flames and by other embers, dries first if it is wet, and above its
+    ignition temperature gives off vapour and burns itself. The vapour mixes with air and burns where it is
+    hot enough, as far as there is oxygen; hot gas expands, rises, radiates the more the more soot is in it,
+    and leaves by the flue. The logs are rigid pieces, welded together: burnt ones are thinner, and break.
+
+    All is in the plane, a metre deep. The wood is very light, so that an hour goes by in a minute; the
+    flames go around logs, which would lie before and behind them.
+
+    In the equations: T temperature, T_a that around, b from emissivity, area and heat capacity, Y_F and Y_O
+    fuel and oxygen, s oxygen for a kilogram of fuel, k rate, g gravity, u velocity, D width of the fire.
+    """
+
+    name, task, title = A26.names
+    parameters_type = FireplaceParameters
+    parameters: FireplaceParameters
+    effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS
+    content_type = FireplaceContent
+    study = conduction_study
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+    covers = True
+    may_be_infinite = frozenset(("wood.world.joints",))
+
+    strips = (
+        Strip("Power of the flames", "W/m", ("power",)),
+        Strip("Ember and its law", "K", ("ember", "ember by T⁴"), ("ember by T⁴",),
+              sometimes=("ember", "ember by T⁴")),
+        Strip("Wood burnt", "%", ("burnt",)),
+    )  # fmt: skip
+    hints = (
+        Hint(("Drag",), "blow, or what the tool does"),
+        Hint(("Right click",), "a log more"),
+        Hint(("M",), "light a match"),
+    )
+    actions = (
+        SceneAction("match", "light a match", "M"),
+        SceneAction("log", "add a log", "G"),
+        SceneAction("blow", "blow into the fire", "B"),
+        SceneAction("flue", "open or close the flue", "F"),
+    )
+    figure = staticmethod(draw_ember)
+    equations = (
+        Equation("An ember", r"\dot{T} = -b (T^4 - T_a^4)", "Stefan 1879, Boltzmann 1884"),
+        Equation("What burns", r"k \text{min}(Y_F, \frac{Y_O}{s})", "the reactant of which there is less"),
+        Equation("What is warmed expands", r"\nabla u = \frac{\dot{T}}{T}", "at constant pressure"),
+        Equation("Puffs of a round fire", r"f = \frac{1.5}{\sqrt{D}}", "Cetegen and Ahmed 1993"),
+    )
+    try_this = (
+        "Close the flue: the smoke comes into the room, and the fire lacks air.",
+        "Blow into the embers: they glow, and may take fire again.",
+        "Add a log to the embers before they are too cold; a minute later it burns.",
+        "Wet the logs: nothing burns before the water is gone.",
+        "Look at the oxygen: where it is used up, nothing burns however hot it is.",
+    )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """A step, and what paints."""
+        return (
+            WarmUp("step", lambda: cls(parameters={"tier": "own", "cells": 16}).advance(cls.dt)),
+            WarmUp("polygons", warm_up_painter),
+            WarmUp("room", warm_up_room),
+        )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else DEFAULT
+        self.model = FireplaceModel(content, self.parameters, self.active, self.seed)
+        self.hand = FireplaceHand(self.model)
+        self.view = FireplaceView(self.model, self.hand)
+        self.said = Messages()
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name in OF_TOOLS:
+            self.hand.let_go()
+        elif name not in OF_PICTURE:
+            self.model.change_parameter(name)
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def why_idle(self, name: str) -> str:
+        if name == "cells" and self.parameters.tier != "own":
+            return "The quality says how many there are; choose Own."
+        return ""
+
+    def state(self) -> FireplaceState:
+        return self.model.state()
+
+    def restore(self, state: FireplaceState) -> None:
+        self.model.restore(state)
+
+    def save_content(self) -> FireplaceContent:
+        return content_of(self.model)
+
+    def content_of_level(self) -> FireplaceContent:
+        """What the level said."""
+        return self.model.content
+
+    def check(self) -> None:
+        """What must always hold among the logs."""
+        self.model.wood.world.check()
+
+    # -- a step, and what comes in ------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        if name == "match":
+            self.model.match.strike(self.model.time)
+        elif name == "log":
+            self.said.say("" if self.model.add_log((0.0, 0.7)) else "There is no room for more wood.")
+        elif name == "blow":
+            for x in (-0.2, 0.0, 0.2):
+                self.model.blow((x, 0.1), (0.12 if x <= 0.0 else -0.12, 0.08))
+        else:
+            self.parameters.damper = 0.0 if self.parameters.damper > 0.5 else 1.0
+            self.model.change_parameter("damper")
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        return readouts_of(self.model)
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return story_targets(self.model)
+
+    def hearing(self) -> Hearing:
+        return hearing_of(self.model)
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend()
+
+    def frame(self) -> Frame:
+        return with_headroom(Frame(-1.4, -0.22, 1.4, 1.35), len(self.model.content.expected))
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, self.previous, alpha)
+        content, frame = self.model.content, self.frame()
+        if content.expected:
+            top = (0.5 * (frame.left + frame.right), frame.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

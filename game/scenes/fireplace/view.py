@@ -1,0 +1,279 @@
+"""How the fireplace is drawn: the room in its light, wood that chars and glows, flames, smoke, sparks."""
+
+from __future__ import annotations
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.physics.heat.nodes import FUEL, TEMPERATURE, WATER
+from game.scenes.fireplace.hand import FireplaceHand
+from game.scenes.fireplace.model import FireplaceModel, FireplaceState
+from game.scenes.fireplace.room import Room
+from game.scenes.fireplace.tables import (
+    BAR,
+    BARS,
+    BODY,
+    GRATE,
+    HALF,
+    HALF_LENGTH,
+    HALF_THICK,
+    SCALE,
+    TALL,
+    UPRIGHTS,
+    WHOLE,
+)
+from game.scenes.shared.boards import placed
+from game.scenes.shared.polygons import NO_EDGE, paint
+from game.ui.canvas.canvas import Canvas
+from game.ui.painters.wall import is_dark
+
+Floats = NDArray[np.float64]
+Longs = NDArray[np.int64]
+BOX = ((-HALF, 0.0), (HALF, TALL))
+FLAME = (
+    (0.0, pygame.Color(0, 0, 0)), (0.16, pygame.Color(70, 8, 0)), (0.36, pygame.Color(196, 52, 4)),
+    (0.6, pygame.Color(250, 130, 20)), (0.82, pygame.Color(255, 206, 92)), (1.0, pygame.Color(255, 246, 206)),
+)  # fmt: skip
+SMOKE = {True: pygame.Color(70, 66, 64), False: pygame.Color(96, 92, 90)}
+IRON, IRON_LIT = pygame.Color(28, 26, 26), pygame.Color(74, 66, 60)
+BARK, SAWN, CHAR, ASH = (112, 74, 46), (176, 128, 82), (26, 22, 21), (128, 122, 116)
+COLD, HOT = 293.0, 1500.0  # K, of the view of temperatures
+GLOW_FROM, GLOW_TO = 700.0, 1250.0  # K between which a piece begins to glow and is brightest
+HEAT_STOPS = ((0.0, "stage"), (0.25, "violet"), (0.55, "vermilion"), (0.8, "amber"), (1.0, "yellow"))
+SPEED_STOPS = ((0.0, "stage"), (0.4, "body"), (0.7, "chalk"), (1.0, "text1"))
+OXYGEN_STOPS = ((0.0, "vermilion"), (0.5, "amber"), (1.0, "chalk"))
+WHOLE_BOX = (-1.0, -1.0, 1.0, 1.0)
+CORE = (-1.0, -0.42, 1.0, 0.42)
+LIT_EDGE = (-1.0, -1.0, 1.0, -0.2)
+
+
+class FireplaceView:
+    """Draws a model and its hand."""
+
+    def __init__(self, model: FireplaceModel, hand: FireplaceHand):
+        self.model, self.hand = model, hand
+        self._room = Room()
+
+    def legend(self) -> list[tuple[str, str, str]]:
+        """What a view of the gas shows."""
+        words = {
+            "temperature": "293 K dark to 1500 K bright", "speed": "0 to 4 m/s",
+            "oxygen": "none to fresh air",
+        }  # fmt: skip
+        view = self.model.parameters.view
+        return [("square:amber", words[view], "")] if view in words else []
+
+    def draw(self, canvas: Canvas, previous: FireplaceState | None, alpha: float) -> None:
+        """All of it, ``alpha`` of the way from the state ``previous`` to now."""
+        dark = is_dark(canvas)
+        model = self.model
+        strength = min(1.0, (max(model.shine, 0.0) / 6.0e4) ** 0.5) + 0.25 * model.embers_shine()
+        self._room.draw(canvas, dark, min(strength, 1.2))
+        self._draw_grate(canvas, strength)
+        places, turned = self._pieces_between(previous, alpha)
+        self._draw_wood(canvas, places, turned, strength)
+        self._draw_match(canvas)
+        self._draw_gas(canvas, dark)
+        self._draw_damper(canvas)
+        self._draw_sparks(canvas)
+        canvas.bloom(0.85 if dark else 0.5)
+        if canvas.teaching and model.parameters.marks:
+            self._draw_marks(canvas, places)
+        self._draw_hand(canvas)
+
+    # -- where things are -----------------------------------------------------------------------------
+
+    def _pieces_between(self, previous: FireplaceState | None, alpha: float) -> tuple[Floats, Floats]:
+        """Places (n, 2) m of the pieces, cosines and sines (n, 2) of their angles."""
+        table, rows = self.model.wood.table, self.model.wood.world.bodies
+        bodies = table[:, BODY].astype(np.int64)
+        places, angles = rows.positions[bodies], rows.angles[bodies]
+        if previous is not None and np.array_equal(previous.wood.table[:, BODY], table[:, BODY]):
+            before = previous.wood.world.bodies
+            places = places - (1.0 - alpha) * (places - before.positions[bodies])
+            angles = angles - (1.0 - alpha) * (angles - before.angles[bodies])
+        return places, np.stack([np.cos(angles), np.sin(angles)], axis=1)
+
+    # -- what stands there ----------------------------------------------------------------------------
+
+    def _draw_grate(self, canvas: Canvas, strength: float) -> None:
+        """Andirons: two uprights with feet, and the bars between them, seen from their ends."""
+        lit = _mixed(IRON, IRON_LIT, min(strength, 1.0))
+        for x in UPRIGHTS:
+            canvas.line((x, 0.0), (x, 0.27), IRON, 2.2 * BAR * canvas.pixels_per_unit / canvas.k)
+            canvas.circle((x, 0.285), 1.9 * BAR, IRON, outline=lit, width=1.0)
+            canvas.line((x, 0.0), (x, 0.26), lit, 1.0)
+        low = GRATE - 1.6 * BAR
+        canvas.line(
+            (UPRIGHTS[0], low), (UPRIGHTS[1], low), IRON, 1.4 * BAR * canvas.pixels_per_unit / canvas.k
+        )
+        for x in BARS:
+            canvas.circle((x, GRATE), BAR, IRON, outline=lit, width=1.0)
+
+    def _draw_wood(self, canvas: Canvas, places: Floats, turned: Floats, strength: float) -> None:
+        """Each piece in the colour of bark, char or ash, and what glows in it."""
+        wood = self.model.wood
+        if not wood.count:
+            return
+        table = wood.table
+        left = np.clip(wood.nodes.nodes[FUEL, : wood.count] / table[:, WHOLE], 0.0, 1.0)
+        hot = np.clip(
+            (wood.nodes.nodes[TEMPERATURE, : wood.count] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0
+        )
+        sizes = np.stack([table[:, HALF_LENGTH] * 1.04, table[:, HALF_THICK] * table[:, SCALE]], axis=1)
+        inks = self._bark(left, hot, strength)
+        none = np.full(len(table), NO_EDGE, dtype=np.int64)
+        rim = sizes + canvas.px(1.1)
+        _quads(canvas, placed(WHOLE_BOX, rim, places, turned), _darker(inks, 0.5), np.ones(len(table)), none)
+        _quads(canvas, placed(WHOLE_BOX, sizes, places, turned), inks, np.ones(len(table)), none)
+        for box, share in (((-1.0, -1.0, 1.0, -0.5), 0.35), ((-1.0, 0.55, 1.0, 1.0), 0.2)):
+            dark = _darker(inks, 0.6)
+            _quads(canvas, placed(box, sizes, places, turned), dark, np.full(len(table), share), none)
+        _quads(
+            canvas, placed(CORE, sizes, places, turned), _lighter(inks, 0.16), np.full(len(table), 0.5), none
+        )
+        under = _embers(np.minimum(1.0, hot + 0.1))
+        lit = np.asarray(np.clip(1.1 * hot, 0.0, 0.5))
+        _quads(canvas, placed(LIT_EDGE, sizes, places, turned), under, lit, none)
+        self._draw_embers(canvas, places, turned, sizes, hot)
+
+    def _bark(self, left: Floats, hot: Floats, strength: float) -> Longs:
+        """Colours (n,) of the pieces: bark, then char, at the end ash where it is cold, in the fire's
+        light.
+        """
+        bark, char, ash = (np.array(color, dtype=np.float64) for color in (BARK, CHAR, ASH))
+        wet = np.minimum(
+            1.0, self.model.wood.nodes.nodes[WATER, : len(left)] / self.model.wood.table[:, WHOLE]
+        )
+        charred = np.clip((1.0 - left) * 5.0 + 2.0 * hot, 0.0, 1.0)[:, None]
+        grey = (np.clip(0.3 - left, 0.0, 0.3) / 0.3 * np.clip(1.0 - 2.0 * hot, 0.0, 1.0))[:, None]
+        colors = bark * (1.0 - 0.35 * wet[:, None])
+        colors = colors + (char - colors) * charred
+        colors = colors + (ash - colors) * 0.75 * grey
+        light = (0.55 + 0.6 * min(strength, 1.0)) * np.array((1.0, 0.92, 0.84))
+        return _packed(np.clip(colors * light, 0.0, 255.0))
+
+    def _draw_embers(
+        self, canvas: Canvas, places: Floats, turned: Floats, sizes: Floats, hot: Floats
+    ) -> None:
+        """Points that glow all over a hot piece, and their light."""
+        glowing = np.flatnonzero(hot > 0.03)
+        if not len(glowing):
+            return
+        per = 9
+        seeds = (glowing[:, None] * 97 + np.arange(per)[None] * 31) % 211
+        across = 2.0 * ((seeds * 0.61803) % 1.0) - 1.0
+        along = 2.0 * ((seeds * 0.7548 + 0.3) % 1.0) - 1.0
+        own = np.stack(
+            [0.92 * across * sizes[glowing, 0, None], 0.8 * along * sizes[glowing, 1, None]], axis=2
+        )
+        c, s = turned[glowing, 0, None], turned[glowing, 1, None]
+        at = np.stack([c * own[..., 0] - s * own[..., 1], s * own[..., 0] + c * own[..., 1]], axis=2)
+        at += places[glowing][:, None]
+        beat = 0.75 + 0.25 * np.sin(2.1 * self.model.time + 1.7 * seeds)
+        inks = _embers(np.clip(hot[glowing][:, None] * beat, 0.0, 1.0).ravel()).astype(np.uint32)
+        canvas.glow(at.reshape(-1, 2), inks, 2, 0.8)
+        soft = _embers(hot[glowing]).astype(np.uint32)
+        canvas.soft_glow(places[glowing], 3.2 * sizes[glowing, 0], soft, 0.55 * hot[glowing])
+
+    def _draw_gas(self, canvas: Canvas, dark: bool) -> None:
+        model, view = self.model, self.model.parameters.view
+        if view == "fire":
+            veil = model.air.veil()
+            canvas.veil(veil, *BOX, SMOKE[dark], FLAME)
+            self._draw_light(canvas, veil)
+        elif view == "temperature":
+            canvas.field((model.air.temperature - COLD) / (HOT - COLD), *BOX, HEAT_STOPS, 0.9)
+        elif view == "speed":
+            canvas.field(model.air.speeds() / 4.0, *BOX, SPEED_STOPS, 0.9)
+        else:
+            canvas.field(model.air.fresh(), *BOX, OXYGEN_STOPS, 0.9)
+
+    def _draw_light(self, canvas: Canvas, veil: NDArray[np.float32]) -> None:
+        """The light about the flames: blocks of the picture as soft glows."""
+        ny, nx = veil.shape[:2]
+        block = max(nx // 16, 1)
+        rows, columns = ny // block, nx // block
+        light = (
+            veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
+        )
+        j, i = np.nonzero(light > 0.02)
+        if not len(j):
+            return
+        step = 2.0 * HALF / nx * block
+        at = np.stack([-HALF + (i + 0.5) * step, (j + 0.5) * step], axis=1)
+        inks = np.full(len(j), 0xFF8A30, dtype=np.uint32)
+        canvas.soft_glow(at, np.full(len(j), 2.6 * step), inks, np.minimum(light[j, i], 0.8) * 0.5)
+
+    def _draw_damper(self, canvas: Canvas) -> None:
+        """Two plates that close the flue from both sides."""
+        for plate in self.model.air.plates():
+            canvas.polygon(plate, fill=IRON, outline=IRON_LIT, width=1.0)
+
+    def _draw_match(self, canvas: Canvas) -> None:
+        head = self.model.match.place(self.model.time)
+        if head is None:
+            return
+        (x, y), (tx, ty) = head
+        canvas.line((x, y), (tx, ty), pygame.Color(206, 170, 118), 0.011 * canvas.pixels_per_unit / canvas.k)
+        canvas.circle((x, y), 0.009, pygame.Color(120, 30, 20) if not self.model.match.lit(self.model.time)
+                      else pygame.Color(255, 220, 140))  # fmt: skip
+        if self.model.match.lit(self.model.time):
+            inks = np.array([0xFFB040], dtype=np.uint32)
+            canvas.glow(np.array([[x, y]]), inks, 4, 1.0)
+            canvas.soft_glow(np.array([[x, y + 0.02]]), np.array([0.16]), inks, 0.8)
+
+    def _draw_sparks(self, canvas: Canvas) -> None:
+        sparks = self.model.sparks.alive()
+        if len(sparks):
+            fade = np.clip(1.0 - sparks[:, 4] / sparks[:, 5], 0.0, 1.0)
+            canvas.glow(sparks[:, :2], _embers(0.35 + 0.65 * fade).astype(np.uint32), 1, 0.9 * fade)
+
+    def _draw_marks(self, canvas: Canvas, places: Floats) -> None:
+        """The temperature of each piece, where there is room for it."""
+        for number in range(0, self.model.wood.count, 2):
+            kelvin = float(self.model.wood.nodes.temperature[number])
+            canvas.label(places[number], canvas.figure(number, f"{kelvin:.0f} K"), "text1", 11)
+
+    def _draw_hand(self, canvas: Canvas) -> None:
+        point = self.hand.point
+        if point is None:
+            return
+        tool = self.model.parameters.tool
+        if tool == "blow":
+            canvas.arrow(point, np.array(self.hand.way()) * 0.25, "chalk")
+        elif tool != "match":
+            canvas.handle(point)
+
+
+def _quads(canvas: Canvas, corners: Floats, inks: Longs, shares: Floats, edges: Longs) -> None:
+    """Boxes (4 n, 2) m, one colour each."""
+    starts = np.arange(0, len(corners) + 1, 4, dtype=np.int64)
+    paint(canvas, corners, starts, inks, np.ascontiguousarray(shares), edges, np.zeros_like(corners))
+
+
+def _packed(colors: Floats) -> Longs:
+    whole = (colors + 0.5).astype(np.int64)
+    return np.asarray(whole[..., 0] << 16 | whole[..., 1] << 8 | whole[..., 2])
+
+
+def _darker(inks: Longs, share: float) -> Longs:
+    parts = np.stack([inks >> 16 & 255, inks >> 8 & 255, inks & 255], axis=-1).astype(np.float64)
+    return _packed(parts * (1.0 - share))
+
+
+def _lighter(inks: Longs, share: float) -> Longs:
+    parts = np.stack([inks >> 16 & 255, inks >> 8 & 255, inks & 255], axis=-1).astype(np.float64)
+    return _packed(parts + share * (255.0 - parts))
+
+
+def _embers(hot: Floats) -> Longs:
+    """Colours (n,) of what glows, 0 dull red to 1 yellow."""
+    hot = np.clip(hot, 0.0, 1.0)
+    red, green = 255.0 * np.minimum(1.0, 0.18 + 1.5 * hot), 255.0 * np.clip(0.85 * hot**1.5, 0.0, 1.0)
+    return _packed(np.stack([red, green, 255.0 * 0.35 * hot**3], axis=-1))
+
+
+def _mixed(a: pygame.Color, b: pygame.Color, share: float) -> pygame.Color:
+    return a.lerp(b, min(max(share, 0.0), 1.0))

@@ -1,0 +1,364 @@
+"""A box of gas by the method that is chosen: sources, solids, fire, stirring, what is measured."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.combustion import Flames, GasFuel
+from game.physics.combustion.effects import COMBUSTION, EXPANSION
+from game.physics.effects import EffectSet
+from game.physics.gas import Gas, GasSettings
+from game.physics.gas.effects import BUOYANCY, CONFINEMENT, GAS
+from game.physics.grid import Border, Borders, Grid
+from game.physics.stable_fluids import PrintedFluid
+from game.physics.surfaces.surface import Sample, empty_sample
+from game.scenes.shared.stopwatch import Stopwatch
+from game.scenes.smoke.level import MOST_SOLIDS, SmokeContent
+from game.scenes.smoke.parameters import PRINTED, SmokeParameters
+from game.stage import Part
+
+Floats = NDArray[np.float64]
+WIDE, TALL = 2.0, 1.0  # m
+FIELDS = ("smoke", "temperature", "fuel", "oxygen", "soot")
+SMOKE, WARM, FUEL, OXYGEN, SOOT = range(5)
+ROOM, FRESH, WIND = 293.15, 0.27, 0.8  # K, kg/m³, m/s
+GRAVITY = 9.81  # m/s²
+BURNS = {
+    "ignition": 520.0, "rate": 25.0, "oxygen": 1.3, "heat": 1.6e7, "soot": 0.05, "soot_rate": 2.0,
+    "glow": 8e-12, "soot_glow": 2.5e-7, "ambient": ROOM,
+}  # fmt: skip
+WHIRL = 0.6  # m/s, the fastest of the whirl at the start
+HOT_LAYER = 373.15  # K
+X, Y, RADIUS, VX, VY = range(5)
+
+
+class SmokeState(NamedTuple):
+    """fluid: a GasState, or of a printed paper a PrintedState; solids (n, 5): place, radius m, velocity m/s;
+    books (6,) of what burnt.
+    """
+
+    fluid: Any
+    solids: Floats
+    books: Floats
+
+
+class DiscObstacles:
+    """Discs (n, 5) as solids of a gas."""
+
+    def __init__(self) -> None:
+        self.rows: Floats = np.zeros((0, 5))
+
+    def sample(self, points: ArrayLike) -> Sample:
+        """Of the nearest disc."""
+        places = np.asarray(points, dtype=np.float64)
+        found = empty_sample(len(places))
+        for number, (x, y, radius, vx, vy) in enumerate(self.rows.tolist()):
+            dx, dy = places[:, 0] - x, places[:, 1] - y
+            away = np.sqrt(dx * dx + dy * dy)
+            nearer = away - radius < found.distance
+            found.distance[nearer] = away[nearer] - radius
+            found.velocity[nearer] = vx, vy
+            found.body[nearer] = number
+        return found
+
+
+class SmokeModel(Part):
+    """time s. gas or printed: whichever method is chosen."""
+
+    def __init__(self, content: SmokeContent, parameters: SmokeParameters, active: EffectSet):
+        self.content, self.parameters, self.active = content, parameters, active
+        self.time, self.watch = 0.0, Stopwatch()
+        nx = int(parameters.cells)
+        self.grid = Grid(nx, nx // 2, WIDE / nx)
+        self.cell = self.grid.cell
+        self.obstacles = DiscObstacles()
+        self.obstacles.rows = np.array(
+            [(*one.at, one.radius, 0.0, 0.0) for one in content.solids], dtype=np.float64
+        ).reshape(-1, 5)  # fmt: skip
+        self.gas: Gas | None = None
+        self.printed: PrintedFluid | None = None
+        if parameters.method in PRINTED:
+            self.printed = PrintedFluid(
+                self.grid.shape,
+                self.cell,
+                len(FIELDS),
+                parameters.method,
+                parameters.viscosity,
+                self._turns(),
+            )
+        else:
+            self.gas = Gas(self.grid, self._borders(), self._settings(), FIELDS, {"oxygen": FRESH})
+        self.flames = Flames((WARM, FUEL, OXYGEN, SOOT), self.cell, self._burns())
+        self._source = np.zeros(self.grid.shape)
+        self.scalars[..., WARM], self.scalars[..., OXYGEN] = ROOM, FRESH
+        self._begin()
+        self.take_solids()
+        self.smoke_at_first = self.total(SMOKE)
+        self.energy_at_first = self.energy()
+
+    # -- what it is made of -------------------------------------------------------------------------------
+
+    def _borders(self) -> Borders:
+        if self.content.sides == "closed":
+            return Borders.all("wall")
+        if self.content.sides == "wind":
+            return Borders(Border("inflow", (WIND, 0.0)), Border("open"), Border("wall"), Border("wall"))
+        return Borders(Border("wall"), Border("wall"), Border("wall"), Border("open"))
+
+    def _turns(self) -> int:
+        return max(int(self.parameters.turns), 20 if self.parameters.method == "stam-2003" else 1)
+
+    def _settings(self) -> GasSettings:
+        chosen = self.parameters
+        effects = (self.active & GAS.known).without(BUOYANCY)
+        if chosen.confinement == 0.0:
+            effects = effects.without(CONFINEMENT)
+        return GasSettings(
+            effects=effects, advection=chosen.method, pressure=chosen.pressure,
+            turns=max(int(chosen.turns), self._fewest()),
+            viscosity=chosen.viscosity, confinement=chosen.confinement, ambient=ROOM,
+        )  # fmt: skip
+
+    def _fewest(self) -> int:
+        """V-cycles at least: beside solids a pressure that is carried along lets its errors grow with
+        fewer.
+        """
+        return 6 if self.parameters.method == "time-centred" and len(self.obstacles.rows) else 1
+
+    def _burns(self) -> GasFuel:
+        effects = self.active & COMBUSTION.known
+        return GasFuel(**BURNS, effects=effects)
+
+    def change(self) -> None:
+        """Take over parameters and effects."""
+        if self.gas is not None:
+            self.gas.settings = self._settings()
+        elif self.printed is not None:
+            self.printed.viscosity, self.printed.most = float(self.parameters.viscosity), self._turns()
+        self.flames.made_of = self._burns()
+        self.watch.clear()
+
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these from now on."""
+        self.active = active
+        self.change()
+
+    def _begin(self) -> None:
+        _x, y = self.grid.centres()
+        if self.content.start == "layers":
+            self.scalars[..., WARM] = np.where(y > 0.5 * TALL, HOT_LAYER, ROOM)
+        if self.content.start == "whirl":
+            self.scalars[..., SMOKE] = (y > 0.5 * TALL).astype(np.float64)
+            self._set_velocity(_whirl)
+
+    def _set_velocity(self, flow: Any) -> None:
+        """A velocity by a function of places."""
+        if self.gas is not None:
+            self.gas.u[:] = flow(*self.grid.u_places())[0]
+            self.gas.v[:] = flow(*self.grid.v_places())[1]
+            self.gas.jolt()
+        elif self.printed is not None:
+            u, v, _ = self.printed.inner
+            u[:], v[:] = flow(*self.grid.centres())
+
+    @property
+    def scalars(self) -> Floats:
+        """(ny, nx, fields), not copied."""
+        if self.gas is not None:
+            return self.gas.scalars
+        assert self.printed is not None
+        return self.printed.inner[2]
+
+    def velocity(self) -> Floats:
+        """(ny, nx, 2) m/s in the middles of cells."""
+        if self.gas is not None:
+            return self.gas.velocity()
+        assert self.printed is not None
+        return np.stack(self.printed.inner[:2], axis=2)
+
+    def divergence(self) -> Floats:
+        """(ny, nx) 1/s that should not be there: from face to face, as what is carried feels it."""
+        if self.gas is not None:
+            return self.gas.divergence()
+        assert self.printed is not None
+        return self.printed.face_divergence()
+
+    def vorticity(self) -> Floats:
+        """(ny, nx) 1/s."""
+        w, h = self.velocity(), self.cell
+        return np.asarray(np.gradient(w[..., 1], h, axis=1) - np.gradient(w[..., 0], h, axis=0))
+
+    # -- solids -------------------------------------------------------------------------------------------
+
+    def take_solids(self) -> None:
+        """Let the gas know where the discs are."""
+        if self.gas is not None:
+            self.gas.settings = self._settings()
+            if len(self.obstacles.rows):
+                self.gas.set_solids(self.obstacles)
+            elif self.gas.solids.present:
+                self.gas.set_solids()
+            return
+        assert self.printed is not None
+        x, y = self.grid.centres()
+        found = self.obstacles.sample(np.stack([x.ravel(), y.ravel()], axis=1)).distance.reshape(x.shape)
+        self.printed.solid[:] = found < 0.0
+
+    def solid_at(self, point: tuple[float, float]) -> int:
+        """Number of the disc at a point, or -1."""
+        for number, (x, y, radius, _, _) in enumerate(self.obstacles.rows.tolist()):
+            if math.dist((x, y), point) <= radius:
+                return number
+        return -1
+
+    def add_solid(self, point: tuple[float, float], radius: float) -> int:
+        """A disc more; its number, or -1 if there are too many."""
+        if len(self.obstacles.rows) >= MOST_SOLIDS:
+            return -1
+        self.obstacles.rows = np.concatenate([self.obstacles.rows, [[*point, radius, 0.0, 0.0]]])
+        self.take_solids()
+        return len(self.obstacles.rows) - 1
+
+    def remove_solid(self, number: int) -> None:
+        """Take a disc away."""
+        self.obstacles.rows = np.delete(self.obstacles.rows, number, axis=0)
+        self.take_solids()
+
+    def lead_solid(self, number: int, point: tuple[float, float], dt: float) -> None:
+        """Move a disc to a point within a step; it pushes the gas with the velocity that this takes."""
+        row = self.obstacles.rows[number]
+        row[VX], row[VY] = (point[0] - row[X]) / dt, (point[1] - row[Y]) / dt
+        row[X], row[Y] = point
+        self.take_solids()
+
+    def rest_solids(self) -> None:
+        """What is not led stands still."""
+        if len(self.obstacles.rows) and np.any(self.obstacles.rows[:, VX:]):
+            self.obstacles.rows[:, VX:] = 0.0
+            self.take_solids()
+
+    # -- the hand -----------------------------------------------------------------------------------------
+
+    def _brush(self, x: Floats, y: Floats, point: tuple[float, float], radius: float) -> Floats:
+        away = ((x - point[0]) ** 2 + (y - point[1]) ** 2) / radius**2
+        return np.asarray(np.clip(1.0 - away, 0.0, None) ** 2)
+
+    def stir(self, point: tuple[float, float], way: tuple[float, float]) -> None:
+        """Push the gas about a point by a velocity, m/s."""
+        radius = self.parameters.brush
+        if self.gas is not None:
+            u, v = self.gas.u, self.gas.v
+            u += way[0] * self._brush(*self.grid.u_places(), point, radius)
+            v += way[1] * self._brush(*self.grid.v_places(), point, radius)
+            self.gas.jolt()
+        elif self.printed is not None:
+            share = self._brush(*self.grid.centres(), point, radius)
+            u, v, _ = self.printed.inner
+            u += way[0] * share
+            v += way[1] * share
+
+    def paint(self, point: tuple[float, float], what: str) -> None:
+        """Smoke, fire, or clear air about a point."""
+        share = self._brush(*self.grid.centres(), point, self.parameters.brush)
+        cells = self.scalars
+        if what == "dye":
+            cells[..., SMOKE] = np.maximum(cells[..., SMOKE], np.minimum(1.0, 1.6 * share))
+        elif what == "fire":
+            cells[..., FUEL] += 0.03 * share
+            cells[..., WARM] = np.maximum(cells[..., WARM], ROOM + 900.0 * np.minimum(1.0, 1.5 * share))
+        else:
+            inside = share > 0.05
+            cells[inside] = 0.0, ROOM, 0.0, FRESH, 0.0
+
+    def clear(self) -> None:
+        """Fresh air everywhere, and nothing in it."""
+        self.scalars[:] = 0.0
+        self.scalars[..., WARM], self.scalars[..., OXYGEN] = ROOM, FRESH
+
+    # -- a step -------------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        """Sources, fire, then the gas."""
+        with self.watch.time("step"):
+            self._advance(dt)
+        self.time += dt
+
+    def _advance(self, dt: float) -> None:
+        cells = self.scalars
+        x, y = self.grid.centres()
+        for one in self.content.sources:
+            if self.time >= one.seconds:
+                continue
+            near = (x - one.at[0]) ** 2 + (y - one.at[1]) ** 2 < one.radius**2
+            cells[near, SMOKE] = np.maximum(cells[near, SMOKE], one.smoke)
+            cells[near, WARM] = np.maximum(cells[near, WARM], one.kelvin)
+            cells[near, FUEL] = np.maximum(cells[near, FUEL], one.fuel)
+            if one.velocity is not None:
+                self._blow(near, one.velocity)
+        self._source[:] = 0.0
+        if self.printed is not None:  # its cells lie within a ring of ghosts
+            own = np.ascontiguousarray(cells)
+            self.flames.step(own, dt, self._source)
+            cells[:] = own
+        else:
+            self.flames.step(cells, dt, self._source)
+        lift = self.parameters.lift * GRAVITY if BUOYANCY in self.active else 0.0
+        hot = np.maximum(cells[..., WARM], 0.5 * ROOM)
+        upward = lift * (hot - ROOM) / (0.5 * (hot + ROOM))
+        if self.gas is not None:
+            self.gas.expansion[:] = np.clip(self._source, -60.0, 60.0) if EXPANSION in self.active else 0.0
+            self.gas.force[..., 1] = upward
+            self.gas.step(dt)
+        elif self.printed is not None:
+            self.printed.v[1:-1, 1:-1] += dt * upward
+            self.printed.step(dt)
+
+    def _blow(self, near: NDArray[np.bool_], velocity: tuple[float, float]) -> None:
+        if self.gas is not None:
+            self.gas.u[:, 1:][near], self.gas.v[1:][near] = velocity
+        elif self.printed is not None:
+            u, v, _ = self.printed.inner
+            u[near], v[near] = velocity
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    def total(self, field: int) -> float:
+        """Of a field over the box, times m²."""
+        return float(np.sum(self.scalars[..., field])) * self.cell**2
+
+    def energy(self) -> float:
+        """m⁴/s²: half the square of the velocity over the box."""
+        return 0.5 * float(np.sum(self.velocity() ** 2)) * self.cell**2
+
+    def smear(self) -> float:
+        """How mixed the smoke is, 0 to 1: by how much the cells that it lies in are not full of it."""
+        smoke = np.clip(self.scalars[..., SMOKE], 0.0, 1.0)
+        there = float(np.sum(smoke))
+        return float(np.sum(smoke * (1.0 - smoke))) / there if there > 1e-9 else 0.0
+
+    def state(self) -> SmokeState:
+        """All that later steps depend on."""
+        fluid = self.gas.state() if self.gas is not None else self.printed.state() if self.printed else None
+        return SmokeState(fluid, self.obstacles.rows, self.flames.books)
+
+    def restore(self, state: SmokeState) -> None:
+        """Take over a copy of a state."""
+        moved = not np.array_equal(self.obstacles.rows, state.solids)
+        self.obstacles.rows = state.solids.copy()
+        if moved:
+            self.take_solids()
+        if self.gas is not None:
+            self.gas.restore(state.fluid)
+        elif self.printed is not None:
+            self.printed.restore(state.fluid)
+        self.flames.books[:] = state.books
+
+
+def _whirl(x: Floats, y: Floats) -> tuple[Floats, Floats]:
+    """Two whirls side by side in the box: a steady flow without friction."""
+    across, upright = np.pi * x / (0.5 * WIDE), np.pi * y / TALL
+    return WHIRL * np.sin(across) * np.cos(upright), -WHIRL * np.cos(across) * np.sin(upright)

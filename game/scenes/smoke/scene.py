@@ -1,0 +1,144 @@
+"""P14: smoke, dye and fire in a box, by the papers' own ways and by later ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+from game.lab.studies.stable_fluids import whirl_study
+from game.levels import Level
+from game.physics.combustion.effects import COMBUSTION
+from game.physics.gas.effects import GAS
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.smoke import SMOKE
+from game.scenes.smoke.figure import draw_projection
+from game.scenes.smoke.hand import SmokeHand
+from game.scenes.smoke.level import DEFAULT, SmokeContent, SolidEntry
+from game.scenes.smoke.model import TALL, WIDE, SmokeModel, SmokeState
+from game.scenes.smoke.parameters import OF_PICTURE, PRINTED, SmokeParameters
+from game.scenes.smoke.readouts import readouts_of
+from game.scenes.smoke.view import SmokeView
+from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, SetParameter, Strip
+from game.stage.messages import Messages
+
+
+class Smoke(Scene):
+    """Gas on a grid, to be stirred, painted and set on fire. Each cell asks where its gas was one step ago,
+    and takes over what was there; then a pressure is found that leaves nothing squeezed.
+
+    Choose how it is carried along and how the pressure is solved, and see what stays of a whirl, how sharp
+    the dye is and what divergence is left: by both papers as they were printed, and by what came after.
+
+    In the equations: u velocity, p pressure over density, x a place, Δt step, ν viscosity, T temperature and
+    T_a that around, g gravity, q share of the pressure that is taken at the end of a step.
+    """
+
+    name, task, title = SMOKE.names
+    parameters_type = SmokeParameters
+    parameters: SmokeParameters
+    effects = GAS.known | COMBUSTION.known
+    content_type = SmokeContent
+    study = whirl_study
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+    figure = staticmethod(draw_projection)
+    hints = (Hint(("Drag",), "stir, or what the tool does"), Hint(("Right drag",), "paint"))
+    actions = (
+        SceneAction("tool-stir", "tool: stir", "1"),
+        SceneAction("tool-dye", "tool: dye", "2"),
+        SceneAction("tool-fire", "tool: fire", "3"),
+        SceneAction("tool-solid", "tool: solid", "4"),
+        SceneAction("clear", "clear the air", "N"),
+    )
+    strips = (
+        Strip("Divergence that is left", "1/s", ("divergence",)),
+        Strip("Smear of the dye", "%", ("smear",)),
+        Strip("Power of the flames", "W/m", ("power",)),
+    )
+    equations = (
+        Equation("Carried along", r"\v{u}_2(\v{x}) = \v{u}_1(\v{p}(\v{x}, - \Delta t))", "Stam 1999"),
+        Equation("Pressure", r"\nabla^2 p = \frac{1}{\Delta t} \nabla \v{u}", "Chorin 1968"),
+        Equation(
+            "Time-centred", r"\v{u} - (1 - q) \Delta t \nabla p", "what is carried, with the old pressure"
+        ),
+        Equation("Lift", r"g \frac{T - T_a}{T + T_a} 2", "hot gas moves what is around it"),
+    )
+    try_this = (
+        "Choose Stam 2003 as printed, and look at the divergence; then multigrid.",
+        "Open the whirl: see how long it turns by each method.",
+        "Paint a fire below the disc, and look at it as schlieren.",
+        "Drag the disc through the smoke.",
+        "Set a long time step: nothing blows up, but all is smeared.",
+    )
+
+    def build(self, level: Level | None) -> None:
+        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.model = SmokeModel(self.content, self.parameters, self.active)
+        self.hand = SmokeHand(self.model)
+        self.view = SmokeView(self.model, self.hand)
+        self.said = Messages()
+        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name not in OF_PICTURE:
+            self.model.change()
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def why_idle(self, name: str) -> str:
+        printed = self.parameters.method in PRINTED
+        if printed and name in ("pressure", "confinement"):
+            return "A paper as printed has its own."
+        if self.parameters.method == "stam-1999" and name == "turns":
+            return "The first paper solves to the end."
+        return ""
+
+    def takes_long(self, event: Any) -> bool:
+        """Another method or solver is compiled first."""
+        return isinstance(event, SetParameter) and event.name in ("method", "pressure")
+
+    def state(self) -> SmokeState:
+        return self.model.state()
+
+    def restore(self, state: SmokeState) -> None:
+        self.model.restore(state)
+
+    def save_content(self) -> SmokeContent:
+        solids = tuple(
+            SolidEntry(at=(x, y), radius=radius)
+            for x, y, radius, _, _ in self.model.obstacles.rows.tolist()
+        )  # fmt: skip
+        return SmokeContent(sources=self.content.sources, solids=solids, sides=self.content.sides,
+                            start=self.content.start, expected=self.content.expected)  # fmt: skip
+
+    def advance(self, dt: float) -> None:
+        self.hand.work(dt)
+        self.model.advance(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        if name.startswith("tool-"):
+            self.parameters.tool = name.removeprefix("tool-")
+        else:
+            self.model.clear()
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    def readouts(self) -> list[Readout]:
+        return readouts_of(self.model)
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend()
+
+    def frame(self) -> Frame:
+        return with_headroom(Frame(-0.04, -0.04, WIDE + 0.04, TALL + 0.04), len(self.content.expected))
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas)
+        if self.content.expected:
+            frame = self.frame()
+            top = (0.5 * (frame.left + frame.right), frame.top)
+            draw_captions(canvas, top, captions_of(self.content.expected, self.readouts()))

@@ -1,0 +1,232 @@
+"""The fireplace as a person meets it: hard levels, wood that breaks and shrinks, the hand, books of heat."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from game.app.stagehand.headless import picture_of_stage, prepare
+from game.levels import level_files, load_level
+from game.physics.heat.nodes import BOILING, FUEL, TEMPERATURE
+from game.scenes.fireplace.level import FireplaceContent, WoodEntry
+from game.scenes.fireplace.scene import Fireplace
+from game.scenes.fireplace.tables import BODY, SCALE
+from game.scenes.shared.expectations import captions_of
+from game.stage import Action, Pointer, SetParameter, Stage
+
+LEVELS = level_files("a26")
+HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
+SMALL = {"tier": "own", "cells": 32}
+
+
+def opened(name: str, **parameters) -> Stage:
+    path = next(path for path in LEVELS if path.stem == name)
+    return Stage(Fireplace, level=load_level(path, "a26", FireplaceContent), parameters=parameters)
+
+
+def measured(stage: Stage, name: str) -> float:
+    return next(readout.value for readout in stage.readouts() if readout.name == name)
+
+
+@pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)
+def test_a_hard_level_comes_to_what_it_expects(path):
+    stage = Stage(Fireplace, level=load_level(path, "a26", FireplaceContent))
+    stage.run(round(2.0 / stage.dt))
+    assert stage.fault is None and stage.scene.content_of_level().expected
+    assert all(one.met for one in captions_of(stage.scene.content_of_level().expected, stage.readouts()))
+
+
+def test_in_a_shut_box_no_more_burns_than_there_is_oxygen_for():
+    stage = opened("hard-01-shut-in")
+    air = stage.scene.model.air
+    before = air.flames.contents(air.gas.scalars)[2]
+    stage.run(240)
+    books = air.flames.books_now()
+    assert 0.0 < books.used <= before and books.used == pytest.approx(1.3 * books.burnt, rel=1e-12)
+    assert np.min(air.gas.scalars[..., 1:3]) >= -1e-12
+
+
+def test_wet_wood_dries_at_its_plateau_before_it_burns():
+    stage = opened("hard-02-wet")
+    wood = stage.scene.model.wood
+    first = float(wood.nodes.water.sum())
+    stage.run(300)
+    wet = wood.nodes.water[4:8] > 0.0
+    assert wood.nodes.water.sum() < first and np.all(wood.nodes.temperature[4:8][wet] <= BOILING + 1e-9)
+
+
+def test_a_match_lights_the_kindling():
+    stage = Stage(Fireplace, parameters=SMALL)
+    stage.run(10)
+    assert measured(stage, "burning pieces") == 0
+    stage.post(Action("match"))
+    stage.run(60)
+    assert measured(stage, "match") == 1.0
+    stage.run(240)
+    assert measured(stage, "burning pieces") >= 1
+    stage.run(300)
+    assert measured(stage, "match") == 0.0 and stage.scene.model.match.place(stage.scene.model.time) is None
+
+
+def test_the_books_close_for_the_wood_and_the_better_for_the_gas_the_finer_it_is():
+    left = {}
+    for cells in (32, 80):
+        stage = opened("embers", tier="own", cells=cells)
+        model = stage.scene.model
+        fuel, wood = float(model.wood.nodes.fuel.sum()), model.wood.nodes
+        given = 0.0
+        take = wood.take_given
+
+        def noted(take=take):
+            nonlocal given
+            rows = take()
+            given += math.fsum(rows[0].tolist())
+            return rows
+
+        wood.take_given = noted
+        stage.run(120)
+        radiated, steam, of_fuel, _ = wood.totals.tolist()
+        change = wood.heat() - model.heat_at_first
+        assert abs(change + given + radiated + steam - of_fuel) < 1e-9 * of_fuel
+        assert float(wood.fuel.sum()) < fuel and 0.0 < measured(stage, "burnt") < 100.0
+        left[cells] = abs(measured(stage, "open share"))
+    assert left[80] < 0.8 * left[32]
+
+
+def test_burnt_wood_is_thinner_breaks_and_falls():
+    stage = opened("default", **SMALL)
+    wood = stage.scene.model.wood
+    stage.run(30)
+    height = wood.places()[:6, 1].copy()
+    wood.nodes.nodes[FUEL, 2:4] = 0.2 * wood.nodes.nodes[FUEL, 2:4]
+    stage.run(2)
+    assert np.all(wood.table[2:4, SCALE] < 0.7) and wood.nodes.torn.sum() == 3
+    assert len(set(wood.table[:, BODY].tolist())) == wood.count
+    stage.run(90)
+    fallen = height - wood.places()[:6, 1]
+    assert np.max(fallen) > 0.01 and np.all(np.isfinite(wood.places()))
+
+
+def test_a_log_more_keeps_what_the_others_have():
+    stage = opened("embers", **SMALL)
+    stage.run(30)
+    wood = stage.scene.model.wood
+    before, burnt = wood.nodes.temperature.copy(), measured(stage, "burnt")
+    share = measured(stage, "open share")
+    stage.post(Action("log"))
+    assert wood.count == len(before) + 5
+    assert np.array_equal(wood.nodes.temperature[: len(before)], before)
+    assert measured(stage, "burnt") < burnt and measured(stage, "open share") == pytest.approx(
+        share, abs=1e-9
+    )
+    stage.run(5)
+    stage.step_back()
+    stage.post(Pointer("down", 0.1, 0.6, button=3))
+    assert stage.scene.model.wood.count == len(before) + 10
+    for _ in range(20):
+        stage.post(Action("log"))
+    assert stage.scene.model.wood.count <= 96 and any("room" in one for one in stage.scene.messages())
+
+
+def test_step_back_over_a_log_that_was_added():
+    stage = opened("embers", **SMALL)
+    stage.run(10)
+    digest = stage.digest()
+    stage.post(Action("log"))
+    stage.run(3)
+    while stage.step_number > 10:
+        stage.step_back()
+    assert stage.scene.model.wood.count in (5, 10)
+    stage.run(3)
+    assert stage.fault is None and isinstance(digest, str)
+
+
+def test_tools_blow_drag_hold_a_match_and_pour():
+    stage = opened("embers", **SMALL)
+    stage.run(20)
+    model = stage.scene.model
+    speed = float(model.air.speeds().max())
+    stage.post(Pointer("down", -0.3, 0.3, button=1))
+    stage.post(Pointer("move", 0.0, 0.3, button=1))
+    assert float(model.air.speeds().max()) > speed + 0.5
+    stage.post(Pointer("up", 0.0, 0.3, button=1))
+    stage.post(SetParameter("tool", "drag"))
+    x, y = model.wood.places()[2].tolist()
+    stage.post(Pointer("down", x, y, button=1))
+    stage.post(Pointer("move", x, y + 0.4, button=1))
+    stage.run(60)
+    assert model.wood.places()[2, 1] > y + 0.25
+    stage.post(Pointer("up", x, y, button=1))
+    stage.post(SetParameter("tool", "match"))
+    stage.post(Pointer("down", 0.5, 0.2, button=1))
+    assert measured(stage, "match") == 1.0
+    stage.post(Pointer("up", 0.5, 0.2, button=1))
+    assert measured(stage, "match") == 0.0
+    stage.post(SetParameter("tool", "water"))
+    hot = float(model.wood.nodes.temperature[0])
+    x, y = model.wood.places()[0].tolist()
+    stage.post(Pointer("down", x, y, button=1))
+    assert measured(stage, "water left") > 0.0
+    stage.run(30)
+    assert float(model.wood.nodes.temperature[0]) < hot - 100.0
+
+
+def test_the_damper_shuts_the_flue():
+    stage = Stage(Fireplace, parameters=SMALL)
+    air = stage.scene.model.air
+    row = round(1.26 / air.cell)
+    open_ways = float(air.gas.faces.ay[row].sum())
+    stage.post(Action("flue"))
+    shut = float(air.gas.faces.ay[row].sum())
+    assert stage.scene.parameters.damper == 0.0 and shut < open_ways - 1.5
+    stage.post(Action("flue"))
+    assert float(air.gas.faces.ay[row].sum()) == pytest.approx(open_ways)
+
+
+def test_an_ember_is_followed_beside_its_law():
+    stage = opened("embers", **SMALL)
+    wood, model = stage.scene.model.wood, stage.scene.model
+    wood.nodes.nodes[FUEL, :] = 0.079 * wood.table[:, 6]
+    wood.nodes.nodes[TEMPERATURE, :] = 900.0
+    stage.run(2)
+    assert model.ember[0] >= 0.0 and np.all(wood.nodes.fuel == 0.0)
+    stage.run(240)
+    assert 300.0 < measured(stage, "ember") < 880.0
+    assert measured(stage, "off the law") < 12.0
+
+
+def test_a_saved_level_has_the_wood_where_it_is():
+    stage = opened("default", **SMALL)
+    stage.run(5)
+    assert stage.scene.save_content() == stage.scene.model.content
+    stage.scene.model.changed = True
+    kept = stage.scene.save_content()
+    assert all(isinstance(one, WoodEntry) and one.pieces == 1 for one in kept.wood)
+    places = np.array([one.at for one in kept.wood])
+    assert np.allclose(places, stage.scene.model.wood.places()[: len(places)])
+
+
+def test_the_picture_shows_the_fire_and_what_is_measured_of_it():
+    prepare()
+    seen = set()
+    for view in ("fire", "temperature", "speed", "oxygen"):
+        stage = opened("embers", **SMALL, view=view, marks=True)
+        stage.run(30)
+        for theme in ("dark", "light"):
+            seen.add(np.asarray(picture_of_stage(stage, (320, 180), theme).get_buffer()).tobytes())
+    assert len(seen) == 8
+
+
+def test_the_room_is_brighter_by_the_fire():
+    prepare()
+    means = []
+    for hot in (False, True):
+        stage = opened("embers", **SMALL)
+        if not hot:
+            stage.scene.model.wood.nodes.nodes[TEMPERATURE, :] = 293.15
+        stage.run(60)
+        picture = picture_of_stage(stage, (320, 180), "dark")
+        means.append(float(np.mean(np.frombuffer(picture.get_buffer().raw, np.uint8))))
+    assert means[1] > means[0] + 2.0 and math.isfinite(means[0])
