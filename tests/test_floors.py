@@ -37,6 +37,7 @@ FOLDERS = {
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables",
         "surfaces",
+        "plates",
     ),
     "billiards": (
         "table",

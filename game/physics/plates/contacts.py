@@ -1,0 +1,365 @@
+"""Plates that touch: the ground, fixed walls, one another, with friction.
+
+A plate is three points (its left end, its middle, its right end) and the two straight halves between them,
+rounded by its half thickness. Points of one are tested against the halves of the other and the other way
+round, those near enough to meet within the step. Each contact lets its points come together no faster than their
+gap allows, so that nothing passes (speculative contacts: Catto 2013); impulses are added up one after the other
+(Gauss-Seidel), pushing only, rubbing at most as Coulomb says. They act on what is moved in truth, the plate with
+the air that it takes along, other along the chord than across it, and on its bend.
+
+A plate that was pushed goes on from where it was by its new velocity. What overlaps is moved apart a little
+each step, without velocity.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.plates.law import (
+    BEND,
+    BEND_INERTIA,
+    BEND_RATE,
+    HALF,
+    HEAVY,
+    INERTIA,
+    MASS,
+    MASS_X,
+    MASS_Y,
+    MOST_BEND,
+    RADIUS,
+    SPIN,
+    STATE,
+    STIFF,
+    THETA,
+    VX,
+    VY,
+    X,
+    Y,
+)
+
+NOBODY = -1  # the ground or a wall
+POINTS, PER_POINT = 3, 4  # of a plate: offset from its place (m), and how it moves with the bend (m/rad)
+BELOW = 0.5 * (1.0 - HEAVY)  # of a half chord times sin q that the midrib lies below the centre of mass
+START_X, START_Y, END_X, END_Y, WALL_RADIUS, WALL_FRICTION = range(6)
+WALL = 6
+GAP, FRICTION, NORMAL_X, NORMAL_Y, PUSH, RUB, HEIGHT = range(7)
+ARMS = 7  # where the levers of the first body begin, those of the second follow: see `lever`
+LEVERS = 12
+ROW = ARMS + 2 * LEVERS
+SLOP = 2e-4  # m that contacts may overlap
+MENDED = 0.2  # of the rest that is mended in a step
+ITERATIONS = 12
+CREEP, CALMING = 0.01, 30.0  # m/s, 1/s: what creeps while it is touched comes to rest at this rate
+RICHER = 1e-3  # m, beyond what is crossed in a step, within which contacts are looked for
+
+
+@inner_kernel
+def shape(state, laws, points, i):
+    """Write the three points of a plate: (x, y) from its place, and how they move with the bend."""
+    a, q, theta = laws[HALF, i], state[BEND, i], state[THETA, i]
+    c, s, level, up = math.cos(theta), math.sin(theta), math.cos(q), math.sin(q)
+    for k in range(POINTS):
+        side = k - 1.0
+        far = 1.0 if k != 1 else 0.0
+        px, py = side * a * level, (far - BELOW) * a * up
+        bx, by = -side * a * up, (far - BELOW) * a * level
+        points[i, k, 0], points[i, k, 1] = c * px - s * py, s * px + c * py
+        points[i, k, 2], points[i, k, 3] = c * bx - s * by, s * bx + c * by
+
+
+@inner_kernel
+def lever(row, first, state, laws, i, arm, normal, sign, bends):
+    """Write what an impulse along the normal and across it does to a body, by 1/(N s); how much it yields.
+
+    Levers: along, across: each spin arm, bend arm, then what it changes: vx, vy, spin, bend rate.
+    """
+    total_n, total_t = 0.0, 0.0
+    gives = bends if laws[STIFF, i] > 0.0 else 0.0
+    c, s = math.cos(state[THETA, i]), math.sin(state[THETA, i])
+    mass = laws[MASS, i]
+    for k in range(2):
+        dx, dy = (normal[0], normal[1]) if k == 0 else (-normal[1], normal[0])
+        dx, dy = sign * dx, sign * dy
+        turn, bend = arm[0] * dy - arm[1] * dx, gives * (arm[2] * dx + arm[3] * dy)
+        ux, uy = (c * dx + s * dy) / laws[MASS_X, i], (c * dy - s * dx) / laws[MASS_Y, i]
+        at = first + 6 * k
+        row[at], row[at + 1] = turn, bend
+        row[at + 2], row[at + 3] = (c * ux - s * uy) / mass, (s * ux + c * uy) / mass
+        row[at + 4], row[at + 5] = turn / (mass * laws[INERTIA, i]), bend / (mass * laws[BEND_INERTIA, i])
+        total = row[at + 2] * dx + row[at + 3] * dy + turn * row[at + 4] + bend * row[at + 5]
+        if k == 0:
+            total_n = total
+        else:
+            total_t = total
+    return total_n, total_t
+
+
+@inner_kernel
+def add(rows, ids, count, state, laws, i, arm, j, other, normal, gap, friction, bends):
+    """One more contact: plate i at ``arm`` (offset, and its motion with the bend), j or NOBODY at ``other``."""
+    if count >= len(rows):
+        return count
+    row = rows[count]
+    ids[count, 0], ids[count, 1] = i, j
+    row[:] = 0.0
+    along, across = lever(row, ARMS, state, laws, i, arm, normal, 1.0, bends)
+    if j != NOBODY:
+        more, off = lever(row, ARMS + LEVERS, state, laws, j, other, normal, -1.0, bends)
+        along, across = along + more, across + off
+    row[HEIGHT] = state[Y, i] + arm[1]
+    row[GAP], row[FRICTION], row[NORMAL_X], row[NORMAL_Y] = gap, friction, normal[0], normal[1]
+    # the room of the impulses holds what contacts yield until they are solved
+    row[PUSH], row[RUB] = along, across
+    return count + 1
+
+
+@inner_kernel
+def nearest(px, py, ax, ay, bx, by):
+    """Share along a segment at which it is nearest to a point, and the way from there to the point."""
+    dx, dy = bx - ax, by - ay
+    squared = dx * dx + dy * dy
+    share = ((px - ax) * dx + (py - ay) * dy) / squared if squared > 0.0 else 0.0
+    share = min(max(share, 0.0), 1.0)
+    return share, px - ax - share * dx, py - ay - share * dy
+
+
+@inner_kernel
+def between(points, j, side, share):
+    """The lever of a place on half of a plate: ``side`` 0 or 2, ``share`` of the way from the middle outwards."""
+    return (
+        points[j, 1, 0] + share * (points[j, side, 0] - points[j, 1, 0]),
+        points[j, 1, 1] + share * (points[j, side, 1] - points[j, 1, 1]),
+        points[j, 1, 2] + share * (points[j, side, 2] - points[j, 1, 2]),
+        points[j, 1, 3] + share * (points[j, side, 3] - points[j, 1, 3]),
+    )
+
+
+@inner_kernel
+def point_on_plate(state, points, px, py, j):
+    """Of the halves of plate j the nearest place to a point: its half, share, and the way to the point."""
+    x, y = state[X, j], state[Y, j]
+    best, side, share, wx, wy = math.inf, 0, 0.0, 0.0, 0.0
+    for k in range(0, POINTS, 2):
+        at, dx, dy = nearest(
+            px, py, x + points[j, 1, 0], y + points[j, 1, 1], x + points[j, k, 0], y + points[j, k, 1]
+        )
+        if dx * dx + dy * dy < best:
+            best, side, share, wx, wy = dx * dx + dy * dy, k, at, dx, dy
+    return side, share, wx, wy
+
+
+@inner_kernel
+def points_on_plate(state, laws, points, i, j, reach, friction, rows, ids, count, bends):
+    """Contacts of the three points of plate i with the halves of plate j."""
+    for k in range(POINTS):
+        px, py = state[X, i] + points[i, k, 0], state[Y, i] + points[i, k, 1]
+        side, share, dx, dy = point_on_plate(state, points, px, py, j)
+        far = math.sqrt(dx * dx + dy * dy)
+        gap = far - laws[RADIUS, i] - laws[RADIUS, j]
+        if gap < reach and far > 0.0:
+            arm = (points[i, k, 0], points[i, k, 1], points[i, k, 2], points[i, k, 3])
+            count = add(
+                rows, ids, count, state, laws, i, arm, j, between(points, j, side, share),
+                (dx / far, dy / far), gap, friction, bends,
+            )  # fmt: skip
+    return count
+
+
+@inner_kernel
+def with_wall(state, laws, points, i, wall, reach, rows, ids, count, bends):
+    """Contacts of plate i with a wall: its points, and the wall's ends on its halves."""
+    none = (0.0, 0.0, 0.0, 0.0)
+    for k in range(POINTS):
+        px, py = state[X, i] + points[i, k, 0], state[Y, i] + points[i, k, 1]
+        _, dx, dy = nearest(px, py, wall[START_X], wall[START_Y], wall[END_X], wall[END_Y])
+        far = math.sqrt(dx * dx + dy * dy)
+        gap = far - laws[RADIUS, i] - wall[WALL_RADIUS]
+        if gap < reach and far > 0.0:
+            arm = (points[i, k, 0], points[i, k, 1], points[i, k, 2], points[i, k, 3])
+            count = add(
+                rows, ids, count, state, laws, i, arm, NOBODY, none, (dx / far, dy / far), gap,
+                wall[WALL_FRICTION], bends,
+            )  # fmt: skip
+    for end in range(2):
+        ex, ey = wall[2 * end], wall[2 * end + 1]
+        side, share, dx, dy = point_on_plate(state, points, ex, ey, i)
+        far = math.sqrt(dx * dx + dy * dy)
+        gap = far - laws[RADIUS, i] - wall[WALL_RADIUS]
+        if gap < reach and far > 0.0 and 0.02 < share < 0.98:
+            count = add(
+                rows, ids, count, state, laws, i, between(points, i, side, share), NOBODY, none,
+                (-dx / far, -dy / far), gap, wall[WALL_FRICTION], bends,
+            )  # fmt: skip
+    return count
+
+
+@inner_kernel
+def crossed(state, laws, i, gravity, dt):
+    """How far (m) a point of a plate may go in a step, and a little more."""
+    a = laws[HALF, i]
+    speed = math.sqrt(state[VX, i] ** 2 + state[VY, i] ** 2) + abs(state[SPIN, i]) * a
+    return 1.5 * dt * (speed + abs(state[BEND_RATE, i]) * a + abs(gravity) * dt) + RICHER
+
+
+@lean_kernel
+def find_contacts(state, laws, points, walls, order, rows, ids, settings, dt):
+    """Write all contacts; how many.
+
+    state (STATE, n), laws (COLUMNS, n), points (n, POINTS, PER_POINT): written; walls (m, WALL);
+    order (n,): kept, plates from left to right; rows (k, ROW), ids (k, 2). settings: gravity m/s²; 1 if there
+    is ground, and its height m; 1 if plates touch one another; friction; 1 if they bend.
+    """
+    gravity, ground, floor, pairs, friction, bends = settings
+    n = state.shape[1]
+    for i in range(n):
+        shape(state, laws, points, i)
+    count = 0
+    none = (0.0, 0.0, 0.0, 0.0)
+    for i in range(n):
+        far = crossed(state, laws, i, gravity, dt)
+        reach = laws[HALF, i] + laws[RADIUS, i] + far
+        x, y = state[X, i], state[Y, i]
+        if ground > 0.5 and y - reach < floor:
+            for k in range(POINTS):
+                gap = y + points[i, k, 1] - floor - laws[RADIUS, i]
+                if gap < far:
+                    arm = (points[i, k, 0], points[i, k, 1], points[i, k, 2], points[i, k, 3])
+                    count = add(
+                        rows, ids, count, state, laws, i, arm, NOBODY, none, (0.0, 1.0), gap, friction, bends
+                    )
+        for w in range(walls.shape[0]):
+            near = reach + walls[w, WALL_RADIUS]
+            if (
+                x + near > min(walls[w, START_X], walls[w, END_X])
+                and x - near < max(walls[w, START_X], walls[w, END_X])
+                and y + near > min(walls[w, START_Y], walls[w, END_Y])
+                and y - near < max(walls[w, START_Y], walls[w, END_Y])
+            ):
+                count = with_wall(state, laws, points, i, walls[w], far, rows, ids, count, bends)
+    if pairs > 0.5:
+        sort(state, order)
+        widest = 0.0
+        for i in range(n):
+            widest = max(widest, laws[HALF, i] + laws[RADIUS, i] + crossed(state, laws, i, gravity, dt))
+        for k in range(n):
+            i = order[k]
+            far = crossed(state, laws, i, gravity, dt)
+            own = laws[HALF, i] + laws[RADIUS, i] + far
+            for m in range(k + 1, n):
+                j = order[m]
+                if state[X, j] - state[X, i] > own + widest:
+                    break
+                away = far + crossed(state, laws, j, gravity, dt)
+                near = laws[HALF, i] + laws[RADIUS, i] + laws[HALF, j] + laws[RADIUS, j] + away
+                dx, dy = state[X, j] - state[X, i], state[Y, j] - state[Y, i]
+                if dx * dx + dy * dy < near * near:
+                    count = points_on_plate(
+                        state, laws, points, i, j, away, friction, rows, ids, count, bends
+                    )
+                    count = points_on_plate(
+                        state, laws, points, j, i, away, friction, rows, ids, count, bends
+                    )
+    return count
+
+
+@inner_kernel
+def sort(state, order):
+    """Plates from left to right, those at one place by number: an insertion sort of what is nearly sorted."""
+    for k in range(1, len(order)):
+        i = order[k]
+        x = state[X, i]
+        m = k - 1
+        while m >= 0 and (state[X, order[m]] > x or (state[X, order[m]] == x and order[m] > i)):
+            order[m + 1] = order[m]
+            m -= 1
+        order[m + 1] = i
+
+
+@inner_kernel
+def speed_of(state, row, at, i, dx, dy):
+    """Speed of a body at a contact in a direction."""
+    return (
+        dx * state[VX, i] + dy * state[VY, i] + row[at] * state[SPIN, i] + row[at + 1] * state[BEND_RATE, i]
+    )
+
+
+@inner_kernel
+def give(state, row, at, i, impulse):
+    """An impulse (N s) on a body."""
+    state[VX, i] += impulse * row[at + 2]
+    state[VY, i] += impulse * row[at + 3]
+    state[SPIN, i] += impulse * row[at + 4]
+    state[BEND_RATE, i] += impulse * row[at + 5]
+
+
+@lean_kernel
+def solve_contacts(state, laws, before, rows, ids, order, yields, touched, dt):
+    """Push apart and rub, and take what was pushed from where it was ``before`` (STATE, n) by its new velocity.
+
+    order (k,): contacts from the lowest up; sweeps go up and down by turns, so that a heap is carried from below
+    and loaded from above within two. yields (k, 2): scratch; touched (n,): written, the impulse (N s) that each plate got along normals.
+    """
+    n, count = state.shape[1], len(order)
+    for i in range(n):
+        touched[i] = 0.0
+    for k in range(count):
+        yields[k, 0], yields[k, 1] = rows[k, PUSH], rows[k, RUB]
+        rows[k, PUSH] = rows[k, RUB] = 0.0
+    for sweep in range(ITERATIONS):
+        for place in range(count):
+            k = order[place if sweep % 2 == 0 else count - 1 - place]
+            row, i, j = rows[k], ids[k, 0], ids[k, 1]
+            nx, ny = row[NORMAL_X], row[NORMAL_Y]
+            speed = speed_of(state, row, ARMS, i, nx, ny)
+            if j != NOBODY:
+                speed += speed_of(state, row, ARMS + LEVERS, j, -nx, -ny)
+            wanted = row[PUSH] - (speed + max(row[GAP], 0.0) / dt) / yields[k, 0]
+            push = max(wanted, 0.0)
+            change, row[PUSH] = push - row[PUSH], push
+            give(state, row, ARMS, i, change)
+            if j != NOBODY:
+                give(state, row, ARMS + LEVERS, j, change)
+            most = row[FRICTION] * row[PUSH]
+            speed = speed_of(state, row, ARMS + 6, i, -ny, nx)
+            if j != NOBODY:
+                speed += speed_of(state, row, ARMS + LEVERS + 6, j, ny, -nx)
+            rub = min(max(row[RUB] - speed / yields[k, 1], -most), most)
+            change, row[RUB] = rub - row[RUB], rub
+            give(state, row, ARMS + 6, i, change)
+            if j != NOBODY:
+                give(state, row, ARMS + LEVERS + 6, j, change)
+    for k in range(count):
+        touched[ids[k, 0]] += rows[k, PUSH]
+        if ids[k, 1] != NOBODY:
+            touched[ids[k, 1]] += rows[k, PUSH]
+    for i in range(n):
+        if touched[i] > 0.0:
+            slow = math.sqrt(state[VX, i] ** 2 + state[VY, i] ** 2) + abs(state[SPIN, i]) * laws[HALF, i]
+            if slow < CREEP:
+                calm = 1.0 / (1.0 + CALMING * dt)
+                state[VX, i] *= calm
+                state[VY, i] *= calm
+                state[SPIN, i] *= calm
+            state[X, i] = before[X, i] + dt * state[VX, i]
+            state[Y, i] = before[Y, i] + dt * state[VY, i]
+            state[THETA, i] = before[THETA, i] + dt * state[SPIN, i]
+            state[BEND, i] = min(max(before[BEND, i] + dt * state[BEND_RATE, i], -MOST_BEND), MOST_BEND)
+    for k in range(count):
+        deep = -rows[k, GAP] - SLOP
+        if deep > 0.0:
+            i, j = ids[k, 0], ids[k, 1]
+            part = MENDED * deep * (1.0 if j == NOBODY else 0.5)
+            state[X, i] += part * rows[k, NORMAL_X]
+            state[Y, i] += part * rows[k, NORMAL_Y]
+            if j != NOBODY:
+                state[X, j] -= part * rows[k, NORMAL_X]
+                state[Y, j] -= part * rows[k, NORMAL_Y]
+
+
+@lean_kernel
+def copy_state(state, before):
+    """Keep a state (STATE, n)."""
+    for k in range(STATE):
+        for i in range(state.shape[1]):
+            before[k, i] = state[k, i]
