@@ -39,17 +39,21 @@ from game.physics.plates.law import (
 )
 
 NOBODY = -1  # the ground or a wall
+FEATURES, PARTNERS = 8, 65_536  # of a plate: three points, two ends of a wall; the ground, plates, walls
+WALLS = 8_192  # number of the first wall among partners
+WARM = 3  # of a contact of the last step: its key, push and rub (N s)
 POINTS, PER_POINT = 3, 4  # of a plate: offset from its place (m), and how it moves with the bend (m/rad)
 BELOW = 0.5 * (1.0 - HEAVY)  # of a half chord times sin q that the midrib lies below the centre of mass
 START_X, START_Y, END_X, END_Y, WALL_RADIUS, WALL_FRICTION = range(6)
 WALL = 6
-GAP, FRICTION, NORMAL_X, NORMAL_Y, PUSH, RUB, HEIGHT = range(7)
-ARMS = 7  # where the levers of the first body begin, those of the second follow: see `lever`
+GAP, FRICTION, NORMAL_X, NORMAL_Y, PUSH, RUB, HEIGHT, YIELDS, YIELDS_ACROSS = range(9)
+ARMS = 9  # where the levers of the first body begin, those of the second follow: see `lever`
 LEVERS = 12
 ROW = ARMS + 2 * LEVERS
 SLOP = 2e-4  # m that contacts may overlap
 MENDED = 0.2  # of the rest that is mended in a step
 ITERATIONS = 12
+SCATTER = 2_654_435_761  # of keys over the table of a hash (Knuth)
 CREEP, CALMING = 0.01, 30.0  # m/s, 1/s: what creeps while it is touched comes to rest at this rate
 RICHER = 1e-3  # m, beyond what is crossed in a step, within which contacts are looked for
 
@@ -96,21 +100,27 @@ def lever(row, first, state, laws, i, arm, normal, sign, bends):
 
 
 @inner_kernel
-def add(rows, ids, count, state, laws, i, arm, j, other, normal, gap, friction, bends):
-    """One more contact: plate i at ``arm`` (offset, and its motion with the bend), j or NOBODY at ``other``."""
+def add(found, count, world, i, feature, j, other, normal, limits):
+    """One more contact: plate i at ``feature`` (number, lever), j or NOBODY at ``other`` (number, lever).
+
+    found: rows, ids, keys, 1 if plates bend; world: state, laws, points; limits: gap (m), friction.
+    """
+    rows, ids, keys, bends = found
+    state, laws, _ = world
     if count >= len(rows):
         return count
     row = rows[count]
+    number, arm = feature
+    partner, far_arm = other
     ids[count, 0], ids[count, 1] = i, j
+    keys[count] = float((i * FEATURES + number) * PARTNERS + partner)
     row[:] = 0.0
     along, across = lever(row, ARMS, state, laws, i, arm, normal, 1.0, bends)
     if j != NOBODY:
-        more, off = lever(row, ARMS + LEVERS, state, laws, j, other, normal, -1.0, bends)
+        more, off = lever(row, ARMS + LEVERS, state, laws, j, far_arm, normal, -1.0, bends)
         along, across = along + more, across + off
-    row[HEIGHT] = state[Y, i] + arm[1]
-    row[GAP], row[FRICTION], row[NORMAL_X], row[NORMAL_Y] = gap, friction, normal[0], normal[1]
-    # the room of the impulses holds what contacts yield until they are solved
-    row[PUSH], row[RUB] = along, across
+    row[GAP], row[FRICTION], row[NORMAL_X], row[NORMAL_Y] = limits[0], limits[1], normal[0], normal[1]
+    row[HEIGHT], row[YIELDS], row[YIELDS_ACROSS] = state[Y, i] + arm[1], along, across
     return count + 1
 
 
@@ -150,47 +160,67 @@ def point_on_plate(state, points, px, py, j):
 
 
 @inner_kernel
-def points_on_plate(state, laws, points, i, j, reach, friction, rows, ids, count, bends):
+def point(points, i, k):
+    """The lever of one of the three points of a plate."""
+    return points[i, k, 0], points[i, k, 1], points[i, k, 2], points[i, k, 3]
+
+
+@inner_kernel
+def points_on_plate(world, found, count, i, j, reach, friction):
     """Contacts of the three points of plate i with the halves of plate j."""
+    state, laws, points = world
     for k in range(POINTS):
         px, py = state[X, i] + points[i, k, 0], state[Y, i] + points[i, k, 1]
         side, share, dx, dy = point_on_plate(state, points, px, py, j)
         far = math.sqrt(dx * dx + dy * dy)
         gap = far - laws[RADIUS, i] - laws[RADIUS, j]
         if gap < reach and far > 0.0:
-            arm = (points[i, k, 0], points[i, k, 1], points[i, k, 2], points[i, k, 3])
+            other = (1 + j, between(points, j, side, share))
             count = add(
-                rows, ids, count, state, laws, i, arm, j, between(points, j, side, share),
-                (dx / far, dy / far), gap, friction, bends,
-            )  # fmt: skip
+                found,
+                count,
+                world,
+                i,
+                (k, point(points, i, k)),
+                j,
+                other,
+                (dx / far, dy / far),
+                (gap, friction),
+            )
     return count
 
 
 @inner_kernel
-def with_wall(state, laws, points, i, wall, reach, rows, ids, count, bends):
+def with_wall(world, found, count, i, walls, w, reach):
     """Contacts of plate i with a wall: its points, and the wall's ends on its halves."""
-    none = (0.0, 0.0, 0.0, 0.0)
+    state, laws, points = world
+    other = (WALLS + w, (0.0, 0.0, 0.0, 0.0))
+    friction, thick = walls[w, WALL_FRICTION], laws[RADIUS, i] + walls[w, WALL_RADIUS]
     for k in range(POINTS):
         px, py = state[X, i] + points[i, k, 0], state[Y, i] + points[i, k, 1]
-        _, dx, dy = nearest(px, py, wall[START_X], wall[START_Y], wall[END_X], wall[END_Y])
+        _, dx, dy = nearest(px, py, walls[w, START_X], walls[w, START_Y], walls[w, END_X], walls[w, END_Y])
         far = math.sqrt(dx * dx + dy * dy)
-        gap = far - laws[RADIUS, i] - wall[WALL_RADIUS]
-        if gap < reach and far > 0.0:
-            arm = (points[i, k, 0], points[i, k, 1], points[i, k, 2], points[i, k, 3])
+        if far - thick < reach and far > 0.0:
             count = add(
-                rows, ids, count, state, laws, i, arm, NOBODY, none, (dx / far, dy / far), gap,
-                wall[WALL_FRICTION], bends,
+                found, count, world, i, (k, point(points, i, k)), NOBODY, other, (dx / far, dy / far),
+                (far - thick, friction),
             )  # fmt: skip
     for end in range(2):
-        ex, ey = wall[2 * end], wall[2 * end + 1]
-        side, share, dx, dy = point_on_plate(state, points, ex, ey, i)
+        side, share, dx, dy = point_on_plate(state, points, walls[w, 2 * end], walls[w, 2 * end + 1], i)
         far = math.sqrt(dx * dx + dy * dy)
-        gap = far - laws[RADIUS, i] - wall[WALL_RADIUS]
-        if gap < reach and far > 0.0 and 0.02 < share < 0.98:
+        if far - thick < reach and far > 0.0 and 0.02 < share < 0.98:
+            feature = (POINTS + end, between(points, i, side, share))
             count = add(
-                rows, ids, count, state, laws, i, between(points, i, side, share), NOBODY, none,
-                (-dx / far, -dy / far), gap, wall[WALL_FRICTION], bends,
-            )  # fmt: skip
+                found,
+                count,
+                world,
+                i,
+                feature,
+                NOBODY,
+                other,
+                (-dx / far, -dy / far),
+                (far - thick, friction),
+            )
     return count
 
 
@@ -203,20 +233,19 @@ def crossed(state, laws, i, gravity, dt):
 
 
 @lean_kernel
-def find_contacts(state, laws, points, walls, order, rows, ids, settings, dt):
+def find_contacts(world, found, walls, order, settings, dt):
     """Write all contacts; how many.
 
-    state (STATE, n), laws (COLUMNS, n), points (n, POINTS, PER_POINT): written; walls (m, WALL);
-    order (n,): kept, plates from left to right; rows (k, ROW), ids (k, 2). settings: gravity m/s²; 1 if there
-    is ground, and its height m; 1 if plates touch one another; friction; 1 if they bend.
+    world: state (STATE, n), laws (COLUMNS, n), points (n, POINTS, PER_POINT), which are written. found: rows
+    (k, ROW), ids (k, 2), keys (k,), 1 if plates bend. walls (m, WALL); order (n,): kept, plates from left to
+    right. settings: gravity m/s²; 1 if there is ground, and its height m; 1 if plates touch one another; friction.
     """
-    gravity, ground, floor, pairs, friction, bends = settings
-    n = state.shape[1]
-    for i in range(n):
+    gravity, ground, floor, pairs, friction = settings
+    state, laws, points = world
+    count, none = 0, (0, (0.0, 0.0, 0.0, 0.0))
+    for i in range(state.shape[1]):
         shape(state, laws, points, i)
-    count = 0
-    none = (0.0, 0.0, 0.0, 0.0)
-    for i in range(n):
+    for i in range(state.shape[1]):
         far = crossed(state, laws, i, gravity, dt)
         reach = laws[HALF, i] + laws[RADIUS, i] + far
         x, y = state[X, i], state[Y, i]
@@ -224,9 +253,16 @@ def find_contacts(state, laws, points, walls, order, rows, ids, settings, dt):
             for k in range(POINTS):
                 gap = y + points[i, k, 1] - floor - laws[RADIUS, i]
                 if gap < far:
-                    arm = (points[i, k, 0], points[i, k, 1], points[i, k, 2], points[i, k, 3])
                     count = add(
-                        rows, ids, count, state, laws, i, arm, NOBODY, none, (0.0, 1.0), gap, friction, bends
+                        found,
+                        count,
+                        world,
+                        i,
+                        (k, point(points, i, k)),
+                        NOBODY,
+                        none,
+                        (0.0, 1.0),
+                        (gap, friction),
                     )
         for w in range(walls.shape[0]):
             near = reach + walls[w, WALL_RADIUS]
@@ -236,30 +272,36 @@ def find_contacts(state, laws, points, walls, order, rows, ids, settings, dt):
                 and y + near > min(walls[w, START_Y], walls[w, END_Y])
                 and y - near < max(walls[w, START_Y], walls[w, END_Y])
             ):
-                count = with_wall(state, laws, points, i, walls[w], far, rows, ids, count, bends)
+                count = with_wall(world, found, count, i, walls, w, far)
     if pairs > 0.5:
-        sort(state, order)
-        widest = 0.0
-        for i in range(n):
-            widest = max(widest, laws[HALF, i] + laws[RADIUS, i] + crossed(state, laws, i, gravity, dt))
-        for k in range(n):
-            i = order[k]
-            far = crossed(state, laws, i, gravity, dt)
-            own = laws[HALF, i] + laws[RADIUS, i] + far
-            for m in range(k + 1, n):
-                j = order[m]
-                if state[X, j] - state[X, i] > own + widest:
-                    break
-                away = far + crossed(state, laws, j, gravity, dt)
-                near = laws[HALF, i] + laws[RADIUS, i] + laws[HALF, j] + laws[RADIUS, j] + away
-                dx, dy = state[X, j] - state[X, i], state[Y, j] - state[Y, i]
-                if dx * dx + dy * dy < near * near:
-                    count = points_on_plate(
-                        state, laws, points, i, j, away, friction, rows, ids, count, bends
-                    )
-                    count = points_on_plate(
-                        state, laws, points, j, i, away, friction, rows, ids, count, bends
-                    )
+        count = find_pairs(world, found, count, order, (gravity, friction), dt)
+    return count
+
+
+@inner_kernel
+def find_pairs(world, found, count, order, settings, dt):
+    """Contacts of plates with one another, by a sweep from left to right."""
+    gravity, friction = settings
+    state, laws, _ = world
+    n = state.shape[1]
+    sort(state, order)
+    widest = 0.0
+    for i in range(n):
+        widest = max(widest, laws[HALF, i] + laws[RADIUS, i] + crossed(state, laws, i, gravity, dt))
+    for k in range(n):
+        i = order[k]
+        far = crossed(state, laws, i, gravity, dt)
+        own = laws[HALF, i] + laws[RADIUS, i]
+        for m in range(k + 1, n):
+            j = order[m]
+            dx, dy = state[X, j] - state[X, i], state[Y, j] - state[Y, i]
+            if dx > own + far + widest:
+                break
+            away = far + crossed(state, laws, j, gravity, dt)
+            near = own + laws[HALF, j] + laws[RADIUS, j] + away
+            if dx * dx + dy * dy < near * near:
+                count = points_on_plate(world, found, count, i, j, away, friction)
+                count = points_on_plate(world, found, count, j, i, away, friction)
     return count
 
 
@@ -293,19 +335,51 @@ def give(state, row, at, i, impulse):
     state[BEND_RATE, i] += impulse * row[at + 5]
 
 
+@inner_kernel
+def push_both(state, rows, ids, k, push, rub):
+    """Impulses (N s) along and across the normal of a contact."""
+    give(state, rows[k], ARMS, ids[k, 0], push)
+    give(state, rows[k], ARMS + 6, ids[k, 0], rub)
+    if ids[k, 1] != NOBODY:
+        give(state, rows[k], ARMS + LEVERS, ids[k, 1], push)
+        give(state, rows[k], ARMS + LEVERS + 6, ids[k, 1], rub)
+
+
+@inner_kernel
+def begin_warm(state, found, count, warm, table):
+    """Begin with the impulses that the same contacts had in the last step; table (2^p,): scratch, a hash of them."""
+    rows, ids, keys, _ = found
+    last = len(table) - 1
+    for k in range(len(table)):
+        table[k] = -1
+    for k in range(len(warm)):
+        at = (int(warm[k, 0]) * SCATTER >> 7) & last
+        while table[at] >= 0:
+            at = (at + 1) & last
+        table[at] = k
+    for k in range(count):
+        at = (int(keys[k]) * SCATTER >> 7) & last
+        while table[at] >= 0:
+            if warm[table[at], 0] == keys[k]:
+                rows[k, PUSH], rows[k, RUB] = warm[table[at], 1], warm[table[at], 2]
+                push_both(state, rows, ids, k, rows[k, PUSH], rows[k, RUB])
+                break
+            at = (at + 1) & last
+
+
 @lean_kernel
-def solve_contacts(state, laws, before, rows, ids, order, yields, touched, dt):
+def solve_contacts(world, found, order, before, warm, table, touched, dt):
     """Push apart and rub, and take what was pushed from where it was ``before`` (STATE, n) by its new velocity.
 
-    order (k,): contacts from the lowest up; sweeps go up and down by turns, so that a heap is carried from below
-    and loaded from above within two. yields (k, 2): scratch; touched (n,): written, the impulse (N s) that each plate got along normals.
+    order (count,): contacts from the lowest up; sweeps go up and down by turns. warm (k, WARM): the contacts of the
+    last step, whose impulses are begun with; touched (n,): written, the impulse (N s) that each plate got.
     """
+    state, laws, _ = world
+    rows, ids, _, _ = found
     n, count = state.shape[1], len(order)
     for i in range(n):
         touched[i] = 0.0
-    for k in range(count):
-        yields[k, 0], yields[k, 1] = rows[k, PUSH], rows[k, RUB]
-        rows[k, PUSH] = rows[k, RUB] = 0.0
+    begin_warm(state, found, count, warm, table)
     for sweep in range(ITERATIONS):
         for place in range(count):
             k = order[place if sweep % 2 == 0 else count - 1 - place]
@@ -314,7 +388,7 @@ def solve_contacts(state, laws, before, rows, ids, order, yields, touched, dt):
             speed = speed_of(state, row, ARMS, i, nx, ny)
             if j != NOBODY:
                 speed += speed_of(state, row, ARMS + LEVERS, j, -nx, -ny)
-            wanted = row[PUSH] - (speed + max(row[GAP], 0.0) / dt) / yields[k, 0]
+            wanted = row[PUSH] - (speed + max(row[GAP], 0.0) / dt) / row[YIELDS]
             push = max(wanted, 0.0)
             change, row[PUSH] = push - row[PUSH], push
             give(state, row, ARMS, i, change)
@@ -324,7 +398,7 @@ def solve_contacts(state, laws, before, rows, ids, order, yields, touched, dt):
             speed = speed_of(state, row, ARMS + 6, i, -ny, nx)
             if j != NOBODY:
                 speed += speed_of(state, row, ARMS + LEVERS + 6, j, ny, -nx)
-            rub = min(max(row[RUB] - speed / yields[k, 1], -most), most)
+            rub = min(max(row[RUB] - speed / row[YIELDS_ACROSS], -most), most)
             change, row[RUB] = rub - row[RUB], rub
             give(state, row, ARMS + 6, i, change)
             if j != NOBODY:

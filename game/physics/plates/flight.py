@@ -56,9 +56,7 @@ WIND = 8
 LANES = 16
 LAW = STATE  # rows of the buffer
 AIR = LAW + COLUMNS
-COS, SIN, FROM_X, FROM_Y, TIME, LENGTH, PER_X, PER_Y, PER_TURN, PER_BEND = (
-    AIR + WIND + k for k in range(10)
-)
+COS, SIN, FROM_X, FROM_Y, TIME, LENGTH, PER_X, PER_Y, PER_TURN, PER_BEND = (AIR + WIND + k for k in range(10))
 SLOPE = AIR + WIND + 10  # slopes of the stage before, in the order of the state
 COS_SLOPE, SIN_SLOPE = SLOPE + STATE, SLOPE + STATE + 1
 SUM = SLOPE + STATE + 2
@@ -84,8 +82,14 @@ def law_at(b, i):
 
 
 @inner_kernel(forceinline=True)
-def rates(c, s, vx, vy, spin, q, rate, wx, wy, dwx, dwy, fall, law, per):
-    """Accelerations (x, y, spin, bend) of a plate; law: see `law_at`; per: one over its four inertias."""
+def rates(motion, wind, fall, law, per):
+    """Accelerations (x, y, spin, bend) of a plate.
+
+    motion: cos and sin of its angle, vx, vy, spin, bend and its rate; wind: its velocity, and its rate along
+    the way; law: see `law_at`; per: one over its four inertias.
+    """
+    c, s, vx, vy, spin, q, rate = motion
+    wx, wy, dwx, dwy = wind
     (half, mass_x, mass_y, inertia, weight, turn, glide, drag, drag_turn, torque, torque_2, bend_inertia,
      stiff, damp, curl) = law  # fmt: skip
     per_x, per_y, per_turn, per_bend = per
@@ -115,8 +119,9 @@ def rates(c, s, vx, vy, spin, q, rate, wx, wy, dwx, dwy, fall, law, per):
 
 
 @inner_kernel(forceinline=True)
-def energy(c, s, y, vx, vy, spin, q, rate, fall, law):
-    """Energy of a plate in still air, added mass counted, by pi rho a²."""
+def energy(motion, y, fall, law):
+    """Energy of motion, and of bend and height, of a plate in still air, added mass counted, by pi rho a²."""
+    c, s, vx, vy, spin, q, rate = motion
     ux, uy = c * vx + s * vy, c * vy - s * vx
     moving = 0.5 * (law[1] * ux * ux + law[2] * uy * uy + law[3] * spin * spin + law[11] * rate * rate)
     return moving, 0.5 * law[12] * (q - law[14]) * (q - law[14]) + law[4] * fall * y
@@ -130,19 +135,28 @@ def stage(b, part, weight, rules):
         law = law_at(b, i)
         per = b[PER_X * LANES + i], b[PER_Y * LANES + i], b[PER_TURN * LANES + i], b[PER_BEND * LANES + i]
         h = part * b[LENGTH * LANES + i]
-        x, y = b[X * LANES + i] + h * b[(SLOPE + X) * LANES + i], b[Y * LANES + i] + h * b[(SLOPE + Y) * LANES + i]
-        vx, vy = b[VX * LANES + i] + h * b[(SLOPE + VX) * LANES + i], b[VY * LANES + i] + h * b[(SLOPE + VY) * LANES + i]
+        x, y = (
+            b[X * LANES + i] + h * b[(SLOPE + X) * LANES + i],
+            b[Y * LANES + i] + h * b[(SLOPE + Y) * LANES + i],
+        )
+        vx, vy = (
+            b[VX * LANES + i] + h * b[(SLOPE + VX) * LANES + i],
+            b[VY * LANES + i] + h * b[(SLOPE + VY) * LANES + i],
+        )
         spin = b[SPIN * LANES + i] + h * b[(SLOPE + SPIN) * LANES + i]
         q = b[BEND * LANES + i] + h * b[(SLOPE + BEND) * LANES + i]
         rate = bends * (b[BEND_RATE * LANES + i] + h * b[(SLOPE + BEND_RATE) * LANES + i])
-        c, s = b[COS * LANES + i] + h * b[COS_SLOPE * LANES + i], b[SIN * LANES + i] + h * b[SIN_SLOPE * LANES + i]
+        c, s = (
+            b[COS * LANES + i] + h * b[COS_SLOPE * LANES + i],
+            b[SIN * LANES + i] + h * b[SIN_SLOPE * LANES + i],
+        )
         dx, dy, dt = x - b[FROM_X * LANES + i], y - b[FROM_Y * LANES + i], b[TIME * LANES + i] + h
         xx, xy, xt = b[(AIR + WX_X) * LANES + i], b[(AIR + WX_Y) * LANES + i], b[(AIR + WX_T) * LANES + i]
         yx, yy, yt = b[(AIR + WY_X) * LANES + i], b[(AIR + WY_Y) * LANES + i], b[(AIR + WY_T) * LANES + i]
         wx = b[(AIR + WX) * LANES + i] + xx * dx + xy * dy + xt * dt
         wy = b[(AIR + WY) * LANES + i] + yx * dx + yy * dy + yt * dt
         dwx, dwy = inertia * (xt + xx * vx + xy * vy), inertia * (yt + yx * vx + yy * vy)
-        ax, ay, turning, opening = rates(c, s, vx, vy, spin, q, rate, wx, wy, dwx, dwy, fall, law, per)
+        ax, ay, turning, opening = rates((c, s, vx, vy, spin, q, rate), (wx, wy, dwx, dwy), fall, law, per)
         opening = opening * bends
         b[(SLOPE + X) * LANES + i], b[(SLOPE + Y) * LANES + i] = vx, vy
         b[(SLOPE + THETA) * LANES + i], b[(SLOPE + SPIN) * LANES + i] = spin, turning
@@ -172,7 +186,7 @@ def finish(b, rules):
         c, s, y = b[COS * LANES + i], b[SIN * LANES + i], b[Y * LANES + i]
         vx, vy, spin = b[VX * LANES + i], b[VY * LANES + i], b[SPIN * LANES + i]
         q, rate = b[BEND * LANES + i], b[BEND_RATE * LANES + i]
-        moving, lying = energy(c, s, y, vx, vy, spin, q, rate, fall, law)
+        moving, lying = energy((c, s, vx, vy, spin, q, rate), y, fall, law)
         c, s = c + sixth * b[COS_SUM * LANES + i], s + sixth * b[SIN_SUM * LANES + i]
         length = 1.0 / math.sqrt(c * c + s * s) if going else 1.0
         c, s = c * length, s * length
@@ -182,7 +196,7 @@ def finish(b, rules):
         q, rate = q + sixth * b[(SUM + BEND) * LANES + i], rate + sixth * b[(SUM + BEND_RATE) * LANES + i]
         rate = 0.0 if (q > MOST_BEND) | (q < -MOST_BEND) else rate
         q = min(max(q, -MOST_BEND), MOST_BEND)
-        now, low = energy(c, s, y, vx, vy, spin, q, rate, fall, law)
+        now, low = energy((c, s, vx, vy, spin, q, rate), y, fall, law)
         spare = max(moving + lying - low, 0.0)
         ratio = math.sqrt(spare / (now + 1e-300))
         keep = ratio if (still > 0.5) & (now > spare) & going else 1.0

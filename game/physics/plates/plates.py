@@ -15,7 +15,21 @@ from game.physics.fields import GRAVITY, GROUND, QUADRATIC_DRAG
 from game.physics.fields import WIND as WINDS
 from game.physics.plates import contacts as touching
 from game.physics.plates.effects import BENDING, CIRCULATION, GUST_INERTIA, PLATES
-from game.physics.plates.flight import LANES, METHODS, ROWS, WIND, WX, WX_T, WX_X, WX_Y, WY, WY_T, WY_X, WY_Y, fly
+from game.physics.plates.flight import (
+    LANES,
+    METHODS,
+    ROWS,
+    WIND,
+    WX,
+    WX_T,
+    WX_X,
+    WX_Y,
+    WY,
+    WY_T,
+    WY_X,
+    WY_Y,
+    fly,
+)
 from game.physics.plates.law import (
     BEND,
     BEND_INERTIA,
@@ -40,9 +54,9 @@ from game.physics.plates.law import (
     VX,
     VY,
     WEIGHT,
+    Plate,
     X,
     Y,
-    Plate,
     checked_plate,
     law_of,
 )
@@ -65,12 +79,14 @@ class Feels(Protocol):
 
 
 class PlateState(NamedTuple):
-    """All that later steps depend on: state and laws of `law`, time (s), the wind that was felt last (2, n)."""
+    """All that later steps depend on: state and laws of `law`, time (s), the wind that was felt last (2, n),
+    contacts of the last step (k, WARM)."""
 
     rows: Floats
     laws: Floats
     time: Floats
     felt: Floats
+    warm: Floats
 
 
 class PlateSettings(NamedTuple):
@@ -152,7 +168,9 @@ class Plates:
         if not all(map(math.isfinite, (*velocity, spin))):
             raise ValueError(f"velocity = {velocity!r}, spin = {spin!r}: expected finite numbers")
         if math.hypot(*velocity) > LARGEST or abs(spin) > FASTEST_SPIN:
-            raise ValueError(f"velocity = {velocity!r}, spin = {spin!r}: faster than {LARGEST:g}, {FASTEST_SPIN:g}")
+            raise ValueError(
+                f"velocity = {velocity!r}, spin = {spin!r}: faster than {LARGEST:g}, {FASTEST_SPIN:g}"
+            )
         self.rows[VX, number], self.rows[VY, number] = velocity
         self.rows[SPIN, number] = spin
 
@@ -181,7 +199,9 @@ class Plates:
         self._order = np.arange(n)
         most = MOST_CONTACTS * n
         self._rows, self._ids = np.zeros((most, touching.ROW)), np.zeros((most, 2), dtype=np.int64)
-        self._yields = np.zeros((most, 2))
+        self._keys = np.zeros(most)
+        self._table = np.zeros(1 << max(2 * most, 1).bit_length(), dtype=np.int64)
+        self.warm: Floats = np.zeros((0, touching.WARM))
         self.contacts = 0
 
     # -- a step -------------------------------------------------------------------------------------
@@ -203,12 +223,14 @@ class Plates:
         if inertia:
             self._jump()
         touches = GROUND in effects or CONTACTS in effects or len(self.walls)
+        world = (self.rows, self.laws, self._points)
+        found = (self._rows, self._ids, self._keys, bends)
         if touches:
             touching.copy_state(self.rows, self._before)
             self.contacts = touching.find_contacts(
-                self.rows, self.laws, self._points, self.walls, self._order, self._rows, self._ids,
+                world, found, self.walls, self._order,
                 (gravity, float(GROUND in effects), settings.floor, float(CONTACTS in effects),
-                 settings.friction, bends),
+                 settings.friction),
                 dt,
             )  # fmt: skip
         fly(
@@ -216,10 +238,13 @@ class Plates:
             (gravity, inertia, bends, 0.0 if windy else 1.0, self._method), dt,
         )  # fmt: skip
         if touches:
-            order = np.argsort(self._rows[: self.contacts, touching.HEIGHT], kind="stable")
+            count = self.contacts
+            order = np.argsort(self._rows[:count, touching.HEIGHT], kind="stable")
             touching.solve_contacts(
-                self.rows, self.laws, self._before, self._rows, self._ids, order, self._yields, self.touched, dt
+                world, found, order, self._before, self.warm, self._table, self.touched, dt
             )
+            impulses = self._rows[:count, touching.PUSH : touching.RUB + 1]
+            self.warm = np.concatenate([self._keys[:count, None], impulses], axis=1)
         self.time += dt
         self.felt = self._wind_now()
 
@@ -238,9 +263,7 @@ class Plates:
         """The wind at each plate, with its slopes."""
         if self.wind is None or WINDS not in self.effects:
             self.air[:] = 0.0
-        elif isinstance(self.wind, GustyWind):
-            self.wind.feel(self.rows, self.time, self.air)
-        elif hasattr(self.wind, "feel"):
+        elif isinstance(self.wind, GustyWind) or hasattr(self.wind, "feel"):
             self.wind.feel(self.rows, self.time, self.air)
         else:
             slopes_of(self.wind, self.rows[:2], self.time, self.air)
@@ -310,7 +333,7 @@ class Plates:
 
     def state(self) -> PlateState:
         """All that later steps depend on."""
-        return PlateState(self.rows, self.laws, np.array([self.time]), self.felt)
+        return PlateState(self.rows, self.laws, np.array([self.time]), self.felt, self.warm)
 
     def restore(self, state: PlateState) -> None:
         """Take over a copy of a state."""
@@ -319,6 +342,7 @@ class Plates:
         self.time, self.felt = float(state.time[0]), state.felt.copy()
         if len(self) != many:
             self._make_room()
+        self.warm = state.warm.copy()
 
 
 def checked_settings(settings: PlateSettings) -> PlateSettings:

@@ -65,7 +65,12 @@ def trace(state, laws, air, buffer, counts, settings, dt, every, out):
 
 
 def drop(
-    plates: list[Plate], tilt: float, time: float, dt: float = 0.02, spin: float = 0.0, every: int = 5,
+    plates: list[Plate],
+    tilt: float,
+    time: float,
+    dt: float = 0.02,
+    spin: float = 0.0,
+    every: int = 5,
     method: str = "rk4",
 ) -> Floats:
     """States (k, STATE, n) of plates in reduced units, every so many steps dt; begun at rest but for 0.01 U along
@@ -167,11 +172,12 @@ def crossings(values: Floats, times: Floats) -> Floats:
     return np.array(found)
 
 
-def long_run(plates: list[Plate], tilt: float = 0.2, time: float = 300.0, skip: float = 150.0) -> list[Course]:
+def long_run(
+    plates: list[Plate], tilt: float = 0.2, time: float = 300.0, skip: float = 150.0
+) -> list[Course]:
     """The course of each plate after ``skip``, from a drop at a tilt (rad), reduced units."""
     dt, every = 0.02, 5
     states = drop(plates, tilt, time, dt, every=every)
     times = np.arange(len(states)) * dt * every
     kept = times >= skip
     return [course_of(states[kept, :, i], times[kept]) for i in range(len(plates))]
-

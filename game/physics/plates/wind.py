@@ -39,7 +39,10 @@ class Gust(NamedTuple):
     def row(self) -> tuple[float, ...]:
         """(GUST,) numbers. ValueError, naming the field, for nonsense."""
         for name, value in self._asdict().items():
-            if not all(map(math.isfinite, np.atleast_1d(value))) or max(np.abs(np.atleast_1d(value))) > FARTHEST:
+            if (
+                not all(map(math.isfinite, np.atleast_1d(value)))
+                or max(np.abs(np.atleast_1d(value))) > FARTHEST
+            ):
                 raise ValueError(f"gust.{name} = {value!r}: expected finite numbers within {FARTHEST:g}")
         for name in ("lasts", "size"):
             if not getattr(self, name) >= 1e-3:
@@ -50,9 +53,14 @@ class Gust(NamedTuple):
 
 
 @inner_kernel
-def one_gust(air, i, x, y, cx, cy, goes_x, goes_y, size, sx, sy, turns, share, change):
-    """Add a gust or its image about (cx, cy) to the wind at (x, y); share of its strength, and its rate 1/s."""
-    rx, ry, per = x - cx, y - cy, 1.0 / (size * size)
+def one_gust(air, i, away, goes, size, blows, share, change):
+    """Add a gust or its image to the wind at a place ``away`` (m) from its middle.
+
+    goes: of the middle, m/s; blows: wind at it and turning, m/s; share of its strength, and its rate 1/s.
+    """
+    goes_x, goes_y = goes
+    sx, sy, turns = blows
+    rx, ry, per = away[0], away[1], 1.0 / (size * size)
     exponent = 0.5 * (rx * rx + ry * ry) * per
     if exponent > 40.0:
         return
@@ -99,15 +107,13 @@ def sample_wind(places, gusts, count, even, time, air):
             rises = math.sin(turn * since)
             share, change = rises * rises, 2.0 * turn * rises * math.cos(turn * since)
             cx, cy = gust[AT_X] + gust[GOES_X] * since, gust[AT_Y] + gust[GOES_Y] * since
-            one_gust(
-                air, i, x, y, cx, cy, gust[GOES_X], gust[GOES_Y], gust[SIZE], gust[BLOWS_X], gust[BLOWS_Y],
-                gust[TURNS], share, change,
-            )  # fmt: skip
+            goes, size = (gust[GOES_X], gust[GOES_Y]), gust[SIZE]
+            blows = (gust[BLOWS_X], gust[BLOWS_Y], gust[TURNS])
+            one_gust(air, i, (x - cx, y - cy), goes, size, blows, share, change)
             if mirrors > 0.5:
-                one_gust(
-                    air, i, x, y, cx, 2.0 * floor - cy, gust[GOES_X], -gust[GOES_Y], gust[SIZE],
-                    gust[BLOWS_X], -gust[BLOWS_Y], -gust[TURNS], share, change,
-                )  # fmt: skip
+                away = (x - cx, y - 2.0 * floor + cy)
+                goes, blows = (goes[0], -goes[1]), (blows[0], -blows[1], -blows[2])
+                one_gust(air, i, away, goes, size, blows, share, change)
 
 
 class GustyWind:

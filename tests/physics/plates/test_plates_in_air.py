@@ -37,7 +37,9 @@ def many(count: int, seed: int = 1, **more) -> Plates:
             random.uniform(-0.8, 0.8, count), random.uniform(3.0, 30.0, count), strict=True,
         )
     ]  # fmt: skip
-    places = np.stack([random.uniform(-1, 1, count), random.uniform(2, 3, count), random.uniform(-3, 3, count)], 1)
+    places = np.stack(
+        [random.uniform(-1, 1, count), random.uniform(2, 3, count), random.uniform(-3, 3, count)], 1
+    )
     return Plates(kinds, places, **more)
 
 
@@ -97,7 +99,9 @@ def test_a_gust_in_one_step_takes_along_as_added_mass_says():
 
 def test_in_a_wind_that_falls_freely_a_plate_falls_with_it():
     """Where the air itself falls with gravity a plate at rest in it stays so: buoyancy and inertia cancel."""
-    wind = FunctionField(lambda points, time: np.stack([0 * points[:, 0], np.full(len(points), -9.81 * time)], 1))
+    wind = FunctionField(
+        lambda points, time: np.stack([0 * points[:, 0], np.full(len(points), -9.81 * time)], 1)
+    )
     world = Plates([LEAF], [(0.0, 0.0, 0.7)], effects=FLIGHT | WIND | GUST_INERTIA, wind=wind)
     fly(world, 1.0)
     assert world.velocities[0] == pytest.approx((0.0, -9.81), abs=1e-6)
