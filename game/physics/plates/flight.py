@@ -34,6 +34,7 @@ from game.physics.plates.law import (
     MASS_X,
     MASS_Y,
     MOST_BEND,
+    OFFSET,
     SPIN,
     STATE,
     STIFF,
@@ -71,13 +72,14 @@ CAMBER = 2.0 / math.pi  # circulation of a kinked wing beside C_T's, for each si
 
 @inner_kernel(forceinline=True)
 def law_at(b, i):
-    """The law's 15 numbers of the lane i, in the order of the columns."""
+    """The law's 16 numbers of the lane i, in the order of the columns."""
     return (
         b[(LAW + HALF) * LANES + i], b[(LAW + MASS_X) * LANES + i], b[(LAW + MASS_Y) * LANES + i],
         b[(LAW + INERTIA) * LANES + i], b[(LAW + WEIGHT) * LANES + i], b[(LAW + TURN) * LANES + i],
         b[(LAW + GLIDE) * LANES + i], b[(LAW + DRAG) * LANES + i], b[(LAW + DRAG_TURN) * LANES + i],
         b[(LAW + TORQUE) * LANES + i], b[(LAW + TORQUE_2) * LANES + i], b[(LAW + BEND_INERTIA) * LANES + i],
         b[(LAW + STIFF) * LANES + i], b[(LAW + DAMP) * LANES + i], b[(LAW + CURL) * LANES + i],
+        b[(LAW + OFFSET) * LANES + i],
     )  # fmt: skip
 
 
@@ -90,30 +92,32 @@ def rates(motion, wind, fall, law, per):
     """
     c, s, vx, vy, spin, q, rate = motion
     wx, wy, dwx, dwy = wind
-    (half, mass_x, mass_y, inertia, weight, turn, glide, drag, drag_turn, torque, torque_2, bend_inertia,
-     stiff, damp, curl) = law  # fmt: skip
+    (half, mass_x, mass_y, _, weight, turn, glide, drag, drag_turn, torque, torque_2, _,
+     stiff, damp, curl, offset) = law  # fmt: skip
     per_x, per_y, per_turn, per_bend = per
     rx, ry = vx - wx, vy - wy
     ux, uy = c * rx + s * ry, c * ry - s * rx
+    py = uy + spin * offset  # of the middle, which the air pushes
     gx, gy = -dwx, -fall - dwy
     bx, by = c * gx + s * gy, c * gy - s * gx
     up, level = sine(q), cosine(q)
-    slow = 1.0 / (math.sqrt(ux * ux + uy * uy) + 1e-300)
-    lift = turn * spin - glide * (ux * uy * slow + CAMBER * up * ux)
+    slow = 1.0 / (math.sqrt(ux * ux + py * py) + 1e-300)
+    lift = turn * spin - glide * (ux * py * slow + CAMBER * up * ux)
     # the halves: where their middles are, how these move with the bend, and how much each is on its own
     apart = q * q / (q * q + HALF_BEND * HALF_BEND)
     arm, rise = 0.5 * half * level, 0.5 * half * HEAVY * up
     arm_q, rise_q = -0.5 * half * up, 0.5 * half * HEAVY * level
     turned = apart * spin
-    mx, my = ux - turned * rise, uy + rate * rise_q
+    mx, my = ux - turned * rise, py + rate * rise_q
     swing, spread = turned * arm, rate * arm_q
     fx1, fy1 = half_drag(mx + spread, my + swing, level, up, drag, drag_turn)
     fx2, fy2 = half_drag(mx - spread, my - swing, level, -up, drag, drag_turn)
     fx, fy = fx1 + fx2, fy1 + fy2
     by_halves = apart * (arm * (fy1 - fy2) - rise * fx)
-    ax = (mass_y * spin * uy - lift * uy + weight * bx - fx) * per_x - spin * uy
+    ax = (mass_y * spin * uy - lift * py + weight * bx - fx) * per_x - spin * uy
     ay = (lift * ux - mass_x * spin * ux + weight * by - fy) * per_y + spin * ux
     moment = (mass_x - mass_y) * ux * uy - (torque + torque_2 * abs(spin)) * spin - by_halves
+    moment += offset * (lift * ux - fy)
     opening = -stiff * (q - curl) - damp * rate - arm_q * (fx1 - fx2) - rise_q * fy
     return c * ax - s * ay + dwx, s * ax + c * ay + dwy, moment * per_turn, opening * per_bend
 

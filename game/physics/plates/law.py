@@ -27,6 +27,10 @@ and the drag on it pushes, turns and bends through the same lever as made its sp
 circulation of a wing with a kink at half its chord (Glauert 1926: C_L = -4 q at no incidence), scaled as C_T
 is to thin wings. Inertia does not change with the bend. HEAVY of the mass lies in the midrib.
 
+Balance (of this program). A plate whose mass lies off its middle by e a is pushed in its middle, by the velocity
+there, u + w x r with r = (-e a, 0): it turns by e a times that push, and still no energy comes of it. With the
+mass ahead of the middle it glides, which the paper's plate never does: all its equilibria have u_x u_y = 0.
+
 Columns of `Laws` (COLUMNS, n); the state `STATE` (n,) in SI units, world axes.
 """
 
@@ -44,8 +48,8 @@ Floats = NDArray[np.float64]
 X, Y, THETA, VX, VY, SPIN, BEND, BEND_RATE = range(8)
 STATE = 8
 (HALF, MASS_X, MASS_Y, INERTIA, WEIGHT, TURN, GLIDE, DRAG, DRAG_TURN, TORQUE, TORQUE_2, BEND_INERTIA, STIFF,
- DAMP, CURL, MASS, RADIUS, UNIT) = range(18)  # fmt: skip
-COLUMNS = 18
+ DAMP, CURL, OFFSET, MASS, RADIUS, UNIT) = range(19)  # fmt: skip
+COLUMNS = 19
 HEAVY = 0.3  # of a leaf's mass is in its midrib
 HALF_BEND = 0.25  # rad, q_h: from where on the halves are apart
 MOST_BEND = 1.35  # rad
@@ -56,7 +60,8 @@ GRAVITY = 9.81  # m/s², of the speed unit
 class Plate(NamedTuple):
     """A plate or leaf. half_chord m; inertia I = rho_s b/(rho a); thickness beta = b/a; coefficients as above.
 
-    curl: rad, the bend at rest; bend_hz: frequency at which it bends, 0: rigid; damping: share of critical.
+    curl: rad, the bend at rest; bend_hz: frequency at which it bends, 0: rigid; damping: share of critical;
+    balance: how far towards its +x end its mass lies off its middle, in half chords.
     """
 
     half_chord: float = 0.02
@@ -71,6 +76,7 @@ class Plate(NamedTuple):
     curl: float = 0.0
     bend_hz: float = 0.0
     damping: float = 0.3
+    balance: float = 0.0
 
     @property
     def speed(self) -> float:
@@ -106,6 +112,7 @@ RANGES = {
     "half_chord": (1e-4, 10.0), "inertia": (1e-6, 1e6), "thickness": (0.0, 1.0), "turn": (-20.0, 20.0),
     "glide": (-20.0, 20.0), "drag": (0.0, 20.0), "drag_turn": (-20.0, 20.0), "torque": (0.0, 100.0),
     "torque_2": (0.0, 100.0), "curl": (-1.2, 1.2), "bend_hz": (0.0, 1000.0), "damping": (0.0, 10.0),
+    "balance": (-0.8, 0.8),
 }  # fmt: skip
 
 
@@ -137,6 +144,7 @@ def law_of(plate: Plate) -> Floats:
     column[TORQUE], column[TORQUE_2] = plate.torque * a * plate.speed, plate.torque_2 * a * a
     column[BEND_INERTIA], column[STIFF] = bending, bending * rate * rate
     column[DAMP], column[CURL] = 2.0 * plate.damping * rate * bending, plate.curl
+    column[OFFSET] = -plate.balance * a
     column[MASS] = math.pi * AIR_DENSITY * a * a
     column[RADIUS], column[UNIT] = beta * a, plate.speed
     return column

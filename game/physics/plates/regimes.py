@@ -34,8 +34,9 @@ from game.physics.plates.law import (
 
 Floats = NDArray[np.float64]
 REGIMES = ("flutter", "tumble", "chaos", "broadside", "glide")
-BORDERS = (1.2149, 1.45, 2.7)  # flutter | tumble | irregular | flutter about broadside
+BORDERS = (1.2149, 1.48, 2.83)  # flutter | tumble | irregular | flutter about broadside
 LEAST_SPIN = 0.15  # U/a, of a plate that tumbles
+GLIDING = 0.6  # m across for each m down, from which on what swings steadily glides
 UNSTEADY = 0.1  # spread of swings beside their mean, from which on they are irregular
 
 
@@ -106,10 +107,20 @@ def course_of(states: Floats, times: Floats) -> Course:
         level = abs(math.sin(float(np.mean(theta)))) < 0.5
         fell, went = states[0, Y] - states[-1, Y], abs(states[-1, X] - states[0, X])
         return _cycle(states, times, times[[0, -1]], "broadside" if level and went < fell else "glide")
-    gaps, spans = np.diff(stops), np.abs(np.diff(values_at(theta, times, stops)))
-    steady = max(np.std(gaps) / np.mean(gaps), np.std(spans) / np.mean(spans)) < UNSTEADY
     last = len(stops) - 1 - (len(stops) - 1) % 2
-    return _cycle(states, times, stops[: last + 1 : 2], "flutter" if steady else "chaos")
+    begins = stops[: last + 1 : 2]
+    angles = values_at(theta, times, stops)
+    steady = spread_of(np.diff(begins)) < UNSTEADY and spread_of(np.abs(np.diff(angles))[: last : 2]) < UNSTEADY
+    if not steady:
+        return _cycle(states, times, begins, "chaos")
+    x, y = values_at(states[:, X], times, begins), values_at(states[:, Y], times, begins)
+    far = abs(x[-1] - x[0]) > GLIDING * (y[0] - y[-1])
+    return _cycle(states, times, begins, "glide" if far else "flutter")
+
+
+def spread_of(values: Floats) -> float:
+    """Standard deviation beside the mean."""
+    return float(np.std(values) / max(float(np.mean(values)), 1e-12))
 
 
 def _cycle(states: Floats, times: Floats, begins: Floats, regime: str) -> Course:
@@ -121,11 +132,11 @@ def _cycle(states: Floats, times: Floats, begins: Floats, regime: str) -> Course
     x, y, theta = (values_at(states[:, row], times, begins) for row in (X, Y, THETA))
     fell, went, turned = float(y[0] - y[-1]), float(x[-1] - x[0]), float(theta[-1] - theta[0])
     angles, swing = 0.0, 0.0
-    if regime in ("flutter", "chaos"):
-        stops = crossings(states[:, SPIN], times)
+    stops = crossings(states[:, SPIN], times)
+    if len(stops) > 1:
         angles = math.degrees(_half_way(states[:, THETA], times, stops))
         swing = _half_way(states[:, X], times, stops)
-    if regime in ("broadside", "glide"):
+    if len(stops) < 5 and regime != "tumble":
         period = math.nan
     slope = math.degrees(math.atan2(fell, abs(went)))
     return Course(regime, period, angles, turned / took, fell / took, swing, slope)
