@@ -19,6 +19,7 @@ from game.scenes import (
     fountain,
     key_frames,
     lecture_table,
+    leaves,
     levitation,
     metal,
     plates,
@@ -66,5 +67,6 @@ CATALOGUE = Catalogue(
         *deformables.ENTRIES,
         *domino.ENTRIES,
         *metal.ENTRIES,
+        *leaves.ENTRIES,
     )
 )

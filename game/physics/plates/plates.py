@@ -322,6 +322,22 @@ class Plates:
         total = total + laws[STIFF] * (rows[BEND] - laws[CURL]) ** 2
         return np.asarray(laws[MASS] * (0.5 * total + laws[WEIGHT] * gravity * rows[Y]))
 
+    def step_error(self, dt: float) -> float:
+        """How far apart (m) one flight of dt (s) and two of half of it end, the worst plate; contacts left out."""
+        if not len(self):
+            return 0.0
+        whole, halves = self.rows.copy(), self.rows.copy()
+        windy = self.wind is not None and WINDS in self.effects
+        rules = (
+            self.settings.gravity if GRAVITY in self.effects else 0.0, float(GUST_INERTIA in self.effects),
+            float(BENDING in self.effects), 0.0 if windy else 1.0, self._method,
+        )  # fmt: skip
+        laws = self._laws_now()
+        fly(whole, laws, self.air, self._buffer, self._counts, rules, dt)
+        for _ in range(2):
+            fly(halves, laws, self.air, self._buffer, self._counts, rules, 0.5 * dt)
+        return float(np.max(np.hypot(*(whole - halves)[:2])))
+
     def check(self) -> None:
         """FloatingPointError, naming quantity and plate, for what is not finite or absurd."""
         names = ("x", "y", "angle", "velocity x", "velocity y", "spin", "bend", "bend rate")

@@ -21,6 +21,8 @@ Floats = NDArray[np.float64]
 AT_X, AT_Y, BEGINS, LASTS, GOES_X, GOES_Y, SIZE, BLOWS_X, BLOWS_Y, TURNS = range(10)
 GUST = 10
 MOST_GUSTS = 64
+SHELTER_LEFT, SHELTER_RIGHT, SHELTER_TOP, SHELTER_REACH = range(4)  # m
+SHELTER = 4
 FARTHEST, FASTEST = 1e6, 1e3  # m, m/s
 
 
@@ -81,10 +83,11 @@ def one_gust(air, i, away, goes, size, blows, share, change):
 
 
 @lean_kernel
-def sample_wind(places, gusts, count, even, time, air):
+def sample_wind(places, gusts, count, shelters, even, time, air):
     """Write the wind (WIND, n) at places: rows 0 and 1 of (k, n) m.
 
-    gusts (m, GUST), the first ``count``; even: wind (m/s) far above, height (m) within which the ground slows
+    gusts (m, GUST), the first ``count``; shelters (k, SHELTER): between walls, where the wind dies away below
+    their top by e within each reach; even: wind (m/s) far above, height (m) within which the ground slows
     it (0: nowhere), height of the ground (m), 1 if the ground mirrors gusts.
     """
     speed, layer, floor, mirrors = even
@@ -114,16 +117,29 @@ def sample_wind(places, gusts, count, even, time, air):
                 away = (x - cx, y - 2.0 * floor + cy)
                 goes, blows = (goes[0], -goes[1]), (blows[0], -blows[1], -blows[2])
                 one_gust(air, i, away, goes, size, blows, share, change)
+        for k in range(shelters.shape[0]):
+            below = shelters[k, SHELTER_TOP] - y
+            if below > 0.0 and shelters[k, SHELTER_LEFT] < x < shelters[k, SHELTER_RIGHT]:
+                left = math.exp(-below / shelters[k, SHELTER_REACH])
+                for row in range(WIND):
+                    air[row, i] *= left
+                air[WX_Y, i] += air[WX, i] / shelters[k, SHELTER_REACH]
+                air[WY_Y, i] += air[WY, i] / shelters[k, SHELTER_REACH]
 
 
 class GustyWind:
     """A wind and its gusts, those that are over forgotten.
 
-    wind m/s, layer m: see `sample_wind`; floor: height of the ground (m), None: none. A `Field`.
+    wind m/s, layer m, shelters: see `sample_wind`; floor: height of the ground (m), None: none. A `Field`.
     """
 
-    def __init__(self, wind: float = 0.0, layer: float = 0.0, floor: float | None = 0.0):
+    def __init__(
+        self, wind: float = 0.0, layer: float = 0.0, floor: float | None = 0.0, shelters: ArrayLike = ()
+    ):
         self.floor = floor
+        self.shelters: Floats = np.array(shelters, dtype=np.float64).reshape(-1, SHELTER)
+        if not np.isfinite(self.shelters).all() or (self.shelters[:, SHELTER_REACH] <= 0.0).any():
+            raise ValueError("shelters: expected left, right, top and a reach above 0, m")
         self.gusts: Floats = np.zeros((MOST_GUSTS, GUST))
         self.count = 0
         self.set_wind(wind, layer)
@@ -159,7 +175,7 @@ class GustyWind:
         """Write wind, gradient and rate (WIND, n) at places (rows x and y of (k, n) m)."""
         ground = 0.0 if self.floor is None else self.floor
         even = (self.wind, self.layer, ground, 0.0 if self.floor is None else 1.0)
-        sample_wind(places, self.gusts, self.count, even, float(time), air)
+        sample_wind(places, self.gusts, self.count, self.shelters, even, float(time), air)
 
     def sample(self, points: ArrayLike, time: float = 0.0) -> Floats:
         """Wind (n, 2) m/s at points (n, 2) m."""

@@ -14,7 +14,7 @@ from game.physics.plates import GustyWind, Plate, Plates, PlateSettings, PlateSt
 from game.physics.plates.law import BEND, HALF, MASS_Y, RADIUS, THETA, UNIT, X, Y
 from game.scenes.plates.level import PlatesContent
 from game.scenes.plates.parameters import OF_PLATE, PlatesParameters
-from game.scenes.plates.watch import NO_COURSE, Course, Watch
+from game.physics.plates.watch import NO_COURSE, Course, Watch
 from game.stage import Part
 
 Floats = NDArray[np.float64]

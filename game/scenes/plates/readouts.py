@@ -8,7 +8,7 @@ import numpy as np
 
 from game.physics.plates.law import SPIN
 from game.scenes.plates.model import PlatesModel
-from game.scenes.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
+from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.stage import Readout
 
 

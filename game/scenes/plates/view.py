@@ -20,7 +20,7 @@ from game.scenes.plates.model import (
     PlatesModel,
     PlatesState,
 )
-from game.scenes.plates.watch import CHAOS, FLUTTER, GLIDE, NAMES, NOTHING, TUMBLE
+from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, NAMES, NOTHING, TUMBLE
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[np.float64]

@@ -11,7 +11,7 @@ from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
 from game.scenes.plates.model import CEILING, FLOOR, LEFT, RIGHT
 from game.scenes.plates.scene import FallingPlates
-from game.scenes.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
+from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.scenes.shared.expectations import captions_of
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
 
