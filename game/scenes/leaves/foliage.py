@@ -20,6 +20,7 @@ OF_DEPTH = (0.05, 0.15)  # m right and up of a leaf that lies one depth farther 
 SUN = (0.42, 0.80, -0.43)  # towards the light, in x, y and into the picture
 BELOW = 0.35  # the midrib lies that far below the middle, times sin q
 SHADOW = 14  # corners
+LARGER = 1.18  # leaves are drawn than their chords, as these are mean ones
 FADES = 0.9  # m of height by which a shadow is weaker by e
 
 
@@ -115,6 +116,7 @@ class Foliage:
     def _bent(self, rows: Floats, leaf: NDArray[np.int64], along: Floats, into: Floats, own: Floats, halves: Floats) -> Floats:
         """Where points of leaves are seen: along their chord and into the picture, by half chords."""
         q, theta, half = rows[BEND, leaf], rows[THETA, leaf], halves[leaf]
+        along, into = LARGER * along, LARGER * into
         x = along * np.cos(q) * half
         y = (np.abs(along) - BELOW) * np.sin(q) * half
         c, s = np.cos(theta), np.sin(theta)

@@ -78,7 +78,7 @@ def crowns() -> tuple[Crown, ...]:
     """Trees in three rows, the farthest first; each crown of many tufts, lit from where the sun stands."""
     chance = np.random.default_rng(18)
     made = []
-    for row, (spacing, tall, wide, count) in enumerate(((0.8, 1.1, 0.5, 90), (1.3, 1.6, 0.62, 230), (2.3, 2.5, 0.95, 520))):
+    for row, (spacing, tall, wide, count) in enumerate(((0.8, 1.1, 0.5, 170), (1.3, 1.6, 0.62, 330), (2.3, 2.5, 0.95, 620))):
         x = -HALF
         while x < HALF:
             x += spacing * chance.uniform(0.6, 1.4)
@@ -90,7 +90,7 @@ def crowns() -> tuple[Crown, ...]:
             away = np.sqrt(chance.random(count)) * 0.96
             turn = chance.uniform(0.0, math.tau, count)
             tufts = np.stack([x + half * away * np.cos(turn), middle + 0.42 * height * away * np.sin(turn)], axis=1)
-            radii = half * chance.uniform(0.07, 0.15, count) * (1.2 - 0.5 * away)
+            radii = half * chance.uniform(0.08, 0.16, count) * (1.2 - 0.5 * away)
             toward = 1.0 if x < SUN[0] else -1.0
             light = 0.5 + 0.32 * (toward * away * np.cos(turn) + away * np.sin(turn)) + chance.normal(0.0, 0.10, count)
             order = np.argsort(light + 0.4 * chance.random(count))  # what is lit stands before what is not
