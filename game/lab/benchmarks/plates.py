@@ -24,7 +24,7 @@ def leaves(count: int, bend_hz: float = 0.0) -> Plates:
     random = np.random.default_rng(1)
     kinds = [Plate(0.03, float(i), bend_hz=bend_hz) for i in random.uniform(*INERTIAS, count)]
     places = np.stack(
-        [random.uniform(-5.0, 5.0, count), random.uniform(50.0, 60.0, count), random.uniform(-1.0, 1.0, count)],
+        [random.uniform(low, high, count) for low, high in ((-5.0, 5.0), (50.0, 60.0), (-1.0, 1.0))],
         axis=1,
     )  # fmt: skip
     effects = GRAVITY | QUADRATIC_DRAG | CIRCULATION

@@ -1,4 +1,4 @@
-"""What accuracy costs for a plate that falls: the step of each integrator against where it is after ten units."""
+"""What accuracy costs for a plate that falls: each integrator's step against where it is after 10 a/U."""
 
 from __future__ import annotations
 

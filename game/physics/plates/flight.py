@@ -1,15 +1,15 @@
 """A step of many plates in the air: Runge-Kutta of fourth order, LANES of them at a time.
 
-The kernel copies LANES plates into a small buffer whose rows lie LANES numbers apart, so that the compiler can
-prove them apart and computes as many lanes at once as the machine has; it calls nothing in there.
+The kernel copies LANES plates into a small buffer whose rows lie LANES numbers apart, so that the compiler
+can prove them apart and computes as many lanes at once as the machine has; it calls nothing in there.
 
 Each plate has as many substeps as its own rates ask for, so a light, fast or spinning one takes no other's
 time. In still air what a substep has added to the energy is taken back from its motion: the law only takes,
 and what Runge-Kutta errs by (fifth order in a step) may not add.
 
-The wind comes as arrays, from wherever it is: at each plate its velocity, gradient and rate at the beginning of
-the step. Within the step it is linear in place and time: fourth order in all in still air and in such a wind,
-second where the wind is curved.
+The wind comes as arrays, from wherever it is: at each plate its velocity, gradient and rate at the
+beginning of the step. Within the step it is linear in place and time: fourth order in all in still air and
+in such a wind, second where the wind is curved.
 """
 
 from __future__ import annotations
@@ -87,8 +87,8 @@ def law_at(b, i):
 def rates(motion, wind, fall, law, per):
     """Accelerations (x, y, spin, bend) of a plate.
 
-    motion: cos and sin of its angle, vx, vy, spin, bend and its rate; wind: its velocity, and its rate along
-    the way; law: see `law_at`; per: one over its four inertias.
+    motion: cos and sin of its angle, vx, vy, spin, bend and its rate; wind: its velocity, and its rate
+    along the way; law: see `law_at`; per: one over its four inertias.
     """
     c, s, vx, vy, spin, q, rate = motion
     wx, wy, dwx, dwy = wind
@@ -269,7 +269,8 @@ def fly(state, laws, air, buffer, counts, settings, dt):
     """Go on by dt (s).
 
     state (STATE, n), laws (COLUMNS, n), air (WIND, n); buffer (ROWS LANES,); counts (LANES,): scratch;
-    settings: gravity (m/s²), 1 if a changing wind pushes, 1 if plates bend, 1 if the air is still, the method's place in METHODS.
+    settings: gravity (m/s²), 1 if a changing wind pushes, 1 if plates bend, 1 if the air is still, the
+    method's place in METHODS.
     """
     fall = settings[0]
     n = state.shape[1]

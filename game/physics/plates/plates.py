@@ -14,20 +14,20 @@ from game.physics.effects import Effect, EffectSet
 from game.physics.fields import GRAVITY, GROUND, QUADRATIC_DRAG
 from game.physics.fields import WIND as WINDS
 from game.physics.plates import contacts as touching
+from game.physics.plates import impulses
+from game.physics.plates.checks import (
+    LARGEST,
+    PlateSettings,
+    checked_settings,
+    checked_walls,
+    slopes_of,
+)
 from game.physics.plates.effects import BENDING, CIRCULATION, GUST_INERTIA, PLATES
 from game.physics.plates.flight import (
     LANES,
     METHODS,
     ROWS,
     WIND,
-    WX,
-    WX_T,
-    WX_X,
-    WX_Y,
-    WY,
-    WY_T,
-    WY_X,
-    WY_Y,
     fly,
 )
 from game.physics.plates.law import (
@@ -66,7 +66,6 @@ from game.physics.surfaces.sample_fields import Field
 Floats = NDArray[np.float64]
 MOST_PLATES = 4_096
 MOST_CONTACTS = 16  # for each plate
-LARGEST = 1e7  # m, m/s
 FASTEST_SPIN = 1e5  # rad/s
 EVERYTHING = PLATES.known
 
@@ -80,7 +79,8 @@ class Feels(Protocol):
 
 class PlateState(NamedTuple):
     """All that later steps depend on: state and laws of `law`, time (s), the wind that was felt last (2, n),
-    contacts of the last step (k, WARM)."""
+    contacts of the last step (k, WARM).
+    """
 
     rows: Floats
     laws: Floats
@@ -89,20 +89,12 @@ class PlateState(NamedTuple):
     warm: Floats
 
 
-class PlateSettings(NamedTuple):
-    """gravity m/s² downwards; floor: height of the ground m; friction of plates with it and with one another."""
-
-    gravity: float = 9.81
-    floor: float = 0.0
-    friction: float = 0.5
-
-
 class Plates:
     """Plates, each with a law of its own, in a wind.
 
-    wind: a `GustyWind`, any `Field` of two columns (whose slopes are taken by differences), or None: still air.
-    walls: (m, 4) m, segments that nothing passes, or (m, 6) with radius (m) and friction. effects: of `PLATES`.
-    method: one of METHODS.     ValueError, naming the argument, for what makes no sense.
+    wind: a `GustyWind`, any `Field` of two columns (whose slopes are taken by differences), or None: still
+    air. walls: (m, 4) m, segments that nothing passes, or (m, 6) with radius (m) and friction. effects: of
+    `PLATES`. method: one of METHODS.     ValueError, naming the argument, for what makes no sense.
     """
 
     def __init__(
@@ -201,7 +193,7 @@ class Plates:
         self._rows, self._ids = np.zeros((most, touching.ROW)), np.zeros((most, 2), dtype=np.int64)
         self._keys = np.zeros(most)
         self._table = np.zeros(1 << max(2 * most, 1).bit_length(), dtype=np.int64)
-        self.warm: Floats = np.zeros((0, touching.WARM))
+        self.warm: Floats = np.zeros((0, impulses.WARM))
         self.contacts = 0
 
     # -- a step -------------------------------------------------------------------------------------
@@ -226,7 +218,7 @@ class Plates:
         world = (self.rows, self.laws, self._points)
         found = (self._rows, self._ids, self._keys, bends)
         if touches:
-            touching.copy_state(self.rows, self._before)
+            impulses.copy_state(self.rows, self._before)
             self.contacts = touching.find_contacts(
                 world, found, self.walls, self._order,
                 (gravity, float(GROUND in effects), settings.floor, float(CONTACTS in effects),
@@ -240,11 +232,11 @@ class Plates:
         if touches:
             count = self.contacts
             order = np.argsort(self._rows[:count, touching.HEIGHT], kind="stable")
-            touching.solve_contacts(
+            impulses.solve_contacts(
                 world, found, order, self._before, self.warm, self._table, self.touched, dt
             )
-            impulses = self._rows[:count, touching.PUSH : touching.RUB + 1]
-            self.warm = np.concatenate([self._keys[:count, None], impulses], axis=1)
+            pushes = self._rows[:count, touching.PUSH : touching.RUB + 1]
+            self.warm = np.concatenate([self._keys[:count, None], pushes], axis=1)
         self.time += dt
         self.felt = self._wind_now()
 
@@ -323,7 +315,8 @@ class Plates:
         return np.asarray(laws[MASS] * (0.5 * total + laws[WEIGHT] * gravity * rows[Y]))
 
     def step_error(self, dt: float) -> float:
-        """How far apart (m) one flight of dt (s) and two of half of it end, the worst plate; contacts left out."""
+        """How far apart (m) one flight of dt (s) and two of half of it end, the worst plate; contacts left
+        out."""
         if not len(self):
             return 0.0
         whole, halves = self.rows.copy(), self.rows.copy()
@@ -359,44 +352,6 @@ class Plates:
         if len(self) != many:
             self._make_room()
         self.warm = state.warm.copy()
-
-
-def checked_settings(settings: PlateSettings) -> PlateSettings:
-    """The settings; ValueError, naming the field, for nonsense."""
-    for name, low, high in (("gravity", -1e4, 1e4), ("floor", -LARGEST, LARGEST), ("friction", 0.0, 100.0)):
-        if not low <= getattr(settings, name) <= high:
-            raise ValueError(f"{name} = {getattr(settings, name)!r}: expected {low:g} to {high:g}")
-    return settings
-
-
-def checked_walls(walls: ArrayLike) -> Floats:
-    """Segments (m, 6): ends m, radius m, friction."""
-    rows = np.array(walls, dtype=np.float64)
-    if not rows.size:
-        return np.zeros((0, touching.WALL))
-    if rows.ndim != 2 or rows.shape[1] not in (4, 6) or not np.isfinite(rows).all():
-        raise ValueError("walls: expected segments (m, 4) or (m, 6) of finite numbers")
-    if rows.shape[1] == 4:
-        rows = np.concatenate([rows, np.tile((0.002, 0.5), (len(rows), 1))], axis=1)
-    if (rows[:, 4:] < 0.0).any():
-        raise ValueError("walls: expected radius and friction of 0 or more")
-    return np.ascontiguousarray(rows)
-
-
-def slopes_of(field: Field, places: Floats, time: float, air: Floats, reach: float = 1e-3) -> None:
-    """Write (WIND, n) of any field of two columns at places (2, n) m by central differences over ``reach``."""
-    where = np.ascontiguousarray(places.T)
-    across, up = np.array([reach, 0.0]), np.array([0.0, reach])
-    here = field.sample(where, time)
-    if here.shape[1:] != (2,):
-        raise ValueError("wind: expected a field of two columns, m/s")
-    by_x = (field.sample(where + across, time) - field.sample(where - across, time)) / (2.0 * reach)
-    by_y = (field.sample(where + up, time) - field.sample(where - up, time)) / (2.0 * reach)
-    by_t = (field.sample(where, time + reach) - field.sample(where, time - reach)) / (2.0 * reach)
-    air[WX], air[WY] = here.T
-    air[WX_X], air[WY_X] = by_x.T
-    air[WX_Y], air[WY_Y] = by_y.T
-    air[WX_T], air[WY_T] = by_t.T
 
 
 def _first_bad(air: Floats) -> int:

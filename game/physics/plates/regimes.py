@@ -1,10 +1,11 @@
 """What a falling plate does in the long run: its regime, period, spin and speed of descent.
 
-Lengths here are in half chords a, times in a/U, speeds in U = sqrt((rho_s/rho - 1) g b), as in the paper, so that a
-plate is its inertia I, its thickness beta and its coefficients.
+Lengths here are in half chords a, times in a/U, speeds in U = sqrt((rho_s/rho - 1) g b), as in the paper,
+so that a plate is its inertia I, its thickness beta and its coefficients.
 
-BORDERS: of I for the default coefficients at beta = 1/14, found by this program's own runs, the first by bisection;
-published regimes are those of Andersen, Pesavento and Wang 2005 (flutter at 1.1, tumbling at 1.4).
+BORDERS: of I for the default coefficients at beta = 1/14, found by this program's own runs, the first by
+bisection; published regimes are those of Andersen, Pesavento and Wang 2005 (flutter at 1.1, tumbling at
+1.4).
 """
 
 from __future__ import annotations
@@ -42,8 +43,9 @@ UNSTEADY = 0.1  # spread of swings beside their mean, from which on they are irr
 
 class Course(NamedTuple):
     """What a plate did: a word of REGIMES; period between two swings (or turns), half amplitude of the angle
-    (deg), mean spin, descent, half width of the swing between turning points of the
-    angle, angle of the descent below the horizontal (deg)."""
+    (deg), mean spin, descent, half width of the swing between turning points of the angle, angle of the
+    descent below the horizontal (deg).
+    """
 
     regime: str
     period: float
@@ -74,8 +76,9 @@ def drop(
     every: int = 5,
     method: str = "rk4",
 ) -> Floats:
-    """States (k, STATE, n) of plates in reduced units, every so many steps dt; begun at rest but for 0.01 U along
-    their normal, tilted (rad), with a spin (U/a)."""
+    """States (k, STATE, n) of plates in reduced units, every so many steps dt; begun at rest but for 0.01 U
+    along their normal, tilted (rad), with a spin (U/a).
+    """
     n = len(plates)
     laws = np.zeros((COLUMNS, n))
     for i, plate in enumerate(plates):
@@ -110,7 +113,7 @@ def course_of(states: Floats, times: Floats) -> Course:
     last = len(stops) - 1 - (len(stops) - 1) % 2
     begins = stops[: last + 1 : 2]
     angles = values_at(theta, times, stops)
-    steady = spread_of(np.diff(begins)) < UNSTEADY and spread_of(np.abs(np.diff(angles))[: last : 2]) < UNSTEADY
+    steady = spread_of(np.diff(begins)) < UNSTEADY and spread_of(np.abs(np.diff(angles))[:last:2]) < UNSTEADY
     if not steady:
         return _cycle(states, times, begins, "chaos")
     x, y = values_at(states[:, X], times, begins), values_at(states[:, Y], times, begins)
@@ -189,6 +192,6 @@ def long_run(
     """The course of each plate after ``skip``, from a drop at a tilt (rad), reduced units."""
     dt, every = 0.02, 5
     states = drop(plates, tilt, time, dt, every=every)
-    times = np.arange(len(states)) * dt * every
+    times: Floats = np.arange(len(states), dtype=np.float64) * (dt * every)
     kept = times >= skip
     return [course_of(states[kept, :, i], times[kept]) for i in range(len(plates))]

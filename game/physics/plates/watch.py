@@ -1,4 +1,4 @@
-"""What plates are doing, found while they fall: when each stops turning one way, and when it has turned once."""
+"""What plates are doing, found while they fall: when each stops turning one way, and each whole turn."""
 
 from __future__ import annotations
 
@@ -63,7 +63,13 @@ class Watch:
         turn = np.floor(before[THETA] / math.tau), np.floor(now[THETA] / math.tau)
         for i in np.flatnonzero(turn[0] != turn[1]).tolist():
             edge = max(turn[0][i], turn[1][i]) * math.tau
-            self._note(TURNS, i, before, now, (time, dt, (edge - before[THETA, i]) / (now[THETA, i] - before[THETA, i])))
+            self._note(
+                TURNS,
+                i,
+                before,
+                now,
+                (time, dt, (edge - before[THETA, i]) / (now[THETA, i] - before[THETA, i])),
+            )
 
     def _note(self, kind: int, i: int, before: Floats, now: Floats, when: tuple[float, float, float]) -> None:
         time, dt, share = when
@@ -94,7 +100,7 @@ class Watch:
         if time - stops[-1, TIME] > 6.0 * float(np.mean(gaps)):
             return NO_COURSE
         periods, ways = np.diff(stops[::2, TIME]), spans[::2]
-        spread = max(np.std(periods) / np.mean(periods), np.std(ways) / max(np.mean(ways), 1e-12))
+        spread = max(np.std(periods) / np.mean(periods), np.std(ways) / max(float(np.mean(ways)), 1e-12))
         period, amplitude = float(np.mean(periods)), 0.5 * float(np.mean(spans))
         far = abs(stops[-1, AT_X] - stops[0, AT_X]) > GLIDING * fell
         regime = CHAOS if spread > UNSTEADY else GLIDE if far else FLUTTER

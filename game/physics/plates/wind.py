@@ -1,9 +1,9 @@
 """Wind as a formula: an even wind that the ground slows, and gusts that come, go and travel.
 
 A gust is the stream function psi = (S_x Y - S_y X + K L) exp(-(X² + Y²)/(2 L²)) about its middle, times
-sin²(pi t/T) while it lasts: air that blows with S at the middle and comes back round both sides, and turns with K.
-So it has no divergence. Its mirror image below the ground goes with it, so no wind blows through the ground.
-Velocity, gradient and rate are exact, whatever the place.
+sin²(pi t/T) while it lasts: air that blows with S at the middle and comes back round both sides, and turns
+with K. So it has no divergence. Its mirror image below the ground goes with it, so no wind blows through
+the ground. Velocity, gradient and rate are exact, whatever the place.
 """
 
 from __future__ import annotations
@@ -86,9 +86,9 @@ def one_gust(air, i, away, goes, size, blows, share, change):
 def sample_wind(places, gusts, count, shelters, even, time, air):
     """Write the wind (WIND, n) at places: rows 0 and 1 of (k, n) m.
 
-    gusts (m, GUST), the first ``count``; shelters (k, SHELTER): between walls, where the wind dies away below
-    their top by e within each reach; even: wind (m/s) far above, height (m) within which the ground slows
-    it (0: nowhere), height of the ground (m), 1 if the ground mirrors gusts.
+    gusts (m, GUST), the first ``count``; shelters (k, SHELTER): between walls, where the wind dies away
+    below their top by e within each reach; even: wind (m/s) far above, height (m) within which the ground
+    slows it (0: nowhere), height of the ground (m), 1 if the ground mirrors gusts.
     """
     speed, layer, floor, mirrors = even
     for i in range(places.shape[1]):

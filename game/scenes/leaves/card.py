@@ -23,7 +23,10 @@ def draw_leaves(pen: Pen) -> None:
     ):  # fmt: skip
         c, s = math.cos(turn), math.sin(turn)
         shape = [
-            (x + 10.0 * c * math.cos(t) - 5.0 * s * math.sin(t), y + 10.0 * s * math.cos(t) + 5.0 * c * math.sin(t))
+            (
+                x + 10.0 * c * math.cos(t) - 5.0 * s * math.sin(t),
+                y + 10.0 * s * math.cos(t) + 5.0 * c * math.sin(t),
+            )
             for t in [math.tau * i / 20.0 for i in range(20)]
         ]
         pen.area(shape, color)

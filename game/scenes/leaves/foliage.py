@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.plates.law import BEND, HALF, THETA, X, Y
+from game.physics.plates.law import BEND, THETA, X, Y
 from game.scenes.leaves.model import DEPTH, FLIP, KIND, NAMES, SHADE, YAW
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
 from game.scenes.shared.polygons import NO_EDGE, paint
@@ -25,9 +25,10 @@ FADES = 0.9  # m of height by which a shadow is weaker by e
 
 
 class Cut(NamedTuple):
-    """Outlines of leaves, cut at the middle of their chords: (p, 2) along the chord and into the picture, by half
-    chords; the leaf (p,) and the half (p,) each corner belongs to; first corner of each half (2 n + 1,); ends of the
-    midrib (n, 2, 2)."""
+    """Outlines of leaves, cut at the middle of their chords: (p, 2) along the chord and into the picture, by
+    half chords; the leaf (p,) and the half (p,) each corner belongs to; first corner of each half (2 n +
+    1,); ends of the midrib (n, 2, 2).
+    """
 
     points: Floats
     leaves: NDArray[np.int64]
@@ -78,13 +79,22 @@ class Foliage:
         wide = halves * (0.45 + 0.55 * np.abs(np.cos(rows[THETA]))) * (1.0 + 0.5 * height)
         middle = self._depths(own) + np.stack([rows[X] - 0.45 * height, np.full(n, -0.012)], axis=1)
         spots = middle[:, None] + np.stack(
-            [wide[:, None] * np.cos(turn), (0.36 * halves * (1.0 + 0.5 * height))[:, None] * np.sin(turn)], axis=2
+            [wide[:, None] * np.cos(turn), (0.36 * halves * (1.0 + 0.5 * height))[:, None] * np.sin(turn)],
+            axis=2,
         )
         shares = 0.34 * np.exp(-height / FADES)
         starts = np.arange(0, SHADOW * n + 1, SHADOW)
         inks = np.full(n, 0x1C1408, dtype=np.int64)
         edges = np.full(n, NO_EDGE, dtype=np.int64)
-        paint(canvas, np.ascontiguousarray(spots.reshape(-1, 2)), starts, inks, shares, edges, np.zeros((SHADOW, 2)))
+        paint(
+            canvas,
+            np.ascontiguousarray(spots.reshape(-1, 2)),
+            starts,
+            inks,
+            shares,
+            edges,
+            np.zeros((SHADOW, 2)),
+        )
 
     @staticmethod
     def _depths(own: Floats) -> Floats:
@@ -113,7 +123,9 @@ class Foliage:
         if canvas.pixels_per_unit > 90.0:
             self._ribs(canvas, rows, own, halves, veins, order)
 
-    def _bent(self, rows: Floats, leaf: NDArray[np.int64], along: Floats, into: Floats, own: Floats, halves: Floats) -> Floats:
+    def _bent(
+        self, rows: Floats, leaf: NDArray[np.int64], along: Floats, into: Floats, own: Floats, halves: Floats
+    ) -> Floats:
         """Where points of leaves are seen: along their chord and into the picture, by half chords."""
         q, theta, half = rows[BEND, leaf], rows[THETA, leaf], halves[leaf]
         along, into = LARGER * along, LARGER * into
@@ -123,7 +135,10 @@ class Foliage:
         depth = into * half
         shift = self._depths(own)[leaf]
         return np.stack(
-            [rows[X, leaf] + c * x - s * y + BACKWARD[0] * depth, rows[Y, leaf] + s * x + c * y + BACKWARD[1] * depth],
+            [
+                rows[X, leaf] + c * x - s * y + BACKWARD[0] * depth,
+                rows[Y, leaf] + s * x + c * y + BACKWARD[1] * depth,
+            ],
             axis=1,
         ) + shift  # fmt: skip
 
@@ -132,13 +147,15 @@ class Foliage:
         return self._bent(rows, cut.leaves, cut.points[:, 0], cut.points[:, 1], own, halves)
 
     def _ribs(
-        self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, veins: NDArray[np.int64], order: NDArray[np.int64]
+        self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, veins: NDArray[np.int64],
+        order: NDArray[np.int64],
     ) -> None:  # fmt: skip
         ends = self._cut.ribs[order]
         a = self._bent(rows, order, ends[:, 0, 0], ends[:, 0, 1], own, halves)
         b = self._bent(rows, order, ends[:, 1, 0], ends[:, 1, 1], own, halves)
         fold = ends[:, 0] + (ends[:, 1] - ends[:, 0]) * (
-            ends[:, 0, :1] / np.where(np.abs(ends[:, :1, 0] - ends[:, 1:, 0]) > 1e-9, ends[:, :1, 0] - ends[:, 1:, 0], 1.0)
+            ends[:, 0, :1]
+            / np.where(np.abs(ends[:, :1, 0] - ends[:, 1:, 0]) > 1e-9, ends[:, :1, 0] - ends[:, 1:, 0], 1.0)
         ).clip(0.0, 1.0)
         m = self._bent(rows, order, fold[:, 0], fold[:, 1], own, halves)
         inks = veins[order].astype(np.uint32)
@@ -146,8 +163,10 @@ class Foliage:
         canvas.segments(m, b, inks, 1.1, 0.75)
 
 
-def _shades(rows: Floats, own: Floats, tint: tuple[float, float, float]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Colours of the halves (2 n,) and of the ribs (n,): upper side or paler under side, lit or shone through."""
+def _shades(
+    rows: Floats, own: Floats, tint: tuple[float, float, float]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Colours of the halves (2 n,) and of the ribs (n,): upper or paler lower side, lit or shone through."""
     n = len(own)
     palette = np.array([SPECIES[name].colors for name in NAMES])
     pick = np.minimum((own[:, SHADE] * 4.0).astype(int), 3)
@@ -166,7 +185,7 @@ def _shades(rows: Floats, own: Floats, tint: tuple[float, float, float]) -> tupl
         # light that comes through is warmer
         warm = np.maximum(-lit, 0.0)[:, None] * np.array((0.16, 0.04, -0.10))
         found[:, k] = color * (strength[:, None] + warm) * np.array(tint)
-    found = np.clip(found, 0.0, 255.0).astype(np.int64)
-    halves = (found[..., 0] << 16 | found[..., 1] << 8 | found[..., 2]).reshape(-1)
+    shown = np.clip(found, 0.0, 255.0).astype(np.int64)
+    halves = (shown[..., 0] << 16 | shown[..., 1] << 8 | shown[..., 2]).reshape(-1)
     dark = np.clip(0.62 * base * np.array(tint), 0.0, 255.0).astype(np.int64)
     return halves, dark[:, 0] << 16 | dark[:, 1] << 8 | dark[:, 2]

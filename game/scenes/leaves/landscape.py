@@ -25,7 +25,8 @@ def _ink(words: str) -> pygame.Color:
 
 class Hour(NamedTuple):
     """Colours of an hour: sky from above down, rows of trees from far to near, lawn from back to front, path,
-    wood, metal, light of the sun or lamp, strength of it, and the light on leaves (r, g, b)."""
+    wood, metal, light of the sun or lamp, strength of it, and the light on leaves (r, g, b).
+    """
 
     sky: tuple[tuple[float, pygame.Color], ...]
     trees: tuple[tuple[pygame.Color, ...], ...]
@@ -60,8 +61,9 @@ DUSK = Hour(
 
 
 class Crown(NamedTuple):
-    """A tree: tufts of leaves, (k, 4): place m, radius m, light from 0 to 1; which of its row's colours, its row,
-    its trunk (4, 2) m."""
+    """A tree: tufts of leaves, (k, 4): place m, radius m, light from 0 to 1; which of its row's colours, its
+    row, its trunk (4, 2) m.
+    """
 
     tufts: Points
     shade: int
@@ -78,7 +80,9 @@ def crowns() -> tuple[Crown, ...]:
     """Trees in three rows, the farthest first; each crown of many tufts, lit from where the sun stands."""
     chance = np.random.default_rng(18)
     made = []
-    for row, (spacing, tall, wide, count) in enumerate(((0.8, 1.1, 0.5, 170), (1.3, 1.6, 0.62, 330), (2.3, 2.5, 0.95, 620))):
+    for row, (spacing, tall, wide, count) in enumerate(
+        ((0.8, 1.1, 0.5, 170), (1.3, 1.6, 0.62, 330), (2.3, 2.5, 0.95, 620))
+    ):
         x = -HALF
         while x < HALF:
             x += spacing * chance.uniform(0.6, 1.4)
@@ -89,15 +93,26 @@ def crowns() -> tuple[Crown, ...]:
             middle = base + 0.64 * height
             away = np.sqrt(chance.random(count)) * 0.96
             turn = chance.uniform(0.0, math.tau, count)
-            tufts = np.stack([x + half * away * np.cos(turn), middle + 0.42 * height * away * np.sin(turn)], axis=1)
+            tufts = np.stack(
+                [x + half * away * np.cos(turn), middle + 0.42 * height * away * np.sin(turn)], axis=1
+            )
             radii = half * chance.uniform(0.08, 0.16, count) * (1.2 - 0.5 * away)
             toward = 1.0 if x < SUN[0] else -1.0
-            light = 0.5 + 0.32 * (toward * away * np.cos(turn) + away * np.sin(turn)) + chance.normal(0.0, 0.10, count)
+            light = (
+                0.5
+                + 0.32 * (toward * away * np.cos(turn) + away * np.sin(turn))
+                + chance.normal(0.0, 0.10, count)
+            )
             order = np.argsort(light + 0.4 * chance.random(count))  # what is lit stands before what is not
             rows = np.concatenate([tufts, radii[:, None], np.clip(light, 0.0, 1.0)[:, None]], axis=1)[order]
             thick = 0.03 * height
             trunk = np.array(
-                [(x - thick, base - 0.1), (x + thick, base - 0.1), (x + 0.6 * thick, middle), (x - 0.6 * thick, middle)]
+                [
+                    (x - thick, base - 0.1),
+                    (x + thick, base - 0.1),
+                    (x + 0.6 * thick, middle),
+                    (x - 0.6 * thick, middle),
+                ]
             )
             made.append(Crown(rows, int(chance.integers(0, 4)), row, trunk))
     return tuple(made)
@@ -140,9 +155,12 @@ class Park:
         self._draw_bench(canvas, hour)
         self._draw_lamp(canvas, hour)
         # light through the gap between the trees, over the lawn
-        canvas.soft_glow([(SUN[0] + 0.5 * shift, 0.25)], np.array((1.6,)), color, np.array((0.25 if lit else 0.12,)))
+        canvas.soft_glow(
+            [(SUN[0] + 0.5 * shift, 0.25)], np.array((1.6,)), color, np.array((0.25 if lit else 0.12,))
+        )
         if not lit:
-            canvas.soft_glow([(LAMP_X, 1.72), (LAMP_X, 1.72), (LAMP_X, 0.05)], np.array((0.14, 0.8, 1.4)), color,
+            spots = [(LAMP_X, 1.72), (LAMP_X, 1.72), (LAMP_X, 0.05)]
+            canvas.soft_glow(spots, np.array((0.14, 0.8, 1.4)), color,
                              np.array((1.1, 0.45, 0.28)))  # fmt: skip
         canvas.bloom(0.8)
 
@@ -167,7 +185,9 @@ class Park:
         canvas.polygon(crown.trunk + off, fill=dark)
         share = crown.tufts[:, 3:]
         low, middle, high = (np.array((one.r, one.g, one.b), dtype=np.float64) for one in (dark, ink, lit))
-        hues = np.where(share < 0.5, low + 2.0 * share * (middle - low), middle + (2.0 * share - 1.0) * (high - middle))
+        hues = np.where(
+            share < 0.5, low + 2.0 * share * (middle - low), middle + (2.0 * share - 1.0) * (high - middle)
+        )
         colors = np.ascontiguousarray(hues.astype(np.uint32) @ np.array((65536, 256, 1), dtype=np.uint32))
         canvas.discs(crown.tufts[:, :2] + off, crown.tufts[:, 2].copy(), colors)
 
@@ -185,16 +205,25 @@ class Park:
             )  # fmt: skip
         x = np.linspace(seen.left, seen.right, 24)
         top = 0.275 + 0.02 * np.sin(0.9 * x)
-        path = np.concatenate([np.stack([x, top], 1), np.stack([x, top - 0.06 - 0.012 * np.sin(1.7 * x)], 1)[::-1]])
+        path = np.concatenate(
+            [np.stack([x, top], 1), np.stack([x, top - 0.06 - 0.012 * np.sin(1.7 * x)], 1)[::-1]]
+        )
         canvas.polygon(path, fill=hour.path, fill_alpha=0.75)
 
     def _draw_bench(self, canvas: Canvas, hour: Hour) -> None:
         """A bench by the path."""
         x, y = BENCH_X, 0.16
         for left in (x - 0.52, x + 0.44):
-            canvas.polygon([(left, y), (left + 0.07, y), (left + 0.07, y + 0.34), (left, y + 0.34)], fill=hour.metal)
             canvas.polygon(
-                [(left + 0.01, y + 0.3), (left + 0.05, y + 0.3), (left + 0.01, y + 0.68), (left - 0.03, y + 0.68)],
+                [(left, y), (left + 0.07, y), (left + 0.07, y + 0.34), (left, y + 0.34)], fill=hour.metal
+            )
+            canvas.polygon(
+                [
+                    (left + 0.01, y + 0.3),
+                    (left + 0.05, y + 0.3),
+                    (left + 0.01, y + 0.68),
+                    (left - 0.03, y + 0.68),
+                ],
                 fill=hour.metal,
             )
         lit = hour.wood.lerp(pygame.Color(255, 220, 170), 0.25 if hour is DAY else 0.08)
@@ -208,7 +237,9 @@ class Park:
 
     def _draw_lamp(self, canvas: Canvas, hour: Hour) -> None:
         x, y = LAMP_X, 0.12
-        canvas.polygon([(x - 0.07, y), (x + 0.07, y), (x + 0.025, y + 0.12), (x - 0.025, y + 0.12)], fill=hour.metal)
+        canvas.polygon(
+            [(x - 0.07, y), (x + 0.07, y), (x + 0.025, y + 0.12), (x - 0.025, y + 0.12)], fill=hour.metal
+        )
         canvas.polygon([(x - 0.02, y), (x + 0.02, y), (x + 0.014, 1.6), (x - 0.014, 1.6)], fill=hour.metal)
         glass = pygame.Color(*channels(hour.light[0])) if hour is DUSK else _ink("e9e2cc")
         canvas.polygon([(x - 0.06, 1.6), (x + 0.06, 1.6), (x + 0.09, 1.8), (x - 0.09, 1.8)], fill=glass)
@@ -224,7 +255,9 @@ class Park:
         scale = 2.0 if front else 1.0
         tips = feet + (scale * rows[:, 2])[:, None] * np.stack([np.sin(lean), np.cos(lean)], axis=1)
         back, fore = hour.lawn
-        ink = (fore if front else back.lerp(fore, 0.6)).lerp(pygame.Color(225, 215, 110), 0.30 if hour is DAY else 0.20)
+        ink = (fore if front else back.lerp(fore, 0.6)).lerp(
+            pygame.Color(225, 215, 110), 0.30 if hour is DAY else 0.20
+        )
         canvas.segments(feet, tips, ink, 2.2 if front else 1.2, 0.8)
 
     @property
@@ -236,4 +269,3 @@ class Park:
 def channels(ink: int) -> tuple[int, int, int]:
     """Channels of 0xRRGGBB."""
     return ink >> 16 & 255, ink >> 8 & 255, ink & 255
-

@@ -31,8 +31,10 @@ NAMES = tuple(SPECIES)
 
 class LeavesState(NamedTuple):
     """plates; events and counts of `Watch`; gusts (MOST_GUSTS, GUST); own (n, 6): see `LeavesModel.own`;
-    airborne (n,): s since it was last touched; heard (k, 3): s, m/s, m of the newest landings; tally (4,): how
-    often leaves took off, the highest so far (m), and where the camera has the middle of those that fly (m)."""
+    airborne (n,): s since it was last touched; heard (k, 3): s, m/s, m of the newest landings; tally (4,):
+    how often leaves took off, the highest so far (m), and where the camera has the middle of those that fly
+    (m).
+    """
 
     plates: PlateState
     events: Floats
@@ -49,7 +51,8 @@ KIND, YAW, SHADE, DEPTH, FLIP, GROWN = range(6)
 
 class LeavesModel(Part):
     """own (n, 6): kind, turn of its outline within its plane (rad), shade 0 to 1, depth -1 to 1, whether its
-    outline is mirrored, and its size beside its kind's. count: of the gusts."""
+    outline is mirrored, and its size beside its kind's. count: of the gusts.
+    """
 
     def __init__(self, content: LeavesContent, parameters: LeavesParameters, active: EffectSet, seed: int):
         self.content, self.parameters = content, parameters
@@ -98,7 +101,8 @@ class LeavesModel(Part):
     # -- changes --------------------------------------------------------------------------------------
 
     def add(
-        self, kind: str, place: tuple[float, float], angle: float, random: np.random.Generator, jitter: float = 1.0
+        self, kind: str, place: tuple[float, float], angle: float, random: np.random.Generator,
+        jitter: float = 1.0,
     ) -> None:  # fmt: skip
         """One more leaf; ValueError if there are too many."""
         if len(self.plates) >= MOST_LEAVES:
@@ -208,8 +212,8 @@ class LeavesModel(Part):
     def state(self) -> LeavesState:
         """All that later steps depend on."""
         return LeavesState(
-            self.plates.state(), self.watch.events, self.watch.counts, self.wind.gusts[: self.wind.count], self.own,
-            self.airborne, self.heard, self.tally,
+            self.plates.state(), self.watch.events, self.watch.counts,
+            self.wind.gusts[: self.wind.count], self.own, self.airborne, self.heard, self.tally,
         )  # fmt: skip
 
     def restore(self, state: LeavesState) -> None:
@@ -221,5 +225,3 @@ class LeavesModel(Part):
         self.wind.gusts[: self.wind.count] = state.gusts
         self.own, self.airborne = state.own.copy(), state.airborne.copy()
         self.heard, self.tally = state.heard.copy(), state.tally.copy()
-
-

@@ -18,7 +18,8 @@ def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
     plates = model.plates
     flying, inside = model.flying(), model.inside()
     courses = [
-        model.watch.course(i, plates.rows, plates.time).regime if flies else 0 for i, flies in enumerate(flying.tolist())
+        model.watch.course(i, plates.rows, plates.time).regime if flies else 0
+        for i, flies in enumerate(flying.tolist())
     ]
     laws = plates.laws
     terminal = laws[UNIT] / np.sqrt((laws[DRAG] + laws[DRAG_TURN]) * laws[HALF])

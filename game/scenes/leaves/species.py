@@ -36,7 +36,8 @@ SPECIES = {
         Plate(0.038, 0.90, 0.03, curl=0.25, bend_hz=14.0), (0xE6B83A, 0xC9A227, 0xD98E2B, 0xB8A13A), 0.86
     ),
     "ash": Species(
-        Plate(0.034, 0.50, 0.03, curl=0.10, bend_hz=20.0, balance=0.25), (0xC7B24A, 0xA8963C, 0xD2A048, 0xE0C468), 0.42
+        Plate(0.034, 0.50, 0.03, curl=0.10, bend_hz=20.0, balance=0.25),
+        (0xC7B24A, 0xA8963C, 0xD2A048, 0xE0C468), 0.42,
     ),
 }  # fmt: skip
 
@@ -63,15 +64,19 @@ def outline_of(name: str) -> Floats:
         shape = np.stack([along, wide * half * np.sign(np.sin(turn))], axis=1)
     elif name == "linden":
         along = np.cos(turn)
-        shape = np.stack([along, wide * np.abs(np.sin(turn)) ** 0.75 * np.sign(np.sin(turn)) * (1.0 - 0.25 * along)], 1)
+        shape = np.stack(
+            [along, wide * np.abs(np.sin(turn)) ** 0.75 * np.sign(np.sin(turn)) * (1.0 - 0.25 * along)], 1
+        )
     else:
         along = np.cos(turn)
-        shape = np.stack([along, wide * np.abs(np.sin(turn)) ** 1.25 * np.sign(np.sin(turn)) * (1.0 - 0.2 * along)], 1)
+        shape = np.stack(
+            [along, wide * np.abs(np.sin(turn)) ** 1.25 * np.sign(np.sin(turn)) * (1.0 - 0.2 * along)], 1
+        )
     return np.ascontiguousarray(shape)
 
 
 def half_of(outline: Floats, side: float) -> Floats:
-    """The part of an outline on one side (1 or -1) of the middle of the chord: Sutherland and Hodgman 1974."""
+    """The part of an outline on one side (1, -1) of the middle of the chord (Sutherland, Hodgman 1974)."""
     kept = []
     for k in range(len(outline)):
         a, b = outline[k], outline[(k + 1) % len(outline)]

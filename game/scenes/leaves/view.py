@@ -82,7 +82,9 @@ class LeavesView:
         turn = np.linspace(0.0, math.pi, 25)
         sign = -1.0 if front else 1.0
         half = basket.half * (0.85 + 0.15 * height / basket.height)
-        return np.stack([basket.x + share * half * np.cos(turn), height + sign * share * RIM * np.sin(turn)], axis=1)
+        return np.stack(
+            [basket.x + share * half * np.cos(turn), height + sign * share * RIM * np.sin(turn)], axis=1
+        )
 
     def _basket_back(self, canvas: Canvas, hour: Hour) -> None:
         basket = self.model.content.basket
@@ -154,7 +156,9 @@ class LeavesView:
         velocities = model.plates.velocities
         found = []
         for i in range(len(flying)):
-            regime = model.watch.course(i, model.plates.rows, model.plates.time).regime if flying[i] else NOTHING
+            regime = (
+                model.watch.course(i, model.plates.rows, model.plates.time).regime if flying[i] else NOTHING
+            )
             found.append(regime)
             if flying[i]:
                 canvas.arrow(rows[[X, Y], i], 0.12 * velocities[i], COLORS[regime], width=1.6)
@@ -170,16 +174,23 @@ class LeavesView:
         off, down, wide, tall = MAP
         view = self.model.content.view
         left, bottom = view.left + off, view.top - down
-        canvas.polygon([(left, bottom), (left + wide, bottom), (left + wide, bottom + tall), (left, bottom + tall)],
-                       fill="stage", fill_alpha=0.78)  # fmt: skip
+        right, top = left + wide, bottom + tall
+        plate = [(left, bottom), (right, bottom), (right, top), (left, top)]
+        canvas.polygon(plate, fill="stage", fill_alpha=0.78)
 
         def at(inertia: float) -> float:
             return left + wide * math.log(min(max(inertia, LEAST), MOST) / LEAST) / math.log(MOST / LEAST)
 
         bands = ((LEAST, BORDERS[0], "chalk", "flutter"), (BORDERS[0], BORDERS[1], "amber", "tumble"),
-                 (BORDERS[1], BORDERS[2], "vermilion", "irregular"), (BORDERS[2], MOST, "chalk", ""))  # fmt: skip
+                 (BORDERS[1], BORDERS[2], "vermilion", "irregular"),
+                 (BORDERS[2], MOST, "chalk", ""))  # fmt: skip
         for low, high, color, words in bands:
-            corners = [(at(low), bottom), (at(high), bottom), (at(high), bottom + tall), (at(low), bottom + tall)]
+            corners = [
+                (at(low), bottom),
+                (at(high), bottom),
+                (at(high), bottom + tall),
+                (at(low), bottom + tall),
+            ]
             canvas.polygon(corners, fill=color, fill_alpha=0.2)
             if words:
                 canvas.label((0.5 * (at(low) + at(high)), bottom + tall - 0.06), words, "text2", 11)

@@ -16,7 +16,9 @@ def draw_fall(pen: Pen) -> None:
     for k in range(22):
         t = k / 21.0
         swing = math.sin(t * 9.5)
-        blade(pen, 44.0 + 24.0 * swing, 8.0 + 84.0 * t - 5.0 * abs(swing), 0.9 * math.cos(t * 9.5), "chalk", t)
+        blade(
+            pen, 44.0 + 24.0 * swing, 8.0 + 84.0 * t - 5.0 * abs(swing), 0.9 * math.cos(t * 9.5), "chalk", t
+        )
         blade(pen, 92.0 + 54.0 * t, 10.0 + 80.0 * t, 13.0 * t, "amber", t)
 
 

@@ -46,8 +46,9 @@ class PlateEntry(LevelEntry, frozen=True, kw_only=True):
     def plate(self, number: int = 0) -> Plate:
         """The plate ``number`` of the row, as the physics takes it."""
         return Plate(
-            self.half_chord, self.inertia * self.times**number, self.thickness, self.turn, self.glide, self.drag,
-            self.drag_turn, self.torque, self.torque_2, self.curl, self.bend_hz, balance=self.balance,
+            self.half_chord, self.inertia * self.times**number, self.thickness, self.turn, self.glide,
+            self.drag, self.drag_turn, self.torque, self.torque_2, self.curl, self.bend_hz,
+            balance=self.balance,
         )  # fmt: skip
 
 

@@ -12,13 +12,18 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GROUND
 from game.physics.plates import GustyWind, Plate, Plates, PlateSettings, PlateState
 from game.physics.plates.law import BEND, HALF, MASS_Y, RADIUS, THETA, UNIT, X, Y
+from game.physics.plates.watch import NO_COURSE, Course, Watch
 from game.scenes.plates.level import PlatesContent
 from game.scenes.plates.parameters import OF_PLATE, PlatesParameters
-from game.physics.plates.watch import NO_COURSE, Course, Watch
 from game.stage import Part
 
 Floats = NDArray[np.float64]
-LEFT, RIGHT, FLOOR, CEILING = -0.9, 0.9, -0.62, 0.62  # m, of the tank; what leaves it comes back on the other side
+LEFT, RIGHT, FLOOR, CEILING = (
+    -0.9,
+    0.9,
+    -0.62,
+    0.62,
+)  # m, of the tank; what leaves it comes back on the other side
 FLASHES = 64  # poses that are remembered of each plate
 FLASH_S = 1.0 / 15.0  # s between two
 MOST_PLATES = 96
@@ -73,7 +78,8 @@ class PlatesModel(Part):
         return Plate(**{name: getattr(self.parameters, name) for name in OF_PLATE})
 
     def add(
-        self, plate: Plate, place: tuple[float, float], tilt: float, velocity: tuple[float, float], spin: float
+        self, plate: Plate, place: tuple[float, float], tilt: float, velocity: tuple[float, float],
+        spin: float,
     ) -> None:  # fmt: skip
         """One more plate, which is then the chosen one; ValueError if it is none, or there are too many."""
         if len(self.plates) >= MOST_PLATES:
@@ -164,7 +170,12 @@ class PlatesModel(Part):
         """Inertia and thickness, half chord (m) and speed unit (m/s) of a plate."""
         laws = self.plates.laws
         half = float(laws[HALF, number])
-        return float(laws[MASS_Y, number]) - 1.0, float(laws[RADIUS, number]) / half, half, float(laws[UNIT, number])
+        return (
+            float(laws[MASS_Y, number]) - 1.0,
+            float(laws[RADIUS, number]) / half,
+            half,
+            float(laws[UNIT, number]),
+        )
 
     def reference(self, number: int) -> tuple[float, float, float]:
         """Spin, descent and period (a/U) of the chosen plate's kind; NaN where none is known."""
@@ -179,12 +190,12 @@ class PlatesModel(Part):
 
     def state(self) -> PlatesState:
         """All that later steps depend on."""
-        return PlatesState(self.plates.state(), self.watch.events, self.watch.counts, self.flashes, self.gains)
+        return PlatesState(
+            self.plates.state(), self.watch.events, self.watch.counts, self.flashes, self.gains
+        )
 
     def restore(self, state: PlatesState) -> None:
         """Take over a copy of a state."""
         self.plates.restore(state.plates)
         self.watch.events, self.watch.counts = state.events.copy(), state.counts.copy()
         self.flashes, self.gains = state.flashes.copy(), state.gains.copy()
-
-

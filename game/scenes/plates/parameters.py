@@ -26,8 +26,12 @@ class PlatesParameters(Parameters):
     tilt = Param(0.2, -3.2, 3.2, unit="rad", group="Plate", help="at which a click lets it go")
     curl = Param(0.0, -1.0, 1.0, unit="rad", group="Plate", help="by which its halves are turned up at rest")
     bend_hz = Param(0.0, 0.0, 60.0, unit="Hz", group="Plate", label="Bends at", help="0: rigid")
-    balance = Param(0.0, -0.6, 0.6, group="Plate", help="how far ahead of the middle its mass lies, in half chords")
-    glide = Param(1.2, 0.0, 4.0, group="Coefficients", label="Lift C_T", help="C_L = C_T sin 2α; thin wings π")
+    balance = Param(
+        0.0, -0.6, 0.6, group="Plate", help="how far ahead of the middle its mass lies, in half chords"
+    )
+    glide = Param(
+        1.2, 0.0, 4.0, group="Coefficients", label="Lift C_T", help="C_L = C_T sin 2α; thin wings π"
+    )
     turn = Param(math.pi, 0.0, 8.0, group="Coefficients", label="Lift of spin C_R")
     drag = Param(1.4, 0.0, 5.0, group="Coefficients", label="Drag A", help="C_D = A − B cos 2α")
     drag_turn = Param(1.0, 0.0, 5.0, group="Coefficients", label="Drag B", help="at most A")

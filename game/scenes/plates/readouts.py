@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from game.physics.plates.law import SPIN
-from game.scenes.plates.model import PlatesModel
 from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
+from game.scenes.plates.model import PlatesModel
 from game.stage import Readout
 
 

@@ -22,18 +22,19 @@ from game.stage.messages import Messages
 
 
 class FallingPlates(Scene):
-    """A sheet of paper let go does not fall straight: it swings to and fro, or turns over and over, or does both
-    without order. What it does depends on its inertia beside that of the air it takes along.
+    """A sheet of paper let go does not fall straight: it swings to and fro, or turns over and over, or does
+    both without order. What it does depends on its inertia beside that of the air it takes along.
 
-    The law is that of Andersen, Pesavento and Wang (2005), put together from what the air does to a thin plate:
-    it takes air along, more broadside than edge on; it is lifted by air that turns about it, as it glides and as it
-    spins; it is dragged. Plates may bend about their middle, and may be heavier at one end, which makes them glide.
+    The law is that of Andersen, Pesavento and Wang (2005), put together from what the air does to a thin
+    plate: it takes air along, more broadside than edge on; it is lifted by air that turns about it, as it
+    glides and as it spins; it is dragged. Plates may bend about their middle, and may be heavier at one
+    end, which makes them glide.
 
-    Distances are measured by the half chord a, speeds by U, at which the weight is about the drag: then falling
-    paper and falling steel are the same but for their inertia I* and thickness β.
+    Distances are measured by the half chord a, speeds by U, at which the weight is about the drag: then
+    falling paper and falling steel are the same but for their inertia I* and thickness β.
 
-    In the equations: u velocity through the air along (x) and across (y) the plate, ω spin, I inertia, β thickness,
-    Γ circulation, F drag, g gravity, C_T, C_R, A, B, μ coefficients, α incidence.
+    In the equations: u velocity through the air along (x) and across (y) the plate, ω spin, I inertia, β
+    thickness, Γ circulation, F drag, g gravity, C_T, C_R, A, B, μ coefficients, α incidence.
     """
 
     name, task, title = FALLING.names
@@ -80,7 +81,7 @@ class FallingPlates(Scene):
         "Give a plate a balance of 0.3: with its mass ahead of the middle it glides.",
         "Raise Thickness to 1: a round bar is not turned, and falls straight.",
         "Make it bend at 5 Hz and curl it up by 0.5: a leaf that sails down softly.",
-        "Raise the wind at once to 10 m/s: half of it is taken over in that very step, by the air taken along.",
+        "Raise the wind at once to 10 m/s: half of it is taken over in that step, by the air taken along.",
     )
 
     def build(self, level: Level | None) -> None:

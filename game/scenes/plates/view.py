@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from game.physics.fields import GROUND
 from game.physics.plates.law import BEND, HALF, RADIUS, THETA, X, Y
 from game.physics.plates.regimes import BORDERS
+from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, NAMES, NOTHING, TUMBLE
 from game.scenes.plates.hand import PlatesHand
 from game.scenes.plates.model import (
     CEILING,
@@ -20,7 +21,6 @@ from game.scenes.plates.model import (
     PlatesModel,
     PlatesState,
 )
-from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, NAMES, NOTHING, TUMBLE
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[np.float64]
@@ -29,7 +29,8 @@ MAP_LEFT, MAP_RIGHT, MAP_LOW, MAP_HIGH = 1.02, 1.86, -0.40, 0.40  # m, where the
 LEAST, MOST = 0.08, 12.0  # inertias on the map
 THICKEST = 0.5
 BANDS = ((0.0, BORDERS[0], "chalk", "flutter"), (BORDERS[0], BORDERS[1], "amber", "tumble"),
-         (BORDERS[1], BORDERS[2], "vermilion", "irregular"), (BORDERS[2], 1e9, "chalk", "flutter"))  # fmt: skip
+         (BORDERS[1], BORDERS[2], "vermilion", "irregular"),
+         (BORDERS[2], 1e9, "chalk", "flutter"))  # fmt: skip
 
 
 class PlatesView:
@@ -115,7 +116,9 @@ class PlatesView:
 
     def _draw_wind(self, canvas: Canvas) -> None:
         """Arrows of the wind over the tank, where it blows."""
-        x, y = np.meshgrid(np.linspace(LEFT + 0.09, RIGHT - 0.09, 11), np.linspace(FLOOR + 0.1, CEILING - 0.1, 7))
+        x, y = np.meshgrid(
+            np.linspace(LEFT + 0.09, RIGHT - 0.09, 11), np.linspace(FLOOR + 0.1, CEILING - 0.1, 7)
+        )
         places = np.stack([x.ravel(), y.ravel()], axis=1)
         wind = self.model.wind.sample(places, self.model.plates.time)
         if float(np.max(np.abs(wind))) < 0.02:
@@ -182,5 +185,3 @@ class PlatesView:
                 (MAP_LEFT, MAP_LOW - 0.12), said, "text1" if line == 0 else "text2", 13,
                 "semibold" if line == 0 else "medium", "topleft", (0.0, 19.0 * line),
             )  # fmt: skip
-
-

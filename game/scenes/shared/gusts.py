@@ -15,8 +15,9 @@ Second = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
 
 
 class GustEntry(LevelEntry, frozen=True, kw_only=True):
-    """A gust: where its middle is (m) when it begins (s), how long it lasts (s), the velocity of its middle (m/s),
-    its size (m), the wind at its middle (m/s), the speed of its turning (m/s)."""
+    """A gust: where its middle is (m) when it begins (s), how long it lasts (s), the velocity of its middle
+    (m/s), its size (m), the wind at its middle (m/s), the speed of its turning (m/s).
+    """
 
     place: tuple[Metre, Metre]
     begins: Second = 0.0

@@ -11,10 +11,10 @@ from game.physics.constraints.effects import CONTACTS
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, GROUND, QUADRATIC_DRAG, WIND
 from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings
+from game.physics.plates.checks import slopes_of
 from game.physics.plates.effects import BENDING, CIRCULATION, GUST_INERTIA
 from game.physics.plates.flight import WIND as ROWS_OF_WIND
 from game.physics.plates.law import BEND, MASS_Y, SPIN, THETA, VX, VY, WEIGHT, X, Y
-from game.physics.plates.plates import slopes_of
 from game.physics.surfaces import ConstantField, FunctionField
 
 FLIGHT = GRAVITY | QUADRATIC_DRAG | CIRCULATION | BENDING

@@ -66,7 +66,8 @@ def test_each_kind_comes_down_as_its_shape_asks():
     ways, descents = {}, {}
     for kind in SPECIES:
         words = (
-            f'scene = "a18"\ntitle = "one"\n[parameters]\nwind = 0.0\n[content]\nbeds = [{{ kinds = ["{kind}"], '
+            f'scene = "a18"\ntitle = "one"\n[parameters]\nwind = 0.0\n[content]\nbeds = [{{ '
+            f'kinds = ["{kind}"], '
             "left = -2.0, right = -2.0, height = 20.0, alike = true }]\n"
         )
         stage = Stage(Leaves, level=parse_level(words, "a18", LeavesContent))
@@ -182,7 +183,10 @@ def test_the_picture_is_drawn_in_both_themes_with_leaves_in_it():
     prepare()
     stage = opened("default")
     stage.run(500)
-    full = [np.asarray(picture_of_stage(stage, (480, 270), theme).get_buffer()).tobytes() for theme in ("light", "dark")]
+    full = [
+        np.asarray(picture_of_stage(stage, (480, 270), theme).get_buffer()).tobytes()
+        for theme in ("light", "dark")
+    ]
     empty = Stage(Leaves, level=parse_level('scene = "a18"\n[content]\nbeds = []\n', "a18", LeavesContent))
     bare = np.asarray(picture_of_stage(empty, (480, 270), "light").get_buffer()).tobytes()
     assert len({*full, bare}) == 3

@@ -1,4 +1,4 @@
-"""Falling plates as a person meets them: levels come to what they expect, regimes are seen, hand and actions."""
+"""Falling plates as a person meets them: levels come to what they expect, regimes, hand and actions."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
+from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.scenes.plates.model import CEILING, FLOOR, LEFT, RIGHT
 from game.scenes.plates.scene import FallingPlates
-from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.scenes.shared.expectations import captions_of
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
 
@@ -149,6 +149,7 @@ def test_the_picture_is_drawn_in_both_themes():
     stage = opened("gusts")
     stage.run(400)
     pictures = {
-        np.asarray(picture_of_stage(stage, (480, 270), theme).get_buffer()).tobytes() for theme in ("light", "dark")
+        np.asarray(picture_of_stage(stage, (480, 270), theme).get_buffer()).tobytes()
+        for theme in ("light", "dark")
     }
     assert len(pictures) == 2
