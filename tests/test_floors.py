@@ -53,6 +53,7 @@ FOLDERS = {
         "multigrid",
         "gas",
         "combustion stable_fluids",
+        "plates",
     ),
     "billiards": (
         "table",

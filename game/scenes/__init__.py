@@ -20,9 +20,11 @@ from game.scenes import (
     fireworks,
     fountain,
     key_frames,
+    leaves,
     lecture_table,
     levitation,
     metal,
+    plates,
     real_table,
     rigid_body,
     skeletons,
@@ -60,6 +62,7 @@ CATALOGUE = Catalogue(
         *fireworks.ENTRIES,
         *solids.ENTRIES,
         *tracks.ENTRIES,
+        *plates.ENTRIES,
         *beat.ENTRIES,
         *spacetime.ENTRIES,
         *levitation.ENTRIES,
@@ -70,5 +73,6 @@ CATALOGUE = Catalogue(
         *domino.ENTRIES,
         *fireplace.ENTRIES,
         *metal.ENTRIES,
+        *leaves.ENTRIES,
     )
 )

@@ -15,8 +15,9 @@ def all_scenarios() -> tuple[Scenario, ...]:
         constraints,
         narrowphase,
         particles,
+        plates,
         rigid,
     )
 
-    rooms = (billiards, broadphase, bounds, narrowphase, rigid, constraints, particles, animation)
+    rooms = (billiards, broadphase, bounds, narrowphase, rigid, constraints, particles, plates, animation)
     return tuple(scenario for room in rooms for scenario in room.SCENARIOS)

@@ -1,0 +1,306 @@
+"""A step of many plates in the air: Runge-Kutta of fourth order, LANES of them at a time.
+
+The kernel copies LANES plates into a small buffer whose rows lie LANES numbers apart, so that the compiler
+can prove them apart and computes as many lanes at once as the machine has; it calls nothing in there.
+
+Each plate has as many substeps as its own rates ask for, so a light, fast or spinning one takes no other's
+time. In still air what a substep has added to the energy is taken back from its motion: the law only takes,
+and what Runge-Kutta errs by (fifth order in a step) may not add.
+
+The wind comes as arrays, from wherever it is: at each plate its velocity, gradient and rate at the
+beginning of the step. Within the step it is linear in place and time: fourth order in all in still air and
+in such a wind, second where the wind is curved.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.plates.law import (
+    BEND,
+    BEND_INERTIA,
+    BEND_RATE,
+    COLUMNS,
+    CURL,
+    DAMP,
+    DRAG,
+    DRAG_TURN,
+    GLIDE,
+    HALF,
+    HALF_BEND,
+    HEAVY,
+    INERTIA,
+    MASS_X,
+    MASS_Y,
+    MOST_BEND,
+    OFFSET,
+    SPIN,
+    STATE,
+    STIFF,
+    THETA,
+    TORQUE,
+    TORQUE_2,
+    TURN,
+    VX,
+    VY,
+    WEIGHT,
+    X,
+    Y,
+    cosine,
+    half_drag,
+    sine,
+)
+
+WX, WY, WX_X, WX_Y, WY_X, WY_Y, WX_T, WY_T = range(8)  # wind m/s, its gradient 1/s, its rate m/s²
+WIND = 8
+LANES = 16
+LAW = STATE  # rows of the buffer
+AIR = LAW + COLUMNS
+COS, SIN, FROM_X, FROM_Y, TIME, LENGTH, PER_X, PER_Y, PER_TURN, PER_BEND = (AIR + WIND + k for k in range(10))
+SLOPE = AIR + WIND + 10  # slopes of the stage before, in the order of the state
+COS_SLOPE, SIN_SLOPE = SLOPE + STATE, SLOPE + STATE + 1
+SUM = SLOPE + STATE + 2
+COS_SUM, SIN_SUM = SUM + STATE, SUM + STATE + 1
+ROWS = SUM + STATE + 2
+METHODS = ("explicit-euler", "midpoint", "rk4")
+MIDPOINT, RK4 = 1.0, 2.0  # places in METHODS
+MOST_SUBSTEPS = 4096
+PART = 0.6  # of the fastest rate that a substep may be long
+CAMBER = 2.0 / math.pi  # circulation of a kinked wing beside C_T's, for each sin q (Glauert 1926)
+
+
+@inner_kernel(forceinline=True)
+def law_at(b, i):
+    """The law's 16 numbers of the lane i, in the order of the columns."""
+    return (
+        b[(LAW + HALF) * LANES + i], b[(LAW + MASS_X) * LANES + i], b[(LAW + MASS_Y) * LANES + i],
+        b[(LAW + INERTIA) * LANES + i], b[(LAW + WEIGHT) * LANES + i], b[(LAW + TURN) * LANES + i],
+        b[(LAW + GLIDE) * LANES + i], b[(LAW + DRAG) * LANES + i], b[(LAW + DRAG_TURN) * LANES + i],
+        b[(LAW + TORQUE) * LANES + i], b[(LAW + TORQUE_2) * LANES + i], b[(LAW + BEND_INERTIA) * LANES + i],
+        b[(LAW + STIFF) * LANES + i], b[(LAW + DAMP) * LANES + i], b[(LAW + CURL) * LANES + i],
+        b[(LAW + OFFSET) * LANES + i],
+    )  # fmt: skip
+
+
+@inner_kernel(forceinline=True)
+def rates(motion, wind, fall, law, per):
+    """Accelerations (x, y, spin, bend) of a plate.
+
+    motion: cos and sin of its angle, vx, vy, spin, bend and its rate; wind: its velocity, and its rate
+    along the way; law: see `law_at`; per: one over its four inertias.
+    """
+    c, s, vx, vy, spin, q, rate = motion
+    wx, wy, dwx, dwy = wind
+    (half, mass_x, mass_y, _, weight, turn, glide, drag, drag_turn, torque, torque_2, _,
+     stiff, damp, curl, offset) = law  # fmt: skip
+    per_x, per_y, per_turn, per_bend = per
+    rx, ry = vx - wx, vy - wy
+    ux, uy = c * rx + s * ry, c * ry - s * rx
+    py = uy + spin * offset  # of the middle, which the air pushes
+    gx, gy = -dwx, -fall - dwy
+    bx, by = c * gx + s * gy, c * gy - s * gx
+    up, level = sine(q), cosine(q)
+    slow = 1.0 / (math.sqrt(ux * ux + py * py) + 1e-300)
+    lift = turn * spin - glide * (ux * py * slow + CAMBER * up * ux)
+    # the halves: where their middles are, how these move with the bend, and how much each is on its own
+    apart = q * q / (q * q + HALF_BEND * HALF_BEND)
+    arm, rise = 0.5 * half * level, 0.5 * half * HEAVY * up
+    arm_q, rise_q = -0.5 * half * up, 0.5 * half * HEAVY * level
+    turned = apart * spin
+    mx, my = ux - turned * rise, py + rate * rise_q
+    swing, spread = turned * arm, rate * arm_q
+    fx1, fy1 = half_drag(mx + spread, my + swing, level, up, drag, drag_turn)
+    fx2, fy2 = half_drag(mx - spread, my - swing, level, -up, drag, drag_turn)
+    fx, fy = fx1 + fx2, fy1 + fy2
+    by_halves = apart * (arm * (fy1 - fy2) - rise * fx)
+    ax = (mass_y * spin * uy - lift * py + weight * bx - fx) * per_x - spin * uy
+    ay = (lift * ux - mass_x * spin * ux + weight * by - fy) * per_y + spin * ux
+    moment = (mass_x - mass_y) * ux * uy - (torque + torque_2 * abs(spin)) * spin - by_halves
+    moment += offset * (lift * ux - fy)
+    opening = -stiff * (q - curl) - damp * rate - arm_q * (fx1 - fx2) - rise_q * fy
+    return c * ax - s * ay + dwx, s * ax + c * ay + dwy, moment * per_turn, opening * per_bend
+
+
+@inner_kernel(forceinline=True)
+def energy(motion, y, fall, law):
+    """Energy of motion, and of bend and height, of a plate in still air, added mass counted, by pi rho a²."""
+    c, s, vx, vy, spin, q, rate = motion
+    ux, uy = c * vx + s * vy, c * vy - s * vx
+    moving = 0.5 * (law[1] * ux * ux + law[2] * uy * uy + law[3] * spin * spin + law[11] * rate * rate)
+    return moving, 0.5 * law[12] * (q - law[14]) * (q - law[14]) + law[4] * fall * y
+
+
+@inner_kernel
+def stage(b, part, weight, rules):
+    """A stage of Runge-Kutta of all lanes: slopes ``part`` of the substep on, weighed into sums."""
+    fall, inertia, bends, _, _ = rules
+    for i in range(LANES):
+        law = law_at(b, i)
+        per = b[PER_X * LANES + i], b[PER_Y * LANES + i], b[PER_TURN * LANES + i], b[PER_BEND * LANES + i]
+        h = part * b[LENGTH * LANES + i]
+        x, y = (
+            b[X * LANES + i] + h * b[(SLOPE + X) * LANES + i],
+            b[Y * LANES + i] + h * b[(SLOPE + Y) * LANES + i],
+        )
+        vx, vy = (
+            b[VX * LANES + i] + h * b[(SLOPE + VX) * LANES + i],
+            b[VY * LANES + i] + h * b[(SLOPE + VY) * LANES + i],
+        )
+        spin = b[SPIN * LANES + i] + h * b[(SLOPE + SPIN) * LANES + i]
+        q = b[BEND * LANES + i] + h * b[(SLOPE + BEND) * LANES + i]
+        rate = bends * (b[BEND_RATE * LANES + i] + h * b[(SLOPE + BEND_RATE) * LANES + i])
+        c, s = (
+            b[COS * LANES + i] + h * b[COS_SLOPE * LANES + i],
+            b[SIN * LANES + i] + h * b[SIN_SLOPE * LANES + i],
+        )
+        dx, dy, dt = x - b[FROM_X * LANES + i], y - b[FROM_Y * LANES + i], b[TIME * LANES + i] + h
+        xx, xy, xt = b[(AIR + WX_X) * LANES + i], b[(AIR + WX_Y) * LANES + i], b[(AIR + WX_T) * LANES + i]
+        yx, yy, yt = b[(AIR + WY_X) * LANES + i], b[(AIR + WY_Y) * LANES + i], b[(AIR + WY_T) * LANES + i]
+        wx = b[(AIR + WX) * LANES + i] + xx * dx + xy * dy + xt * dt
+        wy = b[(AIR + WY) * LANES + i] + yx * dx + yy * dy + yt * dt
+        dwx, dwy = inertia * (xt + xx * vx + xy * vy), inertia * (yt + yx * vx + yy * vy)
+        ax, ay, turning, opening = rates((c, s, vx, vy, spin, q, rate), (wx, wy, dwx, dwy), fall, law, per)
+        opening = opening * bends
+        b[(SLOPE + X) * LANES + i], b[(SLOPE + Y) * LANES + i] = vx, vy
+        b[(SLOPE + THETA) * LANES + i], b[(SLOPE + SPIN) * LANES + i] = spin, turning
+        b[(SLOPE + VX) * LANES + i], b[(SLOPE + VY) * LANES + i] = ax, ay
+        b[(SLOPE + BEND) * LANES + i], b[(SLOPE + BEND_RATE) * LANES + i] = rate, opening
+        b[COS_SLOPE * LANES + i], b[SIN_SLOPE * LANES + i] = -spin * s, spin * c
+        b[(SUM + X) * LANES + i] += weight * vx
+        b[(SUM + Y) * LANES + i] += weight * vy
+        b[(SUM + THETA) * LANES + i] += weight * spin
+        b[(SUM + VX) * LANES + i] += weight * ax
+        b[(SUM + VY) * LANES + i] += weight * ay
+        b[(SUM + SPIN) * LANES + i] += weight * turning
+        b[(SUM + BEND) * LANES + i] += weight * rate
+        b[(SUM + BEND_RATE) * LANES + i] += weight * opening
+        b[COS_SUM * LANES + i] += weight * -spin * s
+        b[SIN_SUM * LANES + i] += weight * spin * c
+
+
+@inner_kernel
+def finish(b, rules):
+    """End a substep of all lanes by the sums of its slopes; energy does not rise in still air."""
+    fall, _, _, still, _ = rules
+    for i in range(LANES):
+        law = law_at(b, i)
+        going = b[LENGTH * LANES + i] > 0.0
+        sixth = b[LENGTH * LANES + i] / 6.0
+        c, s, y = b[COS * LANES + i], b[SIN * LANES + i], b[Y * LANES + i]
+        vx, vy, spin = b[VX * LANES + i], b[VY * LANES + i], b[SPIN * LANES + i]
+        q, rate = b[BEND * LANES + i], b[BEND_RATE * LANES + i]
+        moving, lying = energy((c, s, vx, vy, spin, q, rate), y, fall, law)
+        c, s = c + sixth * b[COS_SUM * LANES + i], s + sixth * b[SIN_SUM * LANES + i]
+        length = 1.0 / math.sqrt(c * c + s * s) if going else 1.0
+        c, s = c * length, s * length
+        y = y + sixth * b[(SUM + Y) * LANES + i]
+        vx, vy = vx + sixth * b[(SUM + VX) * LANES + i], vy + sixth * b[(SUM + VY) * LANES + i]
+        spin = spin + sixth * b[(SUM + SPIN) * LANES + i]
+        q, rate = q + sixth * b[(SUM + BEND) * LANES + i], rate + sixth * b[(SUM + BEND_RATE) * LANES + i]
+        rate = 0.0 if (q > MOST_BEND) | (q < -MOST_BEND) else rate
+        q = min(max(q, -MOST_BEND), MOST_BEND)
+        now, low = energy((c, s, vx, vy, spin, q, rate), y, fall, law)
+        spare = max(moving + lying - low, 0.0)
+        ratio = math.sqrt(spare / (now + 1e-300))
+        keep = ratio if (still > 0.5) & (now > spare) & going else 1.0
+        b[X * LANES + i] += sixth * b[(SUM + X) * LANES + i]
+        b[THETA * LANES + i] += sixth * b[(SUM + THETA) * LANES + i]
+        b[TIME * LANES + i] += b[LENGTH * LANES + i]
+        b[COS * LANES + i], b[SIN * LANES + i], b[Y * LANES + i] = c, s, y
+        b[VX * LANES + i], b[VY * LANES + i], b[SPIN * LANES + i] = keep * vx, keep * vy, keep * spin
+        b[BEND * LANES + i], b[BEND_RATE * LANES + i] = q, keep * rate
+
+
+@inner_kernel
+def substep(b, rules):
+    """One substep of all lanes of the buffer b, as long as each says; a length of 0 changes nothing."""
+    for k in range(SLOPE, ROWS):
+        for i in range(LANES):
+            b[k * LANES + i] = 0.0
+    method = rules[4]
+    if method == RK4:
+        stage(b, 0.0, 1.0, rules)
+        stage(b, 0.5, 2.0, rules)
+        stage(b, 0.5, 2.0, rules)
+        stage(b, 1.0, 1.0, rules)
+    elif method == MIDPOINT:
+        stage(b, 0.0, 0.0, rules)
+        stage(b, 0.5, 6.0, rules)
+    else:
+        stage(b, 0.0, 6.0, rules)
+    finish(b, rules)
+
+
+@inner_kernel
+def substeps_of(b, i, fall, dt):
+    """How many substeps the lane i needs for dt (s)."""
+    rx, ry = b[VX * LANES + i] - b[(AIR + WX) * LANES + i], b[VY * LANES + i] - b[(AIR + WY) * LANES + i]
+    light = b[(LAW + MASS_X) * LANES + i]
+    speed = math.sqrt(rx * rx + ry * ry) + math.sqrt(fall * b[(LAW + HALF) * LANES + i] * light) + 1e-9
+    spin = abs(b[SPIN * LANES + i])
+    heavy = b[(LAW + MASS_Y) * LANES + i]
+    pushes = (b[(LAW + DRAG) * LANES + i] + abs(b[(LAW + GLIDE) * LANES + i])) * speed
+    pushes += abs(b[(LAW + TURN) * LANES + i]) * spin
+    turning = b[(LAW + TORQUE) * LANES + i] + 2.0 * b[(LAW + TORQUE_2) * LANES + i] * spin
+    along = (2.0 * pushes + heavy * spin) / light
+    about = turning / b[(LAW + INERTIA) * LANES + i]
+    bending = b[(LAW + STIFF) * LANES + i] / b[(LAW + BEND_INERTIA) * LANES + i]
+    swing = math.sqrt(heavy * speed * speed / (light * b[(LAW + INERTIA) * LANES + i]))
+    fastest = max(max(along, about), max(math.sqrt(bending), swing))
+    parts = fastest * dt / PART
+    if not parts < MOST_SUBSTEPS:
+        return MOST_SUBSTEPS
+    return int(parts) + 1
+
+
+@inner_kernel
+def load(b, row, rows, first, many):
+    """Copy ``many`` columns of rows (k, n) from ``first`` on; lanes without one get the first of them."""
+    for k in range(rows.shape[0]):
+        for i in range(many):
+            b[(row + k) * LANES + i] = rows[k, first + i]
+        for i in range(many, LANES):
+            b[(row + k) * LANES + i] = rows[k, first]
+
+
+@lean_kernel
+def fly(state, laws, air, buffer, counts, settings, dt):
+    """Go on by dt (s).
+
+    state (STATE, n), laws (COLUMNS, n), air (WIND, n); buffer (ROWS LANES,); counts (LANES,): scratch;
+    settings: gravity (m/s²), 1 if a changing wind pushes, 1 if plates bend, 1 if the air is still, the
+    method's place in METHODS.
+    """
+    fall = settings[0]
+    n = state.shape[1]
+    for first in range(0, n, LANES):
+        many = min(LANES, n - first)
+        load(buffer, 0, state, first, many)
+        load(buffer, LAW, laws, first, many)
+        load(buffer, AIR, air, first, many)
+        for i in range(LANES):
+            theta = buffer[THETA * LANES + i]
+            buffer[COS * LANES + i], buffer[SIN * LANES + i] = math.cos(theta), math.sin(theta)
+            buffer[FROM_X * LANES + i] = buffer[X * LANES + i]
+            buffer[FROM_Y * LANES + i] = buffer[Y * LANES + i]
+            buffer[TIME * LANES + i] = 0.0
+            buffer[PER_X * LANES + i] = 1.0 / buffer[(LAW + MASS_X) * LANES + i]
+            buffer[PER_Y * LANES + i] = 1.0 / buffer[(LAW + MASS_Y) * LANES + i]
+            buffer[PER_TURN * LANES + i] = 1.0 / buffer[(LAW + INERTIA) * LANES + i]
+            gives = buffer[(LAW + STIFF) * LANES + i] > 0.0
+            buffer[PER_BEND * LANES + i] = 1.0 / buffer[(LAW + BEND_INERTIA) * LANES + i] if gives else 0.0
+            counts[i] = substeps_of(buffer, i, fall, dt)
+            buffer[LENGTH * LANES + i] = dt / counts[i]
+        most = 1
+        for i in range(LANES):
+            most = max(most, counts[i])
+        for k in range(most):
+            if k:
+                for i in range(LANES):
+                    if k >= counts[i]:
+                        buffer[LENGTH * LANES + i] = 0.0
+            substep(buffer, settings)
+        for k in range(STATE):
+            for i in range(many):
+                state[k, first + i] = buffer[k * LANES + i]

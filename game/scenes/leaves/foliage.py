@@ -1,0 +1,191 @@
+"""Paints leaves: bent in the middle, seen from a little above, lit from one side and through."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.plates.law import BEND, THETA, X, Y
+from game.scenes.leaves.model import DEPTH, FLIP, KIND, NAMES, SHADE, YAW
+from game.scenes.leaves.species import SPECIES, half_of, outline_of
+from game.scenes.shared.polygons import NO_EDGE, paint
+from game.ui.canvas.canvas import Canvas
+
+Floats = NDArray[np.float64]
+BACKWARD = (0.26, 0.50)  # how far right and up a way into the picture is seen, beside its length
+OF_DEPTH = (0.05, 0.15)  # m right and up of a leaf that lies one depth farther back
+SUN = (0.42, 0.80, -0.43)  # towards the light, in x, y and into the picture
+BELOW = 0.35  # the midrib lies that far below the middle, times sin q
+SHADOW = 14  # corners
+LARGER = 1.18  # leaves are drawn than their chords, as these are mean ones
+FADES = 0.9  # m of height by which a shadow is weaker by e
+
+
+class Cut(NamedTuple):
+    """Outlines of leaves, cut at the middle of their chords: (p, 2) along the chord and into the picture, by
+    half chords; the leaf (p,) and the half (p,) each corner belongs to; first corner of each half (2 n +
+    1,); ends of the midrib (n, 2, 2).
+    """
+
+    points: Floats
+    leaves: NDArray[np.int64]
+    starts: NDArray[np.int64]
+    ribs: Floats
+
+
+def cut_outlines(own: Floats) -> Cut:
+    """Of leaves (n, 6) as `LeavesModel.own` has them."""
+    parts: list[Floats] = []
+    leaves: list[int] = []
+    starts = [0]
+    ribs = np.zeros((len(own), 2, 2))
+    shapes = [outline_of(name) for name in NAMES]
+    for i, row in enumerate(own):
+        c, s = math.cos(row[YAW]), math.sin(row[YAW])
+        flip = -1.0 if row[FLIP] > 0.5 else 1.0
+        shape = shapes[int(row[KIND])] * (1.0, flip)
+        turned = shape @ np.array(((c, s), (-s, c)))
+        ribs[i] = np.array(((-1.35, 0.0), (0.92, 0.0))) @ np.array(((c, s), (-s, c)))
+        for side in (-1.0, 1.0):
+            half = half_of(turned, side)
+            parts.append(half)
+            leaves += [i] * len(half)
+            starts.append(starts[-1] + len(half))
+    points = np.concatenate(parts) if parts else np.zeros((0, 2))
+    return Cut(points, np.array(leaves, dtype=np.int64), np.array(starts, dtype=np.int64), ribs)
+
+
+class Foliage:
+    """Keeps the outlines of the leaves there are."""
+
+    def __init__(self) -> None:
+        self._own: Floats = np.zeros((0, 6))
+        self._cut = cut_outlines(self._own)
+
+    def _fit(self, own: Floats) -> None:
+        if len(own) != len(self._own) or not np.array_equal(own, self._own):
+            self._own, self._cut = own.copy(), cut_outlines(own)
+
+    def shadows(self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats) -> None:
+        """Soft spots on the lawn, away from the light, weaker the higher a leaf is."""
+        n = rows.shape[1]
+        if not n:
+            return
+        height = np.maximum(rows[Y], 0.0)
+        turn = np.linspace(0.0, math.tau, SHADOW, endpoint=False)
+        wide = halves * (0.45 + 0.55 * np.abs(np.cos(rows[THETA]))) * (1.0 + 0.5 * height)
+        middle = self._depths(own) + np.stack([rows[X] - 0.45 * height, np.full(n, -0.012)], axis=1)
+        spots = middle[:, None] + np.stack(
+            [wide[:, None] * np.cos(turn), (0.36 * halves * (1.0 + 0.5 * height))[:, None] * np.sin(turn)],
+            axis=2,
+        )
+        shares = 0.34 * np.exp(-height / FADES)
+        starts = np.arange(0, SHADOW * n + 1, SHADOW)
+        inks = np.full(n, 0x1C1408, dtype=np.int64)
+        edges = np.full(n, NO_EDGE, dtype=np.int64)
+        paint(
+            canvas,
+            np.ascontiguousarray(spots.reshape(-1, 2)),
+            starts,
+            inks,
+            shares,
+            edges,
+            np.zeros((SHADOW, 2)),
+        )
+
+    @staticmethod
+    def _depths(own: Floats) -> Floats:
+        """How far each leaf is shifted by its depth, m."""
+        return own[:, DEPTH][:, None] * np.array(OF_DEPTH)
+
+    def leaves(
+        self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, tint: tuple[float, float, float],
+        which: NDArray[np.bool_],
+    ) -> None:  # fmt: skip
+        """Those leaves, the farthest first."""
+        self._fit(own)
+        order = np.flatnonzero(which)[np.argsort(-own[which, DEPTH], kind="stable")]
+        if not len(order):
+            return
+        cut = self._cut
+        places = self._corners(rows, own, halves)
+        inks, veins = _shades(rows, own, tint)
+        halves_of = (2 * order[:, None] + np.array((0, 1))).ravel()
+        pieces = [places[cut.starts[k] : cut.starts[k + 1]] for k in halves_of.tolist()]
+        starts = np.concatenate([[0], np.cumsum([len(piece) for piece in pieces])])
+        points = np.ascontiguousarray(np.concatenate(pieces))
+        edges = np.full(len(halves_of), NO_EDGE, dtype=np.int64)
+        most = int(np.max(np.diff(starts)))
+        paint(canvas, points, starts, inks[halves_of], np.ones(len(halves_of)), edges, np.zeros((most, 2)))
+        if canvas.pixels_per_unit > 90.0:
+            self._ribs(canvas, rows, own, halves, veins, order)
+
+    def _bent(
+        self, rows: Floats, leaf: NDArray[np.int64], along: Floats, into: Floats, own: Floats, halves: Floats
+    ) -> Floats:
+        """Where points of leaves are seen: along their chord and into the picture, by half chords."""
+        q, theta, half = rows[BEND, leaf], rows[THETA, leaf], halves[leaf]
+        along, into = LARGER * along, LARGER * into
+        x = along * np.cos(q) * half
+        y = (np.abs(along) - BELOW) * np.sin(q) * half
+        c, s = np.cos(theta), np.sin(theta)
+        depth = into * half
+        shift = self._depths(own)[leaf]
+        return np.stack(
+            [
+                rows[X, leaf] + c * x - s * y + BACKWARD[0] * depth,
+                rows[Y, leaf] + s * x + c * y + BACKWARD[1] * depth,
+            ],
+            axis=1,
+        ) + shift  # fmt: skip
+
+    def _corners(self, rows: Floats, own: Floats, halves: Floats) -> Floats:
+        cut = self._cut
+        return self._bent(rows, cut.leaves, cut.points[:, 0], cut.points[:, 1], own, halves)
+
+    def _ribs(
+        self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, veins: NDArray[np.int64],
+        order: NDArray[np.int64],
+    ) -> None:  # fmt: skip
+        ends = self._cut.ribs[order]
+        a = self._bent(rows, order, ends[:, 0, 0], ends[:, 0, 1], own, halves)
+        b = self._bent(rows, order, ends[:, 1, 0], ends[:, 1, 1], own, halves)
+        fold = ends[:, 0] + (ends[:, 1] - ends[:, 0]) * (
+            ends[:, 0, :1]
+            / np.where(np.abs(ends[:, :1, 0] - ends[:, 1:, 0]) > 1e-9, ends[:, :1, 0] - ends[:, 1:, 0], 1.0)
+        ).clip(0.0, 1.0)
+        m = self._bent(rows, order, fold[:, 0], fold[:, 1], own, halves)
+        inks = veins[order].astype(np.uint32)
+        canvas.segments(a, m, inks, 1.1, 0.75)
+        canvas.segments(m, b, inks, 1.1, 0.75)
+
+
+def _shades(
+    rows: Floats, own: Floats, tint: tuple[float, float, float]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Colours of the halves (2 n,) and of the ribs (n,): upper or paler lower side, lit or shone through."""
+    n = len(own)
+    palette = np.array([SPECIES[name].colors for name in NAMES])
+    pick = np.minimum((own[:, SHADE] * 4.0).astype(int), 3)
+    ink = palette[own[:, KIND].astype(int), pick]
+    base = np.stack([ink >> 16 & 255, ink >> 8 & 255, ink & 255], axis=1).astype(np.float64)
+    found = np.zeros((n, 2, 3))
+    for k, side in enumerate((-1.0, 1.0)):
+        tilt = rows[THETA] + side * rows[BEND]
+        nx, ny = -np.sin(tilt), np.cos(tilt)
+        # which side is seen: the eye is before and above
+        upper = nx * BACKWARD[0] + ny * BACKWARD[1] > 0.0
+        facing = nx * SUN[0] + ny * SUN[1]
+        lit = np.where(upper, facing, -facing)
+        strength = 0.58 + 0.46 * np.maximum(lit, 0.0) + 0.26 * np.maximum(-lit, 0.0)
+        color = np.where(upper[:, None], base, base + 0.30 * (np.array((226.0, 200.0, 150.0)) - base))
+        # light that comes through is warmer
+        warm = np.maximum(-lit, 0.0)[:, None] * np.array((0.16, 0.04, -0.10))
+        found[:, k] = color * (strength[:, None] + warm) * np.array(tint)
+    shown = np.clip(found, 0.0, 255.0).astype(np.int64)
+    halves = (shown[..., 0] << 16 | shown[..., 1] << 8 | shown[..., 2]).reshape(-1)
+    dark = np.clip(0.62 * base * np.array(tint), 0.0, 255.0).astype(np.int64)
+    return halves, dark[:, 0] << 16 | dark[:, 1] << 8 | dark[:, 2]

@@ -1,0 +1,227 @@
+"""Leaves on a lawn: what they are, the wind that takes them, the basket, what they do."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.effects import EffectSet
+from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings, PlateState
+from game.physics.plates.law import VX, VY, X, Y
+from game.physics.plates.watch import Watch
+from game.scenes.leaves.level import LeavesContent
+from game.scenes.leaves.parameters import OF_LEAVES, LeavesParameters
+from game.scenes.leaves.species import SPECIES
+from game.stage import Part
+
+Floats = NDArray[np.float64]
+LAYER = 0.4  # m of the lawn's slow air
+HOLLOW = 0.35  # m below the lawn where gusts are mirrored: air also flows in from before and behind the plane
+SHELTER = 0.12  # m: so fast the wind dies away below the basket's rim
+IN_THE_AIR = 0.12  # m
+MOST_LEAVES = 400
+FOLLOWS_S = 1.5  # s in which the camera comes after the middle of those that fly
+HEARD = 24
+HEARD_TIME, HEARD_SPEED, HEARD_X = range(3)
+NAMES = tuple(SPECIES)
+
+
+class LeavesState(NamedTuple):
+    """plates; events and counts of `Watch`; gusts (MOST_GUSTS, GUST); own (n, 6): see `LeavesModel.own`;
+    airborne (n,): s since it was last touched; heard (k, 3): s, m/s, m of the newest landings; tally (4,):
+    how often leaves took off, the highest so far (m), and where the camera has the middle of those that fly
+    (m).
+    """
+
+    plates: PlateState
+    events: Floats
+    counts: NDArray[np.int64]
+    gusts: Floats
+    own: Floats
+    airborne: Floats
+    heard: Floats
+    tally: Floats
+
+
+KIND, YAW, SHADE, DEPTH, FLIP, GROWN = range(6)
+
+
+class LeavesModel(Part):
+    """own (n, 6): kind, turn of its outline within its plane (rad), shade 0 to 1, depth -1 to 1, whether its
+    outline is mirrored, and its size beside its kind's. count: of the gusts.
+    """
+
+    def __init__(self, content: LeavesContent, parameters: LeavesParameters, active: EffectSet, seed: int):
+        self.content, self.parameters = content, parameters
+        self.added = 0
+        basket = content.basket
+        self.left, self.right = basket.x - basket.half, basket.x + basket.half
+        shelter = (self.left, self.right, basket.height, SHELTER)
+        self.wind = GustyWind(parameters.wind, LAYER, -HOLLOW, [shelter])
+        for gust in content.gusts:
+            self.wind.add(gust.gust())
+        foot = 0.85 * basket.half
+        walls = [
+            (basket.x - foot, 0.0, self.left, basket.height, 0.006, 0.4),
+            (basket.x + foot, 0.0, self.right, basket.height, 0.006, 0.4),
+        ]
+        self.plates = Plates(
+            effects=active, wind=self.wind, walls=walls, method=parameters.method, settings=self._settings()
+        )
+        self.watch = Watch(0)
+        self.own: Floats = np.zeros((0, 6))
+        self.airborne: Floats = np.zeros(0)
+        self.heard: Floats = np.zeros((0, 3))
+        self.tally: Floats = np.array((0.0, 0.0, -0.6, 0.6))
+        self.chance = seed
+        self._lay()
+
+    def _settings(self) -> PlateSettings:
+        return PlateSettings(self.parameters.gravity, 0.0, self.parameters.friction)
+
+    def _lay(self) -> None:
+        """The leaves of the level's beds."""
+        random = np.random.default_rng(self.chance)
+        for bed in self.content.beds:
+            for k in range(bed.count):
+                kind = bed.kinds[k % len(bed.kinds)]
+                x = bed.left + (bed.right - bed.left) * (k + 0.5) / bed.count
+                jitter = 0.0 if bed.alike else 1.0
+                x += jitter * random.uniform(-0.02, 0.02)
+                y = bed.height + 0.02 + 0.02 * (k % 2) + bed.spread * random.random()
+                # at rest with the rims up or down; let go from above at any angle
+                angle = random.uniform(-0.1, 0.1) + (math.pi if random.random() < 0.5 else 0.0)
+                if bed.height > 0.1:
+                    angle = 0.2 if bed.alike else random.uniform(-math.pi, math.pi)
+                self.add(kind, (x, y), angle, random, jitter)
+
+    # -- changes --------------------------------------------------------------------------------------
+
+    def add(
+        self, kind: str, place: tuple[float, float], angle: float, random: np.random.Generator,
+        jitter: float = 1.0,
+    ) -> None:  # fmt: skip
+        """One more leaf; ValueError if there are too many."""
+        if len(self.plates) >= MOST_LEAVES:
+            raise ValueError(f"leaves: at most {MOST_LEAVES}")
+        grown = 1.0 + jitter * random.uniform(-0.15, 0.15)
+        own = (
+            float(NAMES.index(kind)), random.uniform(-0.5, 0.5) + (math.pi if random.random() < 0.5 else 0.0),
+            random.random(), random.uniform(-1.0, 1.0), float(random.integers(2)), grown,
+        )  # fmt: skip
+        self.own = np.concatenate([self.own, np.array([own])])
+        self.plates.add(self._plate(len(self.own) - 1), place, angle)
+        self.watch.grow()
+        self.airborne = np.append(self.airborne, 0.0)
+
+    def drop(self, kind: str, place: tuple[float, float]) -> None:
+        """A leaf by hand."""
+        self.added += 1
+        random = np.random.default_rng((self.chance, self.added))
+        self.add(kind, place, random.uniform(-math.pi, math.pi), random)
+
+    def _plate(self, number: int) -> Plate:
+        """The law of a leaf: its kind, its own shade of it, and what is chosen for all."""
+        row, chosen = self.own[number], self.parameters
+        kind = SPECIES[NAMES[int(row[KIND])]].plate
+        curl = kind.curl + 0.3 * (row[SHADE] - 0.35) * (row[GROWN] != 1.0) + chosen.curl
+        return kind._replace(
+            half_chord=kind.half_chord * row[GROWN],
+            inertia=kind.inertia * chosen.weight * (1.0 + 0.35 * (row[SHADE] - 0.4) * (row[GROWN] != 1.0)),
+            curl=min(max(curl, -1.1), 1.1), bend_hz=kind.bend_hz * chosen.stiffness,
+            balance=min(max(kind.balance + chosen.balance, -0.8), 0.8),
+        )  # fmt: skip
+
+    def change_parameter(self, name: str) -> None:
+        """Take over a parameter's new value."""
+        chosen = self.parameters
+        if name == "wind":
+            self.wind.set_wind(chosen.wind, LAYER)
+        elif name == "method":
+            self.plates.set_method(chosen.method)
+        elif name in ("gravity", "friction"):
+            self.plates.settings = self._settings()
+        elif name in OF_LEAVES:
+            for number in range(len(self.plates)):
+                self.plates.change(number, self._plate(number))
+
+    def blow(self, place: tuple[float, float], way: tuple[float, float]) -> None:
+        """A gust as it was drawn: from a place (m) on, by the length and direction of the way (m)."""
+        length = math.hypot(*way)
+        if length < 0.05:
+            return
+        speed = min(3.0 * length, 6.0) * self.parameters.gusts
+        along = (way[0] / length, way[1] / length)
+        blows = (speed * along[0], speed * along[1] + 0.3 * speed)
+        goes = (0.45 * speed * along[0], 0.45 * speed * along[1])
+        self.wind.add(Gust(place, self.plates.time, 2.5, goes, self.parameters.size, blows))
+
+    # -- a step ---------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        """One step."""
+        plates = self.plates
+        before = plates.rows.copy()
+        self.wind.forget(plates.time)
+        plates.step(dt)
+        plates.check()
+        self.watch.look(before, plates.rows, plates.time, dt)
+        free = plates.touched <= 0.0
+        landed = ~free & (self.airborne > 0.25)
+        took_off = free & (self.airborne <= 0.25) & (self.airborne + dt > 0.25)
+        for i in np.flatnonzero(landed).tolist():
+            speed = math.hypot(float(before[VX, i]), float(before[VY, i]))
+            row = (plates.time, 0.5 * speed, float(plates.rows[X, i]))
+            self.heard = np.concatenate([self.heard, [row]])[-HEARD:]
+        self.airborne = np.where(free, self.airborne + dt, 0.0)
+        self.tally[0] += np.count_nonzero(took_off)
+        if len(plates):
+            self.tally[1] = max(self.tally[1], float(np.max(plates.rows[Y])))
+            x, y = self.cloud()
+            share = dt / (FOLLOWS_S + dt)
+            self.tally[2] += share * (x - self.tally[2])
+            self.tally[3] += share * (max(y, 0.7) - self.tally[3])
+
+    # -- what is there --------------------------------------------------------------------------------
+
+    def inside(self) -> NDArray[np.bool_]:
+        """(n,) whether a leaf is in the basket."""
+        x, y = self.plates.rows[X], self.plates.rows[Y]
+        return np.asarray((x > self.left) & (x < self.right) & (y < self.content.basket.height))
+
+    def flying(self) -> NDArray[np.bool_]:
+        """(n,) whether a leaf is in the air."""
+        return np.asarray((self.airborne > 0.1) & (self.plates.rows[Y] > IN_THE_AIR))
+
+    def gusts_now(self) -> float:
+        """The strongest wind at a leaf, m/s."""
+        return float(np.max(np.hypot(*self.plates.air[:2]), initial=0.0))
+
+    def cloud(self) -> tuple[float, float]:
+        """The middle of the leaves that fly; of all, without any."""
+        flying = self.flying()
+        rows = self.plates.rows
+        if not len(self.plates):
+            return 0.0, 0.5
+        part = flying if flying.any() else np.ones(len(flying), dtype=bool)
+        return float(np.mean(rows[X, part])), float(np.mean(rows[Y, part]))
+
+    def state(self) -> LeavesState:
+        """All that later steps depend on."""
+        return LeavesState(
+            self.plates.state(), self.watch.events, self.watch.counts,
+            self.wind.gusts[: self.wind.count], self.own, self.airborne, self.heard, self.tally,
+        )  # fmt: skip
+
+    def restore(self, state: LeavesState) -> None:
+        """Take over a copy of a state."""
+        self.plates.restore(state.plates)
+        self.watch.events, self.watch.counts = state.events.copy(), state.counts.copy()
+        self.wind.gusts[:] = 0.0
+        self.wind.count = len(state.gusts)
+        self.wind.gusts[: self.wind.count] = state.gusts
+        self.own, self.airborne = state.own.copy(), state.airborne.copy()
+        self.heard, self.tally = state.heard.copy(), state.tally.copy()

@@ -1,0 +1,46 @@
+"""What is measured of leaves in a wind."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.physics.plates.flight import WY
+from game.physics.plates.law import DRAG, DRAG_TURN, HALF, UNIT, VY
+from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
+from game.scenes.leaves.model import LeavesModel
+from game.stage import Readout
+
+
+def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
+    """Where the leaves are, what those in the air do, how fast they come down, and the error of a step."""
+    plates = model.plates
+    flying, inside = model.flying(), model.inside()
+    courses = [
+        model.watch.course(i, plates.rows, plates.time).regime if flies else 0
+        for i, flies in enumerate(flying.tolist())
+    ]
+    laws = plates.laws
+    terminal = laws[UNIT] / np.sqrt((laws[DRAG] + laws[DRAG_TURN]) * laws[HALF])
+    falling = flying & (plates.rows[VY] < 0.0)
+    descent = plates.air[WY] - plates.rows[VY]  # through the air
+    speeds = np.hypot(*plates.velocities.T) if len(plates) else np.zeros(0)
+    return (
+        Readout("leaves", len(plates)),
+        Readout("in the basket", int(np.count_nonzero(inside))),
+        Readout("in the air", int(np.count_nonzero(flying))),
+        Readout("share in the basket", 100.0 * float(np.mean(inside)) if len(plates) else 0.0, "%"),
+        Readout("took off", int(model.tally[0])),
+        Readout("fluttering", courses.count(FLUTTER)),
+        Readout("tumbling", courses.count(TUMBLE)),
+        Readout("gliding", courses.count(GLIDE)),
+        Readout("irregular", courses.count(CHAOS)),
+        Readout("wind at leaves", model.gusts_now(), "m/s"),
+        Readout("highest", float(model.tally[1]), "m"),
+        Readout("descent", float(np.mean(descent[falling])) if falling.any() else math.nan, "m/s"),
+        Readout("broadside", float(np.mean(terminal[falling])) if falling.any() else math.nan, "m/s"),
+        Readout("fastest", float(np.max(speeds, initial=0.0)), "m/s"),
+        Readout("step error", plates.step_error(model.parameters.step_length), "m"),
+        Readout("time", plates.time, "s"),
+    )

@@ -1,0 +1,182 @@
+"""Leaves in a wind: a story in a park, and a place to blow leaves about."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from game.lab.studies.plates import leaf_study
+from game.levels import Level
+from game.physics.plates.effects import PLATES
+from game.scenes.leaves import A18
+from game.scenes.leaves.figure import draw_gust
+from game.scenes.leaves.hand import LeavesHand
+from game.scenes.leaves.level import DEFAULT, LeavesContent
+from game.scenes.leaves.model import HEARD_SPEED, HEARD_TIME, HEARD_X, LeavesModel, LeavesState
+from game.scenes.leaves.parameters import OF_PICTURE, LeavesParameters
+from game.scenes.leaves.readouts import readouts_of
+from game.scenes.leaves.view import LeavesView
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.polygons import warm_up_painter
+from game.stage import (
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Sound,
+    Strip,
+    WarmUp,
+)
+from game.stage.messages import Messages
+
+
+class Leaves(Scene):
+    """Leaves lie on the lawn of a park. A small wind takes them up, and each comes down as its shape asks:
+    light broad ones swing, stiff ones turn over and over, those with their weight at one end glide. In the
+    end most of them are in the litter basket.
+
+    Each leaf is a plate in air by the law of Andersen, Pesavento and Wang (2005), with halves that bend
+    about the midrib. The wind is given by formulas: gusts that come, go and travel; it is taken relative to
+    each leaf, and as it changes it pushes by the air that a leaf takes along. Leaves lie on the ground and
+    on one another with friction.
+
+    In the equations: ψ stream function of a gust, S its wind, L its size, T how long it lasts, v velocity
+    of a leaf, w of the wind, u through the air, q bend, σ stiffness, C_T lift.
+    """
+
+    name, task, title = A18.names
+    parameters_type = LeavesParameters
+    parameters: LeavesParameters
+    effects = PLATES.known
+    content_type = LeavesContent
+    study = leaf_study
+    takes = frozenset(("right",))
+    covers = True
+    legend_in_panel = True
+    figure = staticmethod(draw_gust)
+    hints = (Hint(("Drag",), "draw a gust"), Hint(("Right click",), "drop a leaf"))
+    actions = (SceneAction("whirl", "A gust from below", "b"), SceneAction("calm", "No gusts", "n"))
+    strips = (
+        Strip("Leaves", "", ("in the air", "in the basket")),
+        Strip("Wind at leaves", "m/s", ("wind at leaves",)),
+        Strip(
+            "Descent",
+            "m/s",
+            ("descent", "broadside"),
+            exact=("broadside",),
+            sometimes=("descent", "broadside"),
+        ),
+    )
+    equations = (
+        Equation(
+            "A gust",
+            r"\psi = (S_x y - S_y x) e^{-(x^2 + y^2) / 2 L^2} \sin^2 (\pi t / T)",
+            "no divergence",
+        ),
+        Equation("Through the air", r"\v{u} = \v{v} - \v{w}"),
+        Equation(
+            "Changing wind",
+            r"\v{g} - \dot{\v{w}}",
+            "in place of gravity: Maxey and Riley 1983",
+        ),
+        Equation("Bend", r"\ddot{q} = -\sigma^2 q", "and what the air does to each half"),
+        Equation("Lift", r"C_L = C_T \sin 2 \alpha", "Andersen, Pesavento and Wang 2005"),
+    )
+    try_this = (
+        "Draw a gust along the lawn, slowly upwards at its end.",
+        "Make all leaves twice as heavy: those that swung turn over.",
+        "Move the balance: with their mass at one end all of them glide.",
+        "Curl them by half a radian more: they come down like parachutes.",
+        "Switch off gust inertia: leaves lag behind each gust.",
+        "Press F7 in the story for the wind, and the map with a dot for each leaf.",
+    )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """A step, and what paints."""
+        return (WarmUp("step", lambda: cls().advance(cls().dt)), WarmUp("polygons", warm_up_painter))
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else DEFAULT
+        self.model = LeavesModel(content, self.parameters, self.active, self.seed)
+        self.hand = LeavesHand(self.model)
+        self.view = LeavesView(self.model, self.hand)
+        self.said = Messages()
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name not in OF_PICTURE:
+            self.model.change_parameter(name)
+
+    def effects_changed(self) -> None:
+        self.model.plates.effects = self.active
+
+    def state(self) -> LeavesState:
+        return self.model.state()
+
+    def restore(self, state: LeavesState) -> None:
+        self.model.restore(state)
+
+    def check(self) -> None:
+        """What must always hold."""
+        self.model.plates.check()
+
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        if name == "whirl":
+            x, _ = self.model.cloud()
+            self.model.blow((x, 0.35), (0.02, 0.9))
+        else:
+            self.model.wind.count = 0
+            self.model.wind.gusts[:] = 0.0
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    def readouts(self) -> list[Readout]:
+        return list(readouts_of(self.model))
+
+    def hearing(self) -> Hearing:
+        return Hearing(
+            "leaves",
+            self.model.plates.time,
+            [
+                Sound(float(row[HEARD_TIME]), "crackle", 0.25 * float(row[HEARD_SPEED]),
+                      max(-1.0, min(1.0, float(row[HEARD_X]) / 3.0)))
+                for row in self.model.heard
+            ],
+        )  # fmt: skip
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return self.view.targets()
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return (
+            ("arrow:green", "wind", ""),
+            ("disc:chalk", "flutters", ""),
+            ("disc:amber", "tumbles", ""),
+            ("disc:green", "glides", ""),
+        )
+
+    def frame(self) -> Frame:
+        view = self.model.content.view
+        return with_headroom(
+            Frame(view.left, view.bottom, view.right, view.top), len(self.model.content.expected)
+        )
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, self.previous, alpha)
+        expected = self.model.content.expected
+        if expected:
+            frame = self.frame()
+            captions = captions_of(expected, self.readouts())
+            draw_captions(canvas, (0.5 * (frame.left + frame.right), frame.top), captions)

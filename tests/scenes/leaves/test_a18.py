@@ -1,0 +1,194 @@
+"""Leaves in a wind, A18, by stage events: from the lawn into the basket; hand, shapes, hard cases."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from game.app.stagehand.headless import picture_of_stage, prepare
+from game.levels import LevelError, level_files, load_level, parse_level
+from game.physics.plates.law import BEND, HALF, MASS_Y, X, Y
+from game.scenes.leaves.foliage import cut_outlines
+from game.scenes.leaves.level import LeavesContent
+from game.scenes.leaves.scene import Leaves
+from game.scenes.leaves.species import SPECIES, half_of, outline_of
+from game.scenes.shared.expectations import captions_of
+from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+
+pytestmark = pytest.mark.compiled
+LEVELS = {path.stem: path for path in level_files("a18") if not path.stem.startswith("story")}
+HARD = [name for name in LEVELS if name.startswith("hard-")]
+
+
+def opened(name: str, **parameters) -> Stage:
+    return Stage(Leaves, level=load_level(LEVELS[name], "a18", LeavesContent), parameters=parameters)
+
+
+def measured(stage: Stage) -> dict[str, float]:
+    return {readout.name: readout.value for readout in stage.readouts()}
+
+
+def drag(stage: Stage, start: tuple[float, float], end: tuple[float, float]) -> None:
+    stage.post(Pointer("down", *start, button=1))
+    stage.post(Pointer("move", *end, button=1))
+    stage.post(Pointer("up", *end, button=1))
+
+
+@pytest.mark.parametrize("name", HARD)
+def test_a_hard_level_comes_to_what_it_expects(name):
+    stage = opened(name)
+    worst = 0.0
+    for _ in range(12):
+        stage.run(math.ceil(1.0 / stage.dt))
+        worst = max(worst, measured(stage)["fastest"])
+    scene = stage.scene
+    captions = captions_of(scene.model.content.expected, stage.readouts())
+    assert captions and all(caption.met for caption in captions), captions
+    for entry in scene.model.content.expected:
+        if entry.readout == "fastest":
+            assert worst < max(entry.value, 25.0)
+    scene.check()
+
+
+def test_leaves_lie_still_until_a_wind_comes():
+    """A18.1, A18.2"""
+    stage = opened("default")
+    stage.run(230)
+    assert measured(stage)["in the air"] == 0 and measured(stage)["fastest"] < 0.05
+    stage.run(300)
+    assert measured(stage)["in the air"] >= 5 and measured(stage)["highest"] > 0.8
+
+
+def test_each_kind_comes_down_as_its_shape_asks():
+    """A18.3: without wind a maple's leaf comes down softer than it would flat; an ash's glides away."""
+    ways, descents = {}, {}
+    for kind in SPECIES:
+        words = (
+            f'scene = "a18"\ntitle = "one"\n[parameters]\nwind = 0.0\n[content]\nbeds = [{{ '
+            f'kinds = ["{kind}"], '
+            "left = -2.0, right = -2.0, height = 20.0, alike = true }]\n"
+        )
+        stage = Stage(Leaves, level=parse_level(words, "a18", LeavesContent))
+        stage.run(120)
+        start = stage.scene.model.plates.positions[0]
+        stage.run(1200)
+        end = stage.scene.model.plates.positions[0]
+        ways[kind], descents[kind] = abs(end[0] - start[0]) / (start[1] - end[1]), (start[1] - end[1]) / 10.0
+    assert ways["ash"] > 0.7 and ways["maple"] < 0.4
+    assert max(descents.values()) < 1.3 and descents["maple"] == min(descents.values())
+
+
+def test_a_drag_draws_a_gust_that_takes_leaves_along():
+    stage = opened("default")
+    stage.post(Action("calm"))
+    stage.run(120)
+    before = stage.scene.model.plates.positions
+    drag(stage, (-2.2, 0.3), (-0.6, 0.7))
+    assert stage.scene.model.wind.count == 1
+    stage.run(240)
+    assert measured(stage)["took off"] > 5
+    moved = stage.scene.model.plates.positions - before
+    assert np.max(moved[:, 0]) > 0.8
+    drag(stage, (0.0, 0.5), (0.01, 0.5))  # too short to be one
+    assert stage.scene.model.wind.count == 1
+    stage.run(240)
+    assert stage.scene.model.wind.count == 0  # it is over and forgotten
+
+
+def test_leaves_are_dropped_and_shaped():
+    stage = opened("default")
+    stage.post(SetParameter("leaf", "birch"))
+    stage.post(Pointer("down", 0.5, 1.5, button=3))
+    model = stage.scene.model
+    assert len(model.plates) == 61 and model.plates.positions[-1] == pytest.approx((0.5, 1.5))
+    before = model.plates.laws[MASS_Y] - 1.0
+    stage.post(SetParameter("weight", 2.0))
+    assert np.allclose(model.plates.laws[MASS_Y] - 1.0, 2.0 * before)
+    stage.post(SetParameter("curl", 0.6))
+    stage.run(240)
+    assert np.mean(model.plates.rows[BEND]) > 0.4
+
+
+def test_what_lies_in_the_basket_is_sheltered():
+    """A18.4"""
+    stage = opened("hard-02-heap")
+    stage.run(900)
+    inside = measured(stage)["in the basket"]
+    drag(stage, (0.2, 0.6), (2.2, 1.0))
+    stage.run(500)
+    assert measured(stage)["in the basket"] >= inside - 2 >= 28
+
+
+def test_without_gust_inertia_leaves_lag():
+    moved = []
+    for on in (True, False):
+        stage = opened("hard-01-storm")
+        stage.post(SetEffect("gust-inertia", on))
+        stage.run(math.ceil(2.3 / stage.dt))
+        moved.append(float(np.mean(stage.scene.model.plates.velocities[:, 0])))
+    assert moved[0] > moved[1] > 0.0
+
+
+def test_a_step_back_and_on_again_is_equal():
+    stage = opened("default")
+    stage.run(480)
+    here = stage.digest()
+    stage.run(25)
+    there = stage.digest()
+    for _ in range(25):
+        stage.step_back()
+    assert stage.digest() == here
+    stage.run(25)
+    assert stage.digest() == there
+
+
+def test_landings_are_heard():
+    stage = opened("hard-05-still-air")
+    stage.run(700)
+    sounds = stage.scene.hearing().sounds
+    assert len(sounds) > 10 and all(sound.kind == "crackle" for sound in sounds)
+    assert all(abs(sound.pan) <= 1.0 for sound in sounds)
+
+
+def test_outlines_are_cut_in_halves_of_the_same_area():
+    for name in SPECIES:
+        shape = outline_of(name)
+        area = abs(_area(shape))
+        left, right = half_of(shape, -1.0), half_of(shape, 1.0)
+        assert abs(_area(left)) + abs(_area(right)) == pytest.approx(area, rel=1e-9)
+        assert np.max(left[:, 0]) <= 1e-12 and np.min(right[:, 0]) >= -1e-12
+    cut = cut_outlines(np.array([[0.0, 0.3, 0.5, 0.0, 1.0, 1.0], [2.0, -0.2, 0.5, 0.0, 0.0, 1.0]]))
+    assert len(cut.starts) == 5 and cut.starts[-1] == len(cut.points) == len(cut.leaves)
+
+
+def _area(points: np.ndarray) -> float:
+    x, y = points.T
+    return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
+
+
+def test_levels_say_what_is_wrong_in_one_line():
+    for words, field in (
+        ('[content]\nbeds = [{ kinds = ["palm"], left = 0.0, right = 1.0 }]\n', "kinds"),
+        ("[content]\nbasket = { half = -1.0 }\n", "half"),
+        ("[content]\ngusts = [{ place = [0.0, nan] }]\n", "place"),
+    ):
+        with pytest.raises(LevelError) as error:
+            parse_level(f'scene = "a18"\n{words}', "a18", LeavesContent)
+        assert field in str(error.value) and "\n" not in str(error.value)
+
+
+def test_the_picture_is_drawn_in_both_themes_with_leaves_in_it():
+    prepare()
+    stage = opened("default")
+    stage.run(500)
+    full = [
+        np.asarray(picture_of_stage(stage, (480, 270), theme).get_buffer()).tobytes()
+        for theme in ("light", "dark")
+    ]
+    empty = Stage(Leaves, level=parse_level('scene = "a18"\n[content]\nbeds = []\n', "a18", LeavesContent))
+    bare = np.asarray(picture_of_stage(empty, (480, 270), "light").get_buffer()).tobytes()
+    assert len({*full, bare}) == 3
+    laws = stage.scene.model.plates.laws
+    assert np.all(laws[HALF] > 0.02) and np.all(np.isfinite(stage.scene.model.plates.rows[[X, Y]]))
