@@ -28,6 +28,8 @@ from numba.core import event
 from game.folders import cache_folder
 from game.physics.kernels.jit_cache import KernelCache
 from game.physics.kernels.jit_sources import module_name, source_digest
+from game.physics.kernels.linking import InnerCompiler, OuterCompiler
+from game.physics.kernels.operators import remember_operators
 
 __all__ = ["Compiling", "code_folder", "compiling", "kernel", "source_digest"]
 
@@ -65,6 +67,7 @@ class _Watch(event.Listener):
 
 _watch = _Watch()
 event.register("numba:compile", _watch)
+remember_operators()
 
 
 def compiling() -> Compiling:
@@ -95,7 +98,10 @@ def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
             raise ValueError(f"kernel: the option {refused} is not to be had here")
 
     def compile_lazily(py_function: Callable[..., Any]) -> Any:
-        dispatcher = numba.njit(nogil=True, error_model="numpy", **options)(py_function)
+        compiler = InnerCompiler if options.get("no_cpython_wrapper") else OuterCompiler
+        dispatcher = numba.njit(nogil=True, error_model="numpy", pipeline_class=compiler, **options)(
+            py_function
+        )
         if not config.DISABLE_JIT:
             _forget_literals(dispatcher)
         if config.DISABLE_JIT or not _closes_over_integers(py_function):

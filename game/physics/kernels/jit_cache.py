@@ -31,9 +31,9 @@ from types import CodeType
 from typing import Any
 
 from numba.core.caching import NullCache
-from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
+from game.physics.kernels.linking import kept_form, rebuilt
 from game.trust import is_private_file, make_private_folder, reason_to_distrust
 
 SUFFIX = f".py{sys.version_info[0]}{sys.version_info[1]}.code"
@@ -75,7 +75,7 @@ class KernelCache(NullCache):
             _mark_used(self._folder)
             if _checksum(data[_CHECKSUM:]) != data[:_CHECKSUM]:
                 return None
-            return CompileResult._rebuild(target_context, *pickle.loads(data[_CHECKSUM:]))
+            return rebuilt(target_context, pickle.loads(data[_CHECKSUM:]))
         except Exception:  # missing, unreadable, written by who knows what: compiling mends it
             return None
 
@@ -88,7 +88,7 @@ class KernelCache(NullCache):
             make_private_folder(self._folder)
             if not _is_trusted(self._folder):
                 return
-            data = dumps(cres._reduce())
+            data = dumps(kept_form(cres))
             _write(path, _checksum(data) + data)
             remove_old_folders(self._folder)
 

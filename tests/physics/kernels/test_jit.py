@@ -69,7 +69,7 @@ print(json.dumps({
 }))
 """
 
-COMPILER = ("jit", "jit_cache", "jit_sources")
+COMPILER = ("jit", "jit_cache", "jit_sources", "linking", "operators")
 
 
 class Answer(NamedTuple):
