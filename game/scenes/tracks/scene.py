@@ -97,6 +97,11 @@ class Tracks(Scene):
         elif name not in OF_PICTURE and name not in OF_TOOLS:
             self.model.change_parameter(name)
 
+    def why_idle(self, name: str) -> str:
+        if name == "substeps" and self.parameters.tier != "own":
+            return "The quality says how many there are; choose Own."
+        return ""
+
     def effects_changed(self) -> None:
         self.model.change_effects(self.active)
 
