@@ -30,6 +30,7 @@ from game.scenes import (
     spheres,
     springs,
     three_tables,
+    tower,
     tracks,
     two_balls,
 )
@@ -64,5 +65,6 @@ CATALOGUE = Catalogue(
         *deformables.ENTRIES,
         *domino.ENTRIES,
         *metal.ENTRIES,
+        *tower.ENTRIES,
     )
 )
