@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from game.levels import level_files, parse_level
+from game.levels import level_files, load_level, parse_level
 from game.physics.solids import Material, SolidWorld, box
 from game.scenes.tower.breaking import break_up, cuts_of, middle_of
 from game.scenes.tower.building import floor_height
@@ -191,6 +191,11 @@ def test_a_storey_that_is_not_there_is_refused() -> None:
     with pytest.raises(ValueError, match="first = 9"):
         text = 'scene = "a08"\n[content]\nstoreys = 5\nfirst = 9\n'
         Stage(Tower, level=parse_level(text, "a08", TowerContent))
+
+
+@pytest.mark.parametrize("name", [name for name in LEVELS if name.startswith("hard")])
+def test_hard_levels_come_out_as_expected(name: str) -> None:
+    stage = Stage(Tower, level=load_level(LEVELS[name], "a08", TowerContent))
     stage.run(400)
     found = read(stage)
     for entry in stage.scene.model.content.expected:
