@@ -45,7 +45,7 @@ FOLDERS = {
     "physics": (
         "kernels",
         "effects integrators",
-        "fields proximity_effects dominoes",
+        "fields proximity_effects dominoes accretion",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables heat",
         "surfaces",

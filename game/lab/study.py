@@ -139,7 +139,8 @@ class Study:
     measured on; a scene that has another one has no place either.
     axes: what its picture shows; accuracy against cost, unless what is bought is no accuracy. short: its name
     among the studies of its scene. related: further studies of the same scene. cost: what the CPU time is
-    for, where the seconds that its trials simulate stand for something else. lesson: its expectation is said
+    for, where the seconds that its trials simulate stand for something else. mark: a word beside the point of
+    a row, such as the quality that scenes call it; empty for most. lesson: its expectation is said
     below the plot, as it tells more than which method is cheapest.
     """
 
@@ -165,6 +166,7 @@ class Study:
     short: str = ""
     cost: str = COST
     lesson: bool = False
+    mark: Callable[[Row], str] | None = None
     related: tuple[Study, ...] = ()
 
     def __post_init__(self) -> None:

@@ -35,6 +35,7 @@ from game.scenes import (
     spheres,
     springs,
     three_tables,
+    tower,
     tracks,
     two_balls,
 )
@@ -74,5 +75,6 @@ CATALOGUE = Catalogue(
         *fireplace.ENTRIES,
         *metal.ENTRIES,
         *leaves.ENTRIES,
+        *tower.ENTRIES,
     )
 )

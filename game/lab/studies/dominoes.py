@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.dominoes import STANDARD_GRAVITY, domino_wave_speed
 from game.physics.solids import TIERS, Chain, Material, SolidSettings, SolidWorld, box
@@ -18,7 +19,7 @@ COUNT, FIRST, LAST = 34, 14, 32  # dominoes; between which two the speed is meas
 STEP_S = 1.0 / 60.0
 LONGEST_S = 6.0
 STRUCK = 0.03  # rad
-COUNTS = (1, 2, 4, 8, 16, 32, 64)
+COUNTS = (1, 2, 4, 8, 12, 16, 24, 32, 64)
 SOLVERS = ("soft-step", "sequential-impulses")
 
 
@@ -111,4 +112,5 @@ domino_study = Study(
     ),
     present=present_domino,
     workload=Workload("34 dominoes"),
+    mark=quality_marks("soft-step"),
 )

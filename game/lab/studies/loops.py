@@ -8,8 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels import elementwise
+from game.physics.solids import TIERS
 from game.physics.solids.tracks import DISC, Curve, TrackSettings, TrackWorld
 from game.physics.solids.tracks.motion import FREE, PIECE, X, Y
 
@@ -19,6 +21,7 @@ HALVINGS, MOST_STEPS = 16, 240
 SMOOTH, CORNERS = "smooth", "chords"
 CHORDS = {SMOOTH: (20, 50, 100, 400), CORNERS: (20, 50, 100, 200, 400, 800)}
 SUBSTEPS = (1, 2, 4, 8, 16)
+MARKED, QUALITIES = 100, (12, 24)  # chords; substeps of the qualities that are not among these
 
 
 def comes_round(method: str, chords: int, substeps: int, drop: float) -> bool:
@@ -70,20 +73,31 @@ class LoopTrial:
         return Outcome(abs(self.limit - EXACT), HALVINGS * int(self.setting.knob))
 
 
+def _substeps(method: str, chords: int) -> tuple[int, ...]:
+    if method != SMOOTH:
+        return (4,)
+    return (*SUBSTEPS, *QUALITIES) if chords == MARKED else SUBSTEPS
+
+
 def _settings() -> list[Setting]:
     return [
         Setting(
-            method, float(n), {"chords": float(chords)}, {"substeps": n, "chords": chords}, float(n * chords)
+            method,
+            float(n),
+            {"chords": float(chords)},
+            {"tier": "own", "substeps": n, "chords": chords},
+            float(n * chords),
         )
         for method in (SMOOTH, CORNERS)
         for chords in CHORDS[method]
-        for n in (SUBSTEPS if method == SMOOTH else (4,))
+        for n in _substeps(method, chords)
     ]
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:
     chords = float(parameters["chords"]) or 100.0
-    return Setting(SMOOTH, float(parameters["substeps"]), {"chords": chords})
+    substeps = TIERS.get(str(parameters["tier"]), int(parameters["substeps"]))
+    return Setting(SMOOTH, float(substeps), {"chords": chords})
 
 
 loop_study = Study(
@@ -100,4 +114,5 @@ loop_study = Study(
     expectation="Each corner of chords is an impact that takes speed; a smooth curve takes none.",
     present=_present,
     workload=Workload("a disc of 0.1 m in a loop of 1 m, tried from sixteen heights"),
+    mark=quality_marks(SMOOTH, {"chords": float(MARKED)}),
 )

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.dominoes import STANDARD_GRAVITY
 from game.physics.kernels import elementary, elementwise
@@ -22,7 +23,7 @@ from game.physics.solids.tracks.descent import (
 from game.physics.solids.tracks.motion import FREE, PIECE, VX, X, Y
 
 STEP_S = 1.0 / 120.0
-COUNTS = (1, 2, 4, 8, 16, 32)  # substeps
+COUNTS = (1, 2, 4, 8, 12, 16, 24, 32)  # substeps
 BALL, SLOPE, WAY = 0.1, math.radians(30.0), 3.0  # m, rad, m down the incline
 WIDTH, DEPTH, SMALL, POINTS = math.pi, 2.0, 0.06, 400  # of the cycloid, m; its ball, m
 LOOP, CHORDS, HALVINGS = 1.0, 100, 14
@@ -155,4 +156,5 @@ marble_study = Study(
     ),
     present=present_marbles,
     workload=Workload("one ball"),
+    mark=quality_marks(RACE),
 )

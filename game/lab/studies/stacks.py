@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels import elementary
 from game.physics.solids import SOLVERS, TIERS, SolidSettings, SolidWorld, box
@@ -83,6 +84,7 @@ stack_study = Study(
     expectation="Soft contacts sink by the inverse square of their frequency, which goes with the substeps.",
     present=_present,
     workload=Workload("a column of ten boxes"),
+    mark=quality_marks("soft-step"),
 )
 
 race_study = replace(

@@ -129,14 +129,20 @@ def coarsen_all(h, cx, cy):
     for level in range(h.at.rows.size - 1):
         ny, nx = h.at.rows[level + 1], h.at.columns[level + 1]
         mx, my = down_tables(h.x, level, nx)[0], down_tables(h.y, level, ny)[0]
-        cx, cy, inverse = faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level), cells(h.inverse, h.at, level)
+        cx, cy, inverse = (
+            faces_x(h.cx, h.at, level),
+            faces_y(h.cy, h.at, level),
+            cells(h.inverse, h.at, level),
+        )
         stands = cells(h.stands, h.at, level)
         choose_cells(stands, inverse, cx, cy, mx, my)
         at = h.x.face_at[level]
         coarsen_x(cx, faces_x(h.cx, h.at, level + 1), stands, h.x.mid[at:], h.x.ratio[at:], my)
         at = h.y.face_at[level]
         coarsen_y(cy, faces_y(h.cy, h.at, level + 1), stands, h.y.mid[at:], h.y.ratio[at:], mx)
-        invert_diagonal(faces_x(h.cx, h.at, level + 1), faces_y(h.cy, h.at, level + 1), cells(h.inverse, h.at, level + 1))
+        invert_diagonal(
+            faces_x(h.cx, h.at, level + 1), faces_y(h.cy, h.at, level + 1), cells(h.inverse, h.at, level + 1)
+        )
         x, y = up_tables(h.x, level, h.at.columns[level]), up_tables(h.y, level, h.at.rows[level])
         at = h.at.cells[level]
         h.irregular[level] = list_irregular(

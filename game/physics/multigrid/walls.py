@@ -7,8 +7,7 @@ in the plain transfer, and are added one by one from a list.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
-from game.physics.kernels.lean import inner_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 OWN, ALONG_X, ALONG_Y, ACROSS = 1, 2, 4, 8
 REGULAR = 15

@@ -24,6 +24,11 @@ USUAL_HERTZ = 0.135  # of soft contacts, as part of the substeps a second
 TIERS = {"play": 4, "teach": 12, "film": 24}  # substeps
 
 
+def tier_of(substeps: float) -> str:
+    """What so many substeps are called; empty where they have no name."""
+    return next((name.capitalize() for name, count in TIERS.items() if count == substeps), "")
+
+
 class Numbers(NamedTuple):
     """The numbers of a step, for its kernels."""
 

@@ -38,7 +38,7 @@ from game.physics.solids.shapes import (
     checked_number,
     checked_pair,
 )
-from game.physics.solids.solvers import SOLVERS
+from game.physics.solids.solvers import SOLVERS, UNJOINED
 from game.physics.solids.state import (
     DYNAMIC,
     KEY_FRAMED,
@@ -227,9 +227,9 @@ class SolidWorld(SolidBodies):
             begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
         if numbers.drag > 0.0 or numbers.spin_drag > 0.0:
             self._feel_air(numbers.mask)
-        SOLVERS[self._settings.solver](
-            self._bodies.rows, self._contacts, self._rows, joints, self._scratch, numbers
-        )
+        name = self._settings.solver
+        solve = SOLVERS[name] if self._joints.top else UNJOINED.get(name, SOLVERS[name])
+        solve(self._bodies.rows, self._contacts, self._rows, joints, self._scratch, numbers)
         finish_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
         self.time += dt
         self.steps += 1

@@ -134,7 +134,9 @@ class CavityModel(Part):
         """Heat through the hot wall over what a gas at rest would conduct, by the wall's own slope."""
         warm = self.gas.field("temperature") - MEAN
         n = self.gas.grid.nx
-        slope = (8.0 * WARM - 9.0 * warm[:, 0] + warm[:, 1]) / 3.0 * n  # a parabola through wall and two cells
+        slope = (
+            (8.0 * WARM - 9.0 * warm[:, 0] + warm[:, 1]) / 3.0 * n
+        )  # a parabola through wall and two cells
         return float(np.mean(slope))
 
     def state(self) -> CavityState:

@@ -82,7 +82,7 @@ class TracksModel(Part):
 
     def _settings(self) -> TrackSettings:
         pull = self.parameters.gravity if GRAVITY in self.active else 0.0
-        return TrackSettings(int(self.parameters.substeps), (0.0, -pull))
+        return TrackSettings(self.parameters.substeps_now(), (0.0, -pull))
 
     def _note_starts(self) -> None:
         for k, gauge in enumerate(self.content.gauges):

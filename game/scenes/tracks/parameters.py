@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.physics.solids import TIERS
 from game.stage import Choice, Param, Parameters, Toggle
 
 TOOLS = ("hand", "ball", "draw", "bend", "delete")
@@ -28,7 +29,11 @@ class TrackParameters(Parameters):
     )
     restitution = Param(0.0, 0.0, 1.0, group="World", help="part of the speed of an impact that comes back")
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
-    substeps = Param(4, 1, 64, whole=True, log=True, group="Steps", help="parts of a step")
+    tier = Choice(
+        "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Steps", label="Quality",
+        help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say",
+    )  # fmt: skip
+    substeps = Param(4, 1, 64, whole=True, log=True, group="Steps", help="parts of a step, with Own")
     step_length = Param(1.0 / 120.0, 1.0 / 2000.0, 1.0 / 20.0, unit="s", log=True, group="Steps",
                         label="Time step")  # fmt: skip
     chords = Param(
@@ -38,3 +43,7 @@ class TrackParameters(Parameters):
     velocities = Toggle(False, group="Shown", label="Velocities")
     trails = Toggle(True, group="Shown", label="Trails")
     points = Toggle(False, group="Shown", label="Points", help="that the smooth curves go through")
+
+    def substeps_now(self) -> int:
+        """By the quality that is chosen."""
+        return TIERS.get(self.tier, int(self.substeps))

@@ -111,6 +111,7 @@ def rehearse(
 def result_of(runner: Runner) -> Rehearsal:
     """What a run has found so far."""
     course, stage, story = runner.course, runner.stage, runner.story
+    runner.conclude()
     ended = stage.fault is None and runner.stopped_at is None and runner.finished
     return Rehearsal(
         story=story.name,

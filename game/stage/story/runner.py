@@ -83,6 +83,12 @@ class Runner:
         if self._looks and film_s + SLACK_S >= self.path.next_s:
             self._lay_key(film_s)
 
+    def conclude(self) -> None:
+        """Look at what is expected at the end, where the end has come and no further step follows."""
+        if self.stopped_at is None and self.finished:
+            self._readouts = None
+            self._measure()
+
     def follow(self) -> None:
         """Where the stage has gone back, forget what came after the step at which it stands."""
         step = self.stage.step_number

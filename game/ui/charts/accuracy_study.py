@@ -130,7 +130,8 @@ def _point(study: Study, row: Row) -> PlotPoint:
     words = setting_words(study.knob, row.knob, tuple(row.others.items()))
     if row.failed:
         words = f"{words}: {row.failure}"
-    return PlotPoint(study.across(row), study.up(row), row.failed, False, row.scene, words)
+    mark = study.mark(row) if study.mark is not None and not row.failed else ""
+    return PlotPoint(study.across(row), study.up(row), row.failed, False, row.scene, words, mark)
 
 
 def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting]) -> PlotSeries:

@@ -19,6 +19,7 @@ class PlotPoint(NamedTuple):
     pending: bool = False  # still to be measured: the place is an estimate
     parameters: Parameters = {}  # that set the scene to it
     words: str = ""  # what it is, e.g. "240 steps a second"
+    mark: str = ""  # a word that stands beside it
 
 
 class PlotSeries(NamedTuple):

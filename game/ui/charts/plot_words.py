@@ -11,13 +11,15 @@ from itertools import pairwise
 
 import pygame
 
-from game.ui.charts.plot_data import PlotSeries, Present
+from game.ui.charts.plot_data import PlotPoint, PlotSeries, Present
 from game.ui.charts.plot_frame import PlotFrame
 from game.ui.charts.plot_marks import Brush
 from game.ui.look.numerals import format_si
 from game.ui.look.shapes import draw_box
 
 # Where a slope may stand from a point, in its own widths and heights; where the leader ends, design px.
+# where a word may stand from its point, in halves of its own size and a little more
+CLOSE = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 BESIDE = ((0.6, -1.1), (-0.6, 1.3), (0.9, -0.2), (-0.9, 0.3))
 NEAR = ((-36, 92, "right"), (36, -70, "left"), (-36, -70, "right"), (36, 92, "left"), (-36, 140, "right"))
 FURTHER = tuple(
@@ -52,6 +54,10 @@ class PlotWords:
                 self._draw_chips(present, x, y)
                 self._draw_here(present, x, y)
         for i, one in enumerate(self.plot.series):
+            for point in one.points:
+                if point.mark:
+                    self._draw_mark(i, one, point)
+        for i, one in enumerate(self.plot.series):
             if math.isfinite(one.order):
                 self._draw_slope(i, one)
 
@@ -71,6 +77,28 @@ class PlotWords:
             color = look.color(one.color, words=True)
             look.fonts.draw(
                 self.surface, words, found.center, 12, "semibold", color, "center", look.theme.stage
+            )
+
+    def _draw_mark(self, i: int, one: PlotSeries, point: PlotPoint) -> None:
+        """The word beside a point."""
+        x, y = self.plot.place(i, point)
+        if not (math.isfinite(x) and math.isfinite(y)):
+            return
+        look = self.look
+        width, height = look.fonts.size(point.mark, 12, "semibold")
+        wanted = []
+        for dx, dy in CLOSE:
+            box = pygame.Rect(0, 0, width, height)
+            box.center = (
+                _whole(x + dx * (0.5 * width + 10 * look.k)),
+                _whole(y + dy * (0.5 * height + 9 * look.k)),
+            )
+            wanted.append(box)
+        found = self._freest(wanted)
+        if found is not None:
+            color = look.color(one.color, words=True)
+            look.fonts.draw(
+                self.surface, point.mark, found.center, 12, "semibold", color, "center", look.theme.stage
             )
 
     def _freest(self, wanted: Sequence[pygame.Rect]) -> pygame.Rect | None:

@@ -8,6 +8,8 @@ second. Impacts bounce once, at the end of the step.
 
 from __future__ import annotations
 
+from typing import Any
+
 from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
@@ -24,32 +26,45 @@ from game.physics.solids.solvers.passive import (
 )
 
 
-@lean_kernel
-def solve_soft_step(bodies, contacts, rows, joints, scratch, numbers):
-    """All substeps of one step. See the package."""
-    motion, springs = scratch.motion, soft_springs(numbers)
-    soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
-    prepare_joints(bodies, joints, soft, numbers)
-    violent = excuse(bodies, rows, joints, scratch, numbers.dt)
-    for _ in range(numbers.substeps):
-        accelerate(scratch, numbers)
-        if violent:
-            note_speeds(motion, scratch.speeds, FREE)
-        start_joints_warm(joints, motion)
-        steady_turns(bodies, joints, scratch, numbers.h)
-        start_warm(rows, motion)
-        for _ in range(numbers.iterations):
-            solve_joints(joints, scratch.plan, motion, True)
-            sweep_contacts(rows, motion, springs, True, False)
-        if violent:
-            note_speeds(motion, scratch.speeds, PUSHED)
-        move(motion, numbers.h)
-        for _ in range(numbers.iterations):
-            solve_joints(joints, scratch.plan, motion, False)
-            sweep_contacts(rows, motion, springs, False, True)
-        if violent:
-            hold_energy(bodies, rows, scratch, numbers, False)
-            hold_push(bodies, scratch, numbers)
-    note_speeds(motion, scratch.speeds, FREE)
-    if bounce_contacts(rows, motion, numbers) and violent:
-        hold_energy(bodies, rows, scratch, numbers, True)
+def _soft_step(joined: bool) -> Any:
+    """The solver; without what joints need, where there are none: that is a quarter of its code."""
+
+    @lean_kernel
+    def solve_soft_step(bodies, contacts, rows, joints, scratch, numbers):
+        """All substeps of one step. See the package."""
+        motion, springs = scratch.motion, soft_springs(numbers)
+        if joined:
+            soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
+            prepare_joints(bodies, joints, soft, numbers)
+        violent = excuse(bodies, rows, joints, scratch, numbers.dt)
+        for _ in range(numbers.substeps):
+            accelerate(scratch, numbers)
+            if violent:
+                note_speeds(motion, scratch.speeds, FREE)
+            if joined:
+                start_joints_warm(joints, motion)
+                steady_turns(bodies, joints, scratch, numbers.h)
+            start_warm(rows, motion)
+            for _ in range(numbers.iterations):
+                if joined:
+                    solve_joints(joints, scratch.plan, motion, True)
+                sweep_contacts(rows, motion, springs, True, False)
+            if violent:
+                note_speeds(motion, scratch.speeds, PUSHED)
+            move(motion, numbers.h)
+            for _ in range(numbers.iterations):
+                if joined:
+                    solve_joints(joints, scratch.plan, motion, False)
+                sweep_contacts(rows, motion, springs, False, True)
+            if violent:
+                hold_energy(bodies, rows, scratch, numbers, False)
+                hold_push(bodies, scratch, numbers)
+        note_speeds(motion, scratch.speeds, FREE)
+        if bounce_contacts(rows, motion, numbers) and violent:
+            hold_energy(bodies, rows, scratch, numbers, True)
+
+    return solve_soft_step
+
+
+solve_soft_step = _soft_step(True)
+solve_unjoined_soft_step = _soft_step(False)

@@ -1,0 +1,73 @@
+"""Breaks a body into pieces: same place, same motion, same mass."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.solids import Material, Polygon, SolidWorld
+
+Floats = NDArray[np.float64]
+SLANT = 0.35  # m of length for each m across, at most: how obliquely a piece breaks
+
+
+def cuts_of(wide: float, tall: float, count: int, random: np.random.Generator) -> list[Floats]:
+    """Corners (4, 2) m of so many pieces of a box about its middle, cut across its longer side."""
+    long, across = max(wide, tall), min(wide, tall)
+    even = (np.arange(1, count) + random.uniform(-0.3, 0.3, count - 1)) / count
+    slants = random.uniform(-SLANT, SLANT, count - 1) * min(across, 0.3 * long / count)
+    ends = np.concatenate([[-0.5 * long], (even - 0.5) * long, [0.5 * long]])
+    tilts = np.concatenate([[0.0], slants, [0.0]])
+    pieces = []
+    for k in range(count):
+        a, b, s, t = ends[k], ends[k + 1], tilts[k], tilts[k + 1]
+        piece = np.array(
+            [(a - s, -0.5 * across), (b - t, -0.5 * across), (b + t, 0.5 * across), (a + s, 0.5 * across)]
+        )
+        pieces.append(piece if wide >= tall else np.stack([-piece[:, 1], piece[:, 0]], axis=1))
+    return pieces
+
+
+def middle_of(corners: Floats) -> tuple[float, float, float]:
+    """Centre of mass (m) and area (m²) of a convex polygon (n, 2)."""
+    after = np.roll(corners, -1, axis=0)
+    cross = corners[:, 0] * after[:, 1] - after[:, 0] * corners[:, 1]
+    area = 0.5 * float(cross.sum())
+    x, y = (cross[:, None] * (corners + after)).sum(axis=0) / (6.0 * area)
+    return float(x), float(y), area
+
+
+def break_up(
+    world: SolidWorld, body: int, pieces: Sequence[Floats], material: Material, thrown: Floats | None = None
+) -> list[tuple[int, float, float, float]]:
+    """Put pieces, corners in the frame of a body, in its place: (body, kg, breadth, height m) of each.
+
+    thrown: (n, 2) m/s that each gets beside the body's own motion; what their momenta sum to is taken off.
+    """
+    rows = world.bodies
+    x, y = rows.positions[body].tolist()
+    angle, (vx, vy) = float(rows.angles[body]), rows.velocities[body].tolist()
+    spin, (c, s) = float(rows.spins[body]), rows.rotations[body].tolist()
+    world.remove_body(body)
+    middles = [middle_of(corners) for corners in pieces]
+    extra = np.zeros((len(pieces), 2)) if thrown is None else thrown.copy()
+    areas = np.array([area for _, _, area in middles])
+    extra -= (areas[:, None] * extra).sum(axis=0) / areas.sum()
+    made = []
+    for corners, (mx, my, area), (ex, ey) in zip(pieces, middles, extra.tolist(), strict=True):
+        rx, ry = c * mx - s * my, s * mx + c * my
+        new = world.add_body(
+            Polygon(corners, material=material), (x, y), angle,
+            (vx - spin * ry + ex, vy + spin * rx + ey), spin,
+        )  # fmt: skip
+        wide, tall = np.ptp(corners, axis=0).tolist()
+        made.append((new, material.density * area, wide, tall))
+    return made
+
+
+def speed_of_stop(impulse: float, mass: float) -> float:
+    """m/s that an impulse (N s) takes from a mass (kg)."""
+    return impulse / mass if mass > 0.0 else math.inf

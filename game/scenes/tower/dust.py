@@ -1,0 +1,41 @@
+"""Dust: puffs that spring up where something strikes, slow down in the air, spread, settle.
+
+Velocity decays in the air at a rate, implicitly; a puff grows as the square root of its age, as what mixes
+does. It is carried, and pushes nothing back: the air itself is not computed.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from game.scenes.tower.tables import AGE, DUST_WIDTH, DVX, DVY, DX, DY, LIFE, SIZE, Floats
+
+MOST = 900
+DRAG = 1.1  # 1/s
+SINK = 0.12  # m/s
+
+
+def puffs(places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator) -> Floats:
+    """New ones at places (n, 2) m with velocities (n, 2) m/s, each a little different."""
+    count = len(places)
+    found = np.zeros((count, DUST_WIDTH))
+    found[:, [DX, DY]] = places
+    found[:, [DVX, DVY]] = speeds * random.uniform(0.3, 1.0, (count, 1)) + random.uniform(
+        -0.6, 0.6, (count, 2)
+    )
+    found[:, LIFE] = life * random.uniform(0.6, 1.3, count)
+    found[:, SIZE] = size * random.uniform(0.6, 1.5, count)
+    return found
+
+
+def advance_dust(dust: Floats, dt: float) -> Floats:
+    """All of them a step later; those that have settled are gone, and the oldest if there are too many."""
+    if not len(dust):
+        return dust
+    now = dust.copy()
+    now[:, [DVX, DVY]] /= 1.0 + DRAG * dt
+    now[:, DVY] -= DRAG * SINK * dt
+    now[:, [DX, DY]] += dt * now[:, [DVX, DVY]]
+    now[:, DY] = np.maximum(now[:, DY], 0.3)
+    now[:, AGE] += dt
+    return now[now[:, AGE] < now[:, LIFE]][-MOST:]

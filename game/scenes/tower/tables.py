@@ -1,0 +1,28 @@
+"""Rows of the tables of the tower: a part of it, a storey, a puff of dust, a sound."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+# of a part: body (GONE: it has become others), kind, storey (from 1), bay or column, breadth and height (m,
+# 0 for what has other corners), mass kg
+BODY, KIND, STOREY, PLACE, WIDE, TALL, MASS = range(7)
+PART_WIDTH = 7
+SLAB, COLUMN, RUBBLE, SHARD = range(4)  # rubble is of columns, shards are of floors
+# of a storey: time at which its first column was cut, time at which its floor was struck (NOT_YET)
+CUT, STRUCK = range(2)
+STOREY_WIDTH = 2
+# of a puff: place m, velocity m/s, age and life s, radius m
+DX, DY, DVX, DVY, AGE, LIFE, SIZE = range(7)
+DUST_WIDTH = 7
+# of a sound: time s, kind, speed m/s, x m
+HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)
+HEARD_WIDTH = 4
+GONE, NOT_YET = -1.0, -1.0
+
+
+def none_of(width: int) -> Floats:
+    """An empty table."""
+    return np.zeros((0, width))

@@ -1,0 +1,278 @@
+"""How the tower is drawn: evening light, a town far off, façade, floors and columns, debris, dust."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.physics.solids.state import DYNAMIC
+from game.scenes.shared.polygons import NO_EDGE, paint
+from game.scenes.shared.touching import contact_places
+from game.scenes.tower.building import floor_height, half_width
+from game.scenes.tower.model import ModelState, TowerModel
+from game.scenes.tower.tables import (
+    AGE,
+    BODY,
+    COLUMN,
+    CUT,
+    DX,
+    DY,
+    KIND,
+    LIFE,
+    NOT_YET,
+    SHARD,
+    SIZE,
+    SLAB,
+    STOREY,
+    STRUCK,
+    Floats,
+)
+from game.ui.canvas.canvas import EXACT_DASH, Canvas
+
+Longs = NDArray[np.int64]
+BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
+PANES = 3  # windows in a bay
+CHUNK = 160  # puffs that are painted at once, the oldest first
+
+
+class Hour(NamedTuple):
+    """Colours 0xRRGGBB of an hour; its sky from above to the horizon."""
+
+    sky: tuple[int, int, int]
+    sun: int
+    towns: tuple[int, int]
+    ground: tuple[int, int]
+    slab: int
+    column: int
+    rubble: tuple[int, int]
+    edge: int
+    glass: tuple[int, int]
+    dust: tuple[int, int]
+
+
+DAY = Hour(
+    (0x8FB7DA, 0xC9DDE8, 0xF6E7CF), 0xFFF6DC, (0xA9BCCB, 0x8499AB), (0x8D9A78, 0x5E6B52),
+    0xB9B2A6, 0x9C968C, (0x8A847A, 0xA59E92), 0x4A463F, (0x8FB4C8, 0xBFD8E2), (0xE6DCCB, 0xA99F90),
+)  # fmt: skip
+NIGHT = Hour(
+    (0x0A1024, 0x1C2444, 0x6E4A5C), 0xF0C9A0, (0x232A44, 0x161B2E), (0x20262A, 0x0D1012),
+    0x7F7C80, 0x65636A, (0x57555C, 0x6E6B70), 0x0A0B10, (0x2D3E58, 0xD9A45C), (0x9A8F8C, 0x4C464A),
+)  # fmt: skip
+
+
+def hour_of(canvas: Canvas) -> Hour:
+    """By the theme."""
+    color = canvas.color("stage")
+    return NIGHT if color.r + color.g + color.b < 384 else DAY
+
+
+class TowerView:
+    """Draws a model."""
+
+    def __init__(self, model: TowerModel):
+        self.model = model
+        random = np.random.default_rng(3)
+        self._towns = [_town(random, scale) for _, scale in BEHIND]
+
+    def legend(self) -> list[tuple[str, str, str]]:
+        """What the marks mean."""
+        if not self.model.parameters.marks:
+            return []
+        return [("disc:amber", "contact", ""), ("dash:vermilion", "front by the law", "")]
+
+    def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
+        """All of it, ``alpha`` of the way from the state ``previous`` to now."""
+        hour = hour_of(canvas)
+        self._sky(canvas, hour)
+        self._facade(canvas, hour)
+        self._bodies(canvas, hour, previous, alpha)
+        if self.model.parameters.dust:
+            self._dust(canvas, hour)
+        if canvas.teaching and self.model.parameters.marks:
+            self._marks(canvas)
+
+    # -- behind ---------------------------------------------------------------------------------------
+
+    def _sky(self, canvas: Canvas, hour: Hour) -> None:
+        seen = canvas.camera.visible()
+        rows = np.array([[0.0], [0.35], [1.0]])
+        stops = [(0.0, _color(hour.sky[2])), (0.4, _color(hour.sky[1])), (1.0, _color(hour.sky[0]))]
+        low = min(seen.bottom, 0.0)
+        canvas.field(np.repeat(rows, 2, axis=1), (seen.left, low), (seen.right, seen.top), stops)
+        width, (x, _) = seen.right - seen.left, canvas.camera.center
+        sun = seen.left + 0.76 * width, 0.3 * (seen.top - seen.bottom) + max(seen.bottom, 0.0)
+        for share, veil in ((2.2, 0.08), (1.5, 0.14), (1.0, 1.0)):
+            canvas.discs(np.array([sun]), 0.02 * width * share, _color(hour.sun), veil)
+        for (slide, _), town, ink in zip(BEHIND, self._towns, hour.towns, strict=True):
+            shifted = town + np.array(((1.0 - slide) * x, 0.0))
+            near = (shifted[:, 0] > seen.left - 40.0) & (shifted[:, 0] < seen.right + 40.0)
+            kept = shifted[near]
+            if len(kept) > 2:
+                outline = np.concatenate([[(kept[0, 0], -2.0)], kept, [(kept[-1, 0], -2.0)]])
+                canvas.polygon(outline, fill=_color(ink))
+        ground = np.array(
+            [(seen.left, 0.0), (seen.right, 0.0), (seen.right, low - 1.0), (seen.left, low - 1.0)]
+        )
+        canvas.polygon(ground, fill=_color(hour.ground[1]))
+        band = ground.copy()
+        band[2:, 1] = -0.5
+        canvas.polygon(band, fill=_color(hour.ground[0]))
+
+    def _facade(self, canvas: Canvas, hour: Hour) -> None:
+        """Panes between the floors of storeys that stand."""
+        content = self.model.content
+        half, boxes, inks = half_width(content), [], []
+        for storey in range(1, content.storeys + 1):
+            if self.model.storeys[storey - 1, CUT] != NOT_YET or self._is_falling(storey):
+                continue
+            low, high = floor_height(content, storey - 1), floor_height(content, storey) - content.slab
+            for k in range(content.bays * PANES):
+                left = -half + (k + 0.12) * content.bay / PANES
+                right = left + 0.76 * content.bay / PANES
+                boxes.append(
+                    [(left, low + 0.7), (right, low + 0.7), (right, high - 0.15), (left, high - 0.15)]
+                )
+                inks.append(hour.glass[1] if (7 * storey + 5 * k) % 11 in (0, 4) else hour.glass[0])
+        if boxes:
+            self._paint(
+                canvas, np.array(boxes).reshape(-1, 2), np.array(inks, dtype=np.int64), 0.75, hour.edge
+            )
+
+    def _is_falling(self, storey: int) -> bool:
+        """True if the floor that carries a storey is not where it was built."""
+        model = self.model
+        rows = model.parts[(model.parts[:, KIND] == COLUMN) & (model.parts[:, BODY] >= 0.0)]
+        own = rows[rows[:, STOREY] == storey, BODY].astype(np.int64)
+        if not len(own):
+            return True
+        middle = floor_height(model.content, storey) - model.content.slab
+        middle -= 0.5 * (model.content.storey - model.content.slab)
+        return bool(abs(model.world.bodies.positions[own, 1] - middle).max() > 0.4)
+
+    # -- bodies ---------------------------------------------------------------------------------------
+
+    def _bodies(self, canvas: Canvas, hour: Hour, previous: ModelState | None, alpha: float) -> None:
+        model = self.model
+        parts = model.parts[model.parts[:, BODY] >= 0.0]
+        order = np.argsort(np.where(parts[:, KIND] == COLUMN, 0.0, parts[:, KIND] + 1.0), kind="stable")
+        parts = parts[order]
+        bodies = parts[:, BODY].astype(np.int64)
+        places, angles = self._between(previous, alpha)
+        world = model.world
+        shape_of = np.full(len(world.bodies.flags), -1)
+        used = np.flatnonzero(world.shapes.kinds >= 0)
+        shape_of[world.shapes.bodies[used]] = used
+        shapes = shape_of[bodies]
+        starts, counts = world.shapes.starts[shapes], world.shapes.counts[shapes]
+        firsts = np.concatenate([[0], np.cumsum(counts)])
+        owner = np.repeat(np.arange(len(bodies)), counts)
+        corners = world.pool.corners[starts[owner] + np.arange(firsts[-1]) - firsts[owner]]
+        c, s = np.cos(angles[bodies])[owner], np.sin(angles[bodies])[owner]
+        at = places[bodies][owner]
+        points = (
+            np.stack([c * corners[:, 0] - s * corners[:, 1], s * corners[:, 0] + c * corners[:, 1]], 1) + at
+        )
+        kinds = parts[:, KIND].astype(np.int64)
+        inks = np.array([hour.slab, hour.column, hour.rubble[0], hour.rubble[1]])[kinds]
+        self._shadow(canvas, points, firsts, hour)
+        none = np.zeros((64, 2))
+        paint(canvas, points, firsts, inks, np.ones(len(inks)), np.full(len(inks), hour.edge), none)
+        flat = (kinds == SLAB) | (kinds == SHARD)
+        centre = np.repeat(places[bodies], counts, axis=0)
+        lit = centre + (points - centre) * np.array((1.0, 0.9))
+        lit[:, 1] += 0.04
+        paint(canvas, lit, firsts, np.full(len(inks), 0xFFFFFF), np.where(flat, 0.16, 0.05),
+              np.full(len(inks), NO_EDGE), none)  # fmt: skip
+
+    def _shadow(self, canvas: Canvas, points: Floats, firsts: Longs, hour: Hour) -> None:
+        """A soft band on the ground below what is low."""
+        low = np.minimum.reduceat(points[:, 1], firsts[:-1])
+        left, right = (
+            np.minimum.reduceat(points[:, 0], firsts[:-1]),
+            np.maximum.reduceat(points[:, 0], firsts[:-1]),
+        )
+        near = low < 6.0
+        if not near.any():
+            return
+        a, b = float(left[near].min()), float(right[near].max())
+        for wider, veil in ((0.6, 0.22), (2.2, 0.14), (5.0, 0.08)):
+            quad = np.array([(a - 0.3 * wider, 0.0), (b + wider, 0.0), (b + 0.6 * wider, -0.9), (a, -0.9)])
+            canvas.polygon(quad, fill=_color(hour.edge), fill_alpha=veil)
+
+    def _between(self, previous: ModelState | None, alpha: float) -> tuple[Floats, Floats]:
+        """Places (n, 2) m and angles (n,) rad of all slots between the last two steps."""
+        rows = self.model.world.bodies
+        if previous is None or previous.world.bodies.angles.shape != rows.angles.shape:
+            return rows.positions, rows.angles
+        before = previous.world.bodies
+        same = (before.flags & DYNAMIC == rows.flags & DYNAMIC) & (
+            before.inverse_masses == rows.inverse_masses
+        )
+        share = np.where(same, 1.0 - alpha, 0.0)
+        places = rows.positions - share[:, None] * (rows.positions - before.positions)
+        return places, rows.angles - share * (rows.angles - before.angles)
+
+    def _paint(self, canvas: Canvas, corners: Floats, inks: Longs, share: float, edge: int) -> None:
+        count = len(inks)
+        paint(canvas, corners, np.arange(0, 4 * count + 1, 4), inks, np.full(count, share),
+              np.full(count, edge), np.zeros((4, 2)))  # fmt: skip
+
+    # -- in front -------------------------------------------------------------------------------------
+
+    def _dust(self, canvas: Canvas, hour: Hour) -> None:
+        """Old puffs first, lighter above: discs in discs, thin at the rim."""
+        dust = self.model.dust
+        if not len(dust):
+            return
+        age = dust[:, AGE] / dust[:, LIFE]
+        radius = dust[:, SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, AGE]))
+        for first in range(0, len(dust), CHUNK):
+            part = slice(first, first + CHUNK)
+            fade = float(np.mean((1.0 - age[part]) * np.minimum(1.0, 6.0 * age[part] + 0.2)))
+            where = dust[part][:, [DX, DY]]
+            shade, light = _color(hour.dust[1]), _color(hour.dust[0])
+            for share, ink, veil in ((1.0, shade, 0.05), (0.72, shade, 0.06), (0.48, light, 0.08)):
+                shift = (0.0, 0.0) if ink is shade else (0.12, 0.2)
+                canvas.discs(where + np.array(shift), radius[part] * share, ink, veil * min(1.0, 1.6 * fade))
+
+    def _marks(self, canvas: Canvas) -> None:
+        model = self.model
+        points = contact_places(model.world)
+        if len(points):
+            canvas.discs(points, canvas.px(2.0), "amber")
+        half = half_width(model.content) + 3.0
+        struck = np.flatnonzero(model.storeys[:, STRUCK] != NOT_YET)
+        for k in struck.tolist():
+            y = floor_height(model.content, k + 1)
+            canvas.line((half, y), (half + 1.5, y), "amber", 1.6)
+        x, y = model.front()
+        canvas.line((x - half, y), (x + half, y), "vermilion", 1.4, dash=EXACT_DASH)
+        took, law, _ = model.fall()
+        if math.isfinite(took):
+            words = canvas.figure("fall", f"{took:.2f} s, law {law:.2f} s")
+            canvas.label((half, y), words, "vermilion", 13, "semibold", "left", (8.0, 0.0), clear=True)
+
+
+def _color(ink: int) -> pygame.Color:
+    return pygame.Color(ink >> 16 & 255, ink >> 8 & 255, ink & 255)
+
+
+def _town(random: np.random.Generator, scale: float) -> Any:
+    """Roofs (n, 2) m of a town, from the left to the right."""
+    points, x = [], -240.0
+    while x < 240.0:
+        wide, tall = random.uniform(2.0, 5.5) * scale, random.uniform(2.5, 10.0) * scale
+        points += [(x, tall), (x + wide, tall)]
+        if random.random() < 0.25:  # a mast
+            middle = x + 0.5 * wide
+            points[-1:-1] = [(middle - 0.1, tall), (middle, tall + 2.2 * scale), (middle + 0.1, tall)]
+        x += wide
+        if random.random() < 0.4:
+            gap = random.uniform(0.6, 4.0) * scale
+            points += [(x, 1.2 * scale), (x + gap, 1.2 * scale)]
+            x += gap
+    return np.array(points)
