@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.fields import GRAVITY, QUADRATIC_DRAG
+from game.physics.kernels import elementary, elementwise
 from game.physics.plates import Plate, Plates
 from game.physics.plates.effects import BENDING, CIRCULATION
 from game.physics.plates.law import SPIN, THETA, VX, VY, X, Y
@@ -43,12 +44,12 @@ def numpy_rates(
     per = 1.0 / np.maximum(speed, 1e-300)
     lift = 2.0 / math.pi * (math.pi * w - 1.2 * ux * uy * per)
     drag = (1.4 * speed - (ux * ux - uy * uy) * per) / math.pi
-    along, across = inertia + beta**2, inertia + 1.0
-    about = (inertia * (1.0 + beta**2) + 0.5 * (1.0 - beta**2) ** 2) / 4.0
+    along, across = inertia + beta * beta, inertia + 1.0
+    about = (inertia * (1.0 + beta * beta) + 0.5 * elementary.square(1.0 - beta * beta)) / 4.0
     return np.stack([
-        (across * w * uy - lift * uy - gravity * np.sin(theta) - drag * ux) / along,
-        (-along * w * ux + lift * ux - gravity * np.cos(theta) - drag * uy) / across,
-        (-(1.0 - beta**2) * ux * uy - (linear + 0.2 * np.abs(w)) * w) / about,
+        (across * w * uy - lift * uy - gravity * elementwise.sin(theta) - drag * ux) / along,
+        (-along * w * ux + lift * ux - gravity * elementwise.cos(theta) - drag * uy) / across,
+        (-(1.0 - beta * beta) * ux * uy - (linear + 0.2 * np.abs(w)) * w) / about,
     ])  # fmt: skip
 
 
@@ -63,7 +64,7 @@ class NumpyPlates:
 
     def slopes(self, state: Floats) -> Floats:
         """Rates (6, n)."""
-        c, s = np.cos(state[0]), np.sin(state[0])
+        c, s = elementwise.cos(state[0]), elementwise.sin(state[0])
         moves = numpy_rates(state[:4], self.inertia, self.beta)
         return np.stack(
             [state[3], *moves, c * state[1] - s * state[2], s * state[1] + c * state[2]]
@@ -90,7 +91,7 @@ def gap_after(steps: int, h: float) -> float:
         for _ in range(steps):
             own.step(h * plate.time)
         row = own.rows[:, 0]
-        c, s = math.cos(row[THETA]), math.sin(row[THETA])
+        c, s = elementary.cos(row[THETA]), elementary.sin(row[THETA])
         u = (c * row[VX] + s * row[VY]) / plate.speed, (c * row[VY] - s * row[VX]) / plate.speed
         found = (row[THETA], *u, row[SPIN] * plate.time, row[X] / 0.03, row[Y] / 0.03)
         worst = max(worst, float(np.max(np.abs(np.array(found) - twin.state[:, i]))))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.heat import HeatGrid
+from game.physics.kernels import elementary, elementwise
 
 CELLS, SIZE, SECONDS, DIFFUSIVITY = 48, 1.0, 0.04, 1.0
 STEPS = {
@@ -27,10 +28,14 @@ def start_and_end() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     x = (np.arange(CELLS) + 0.5) / CELLS
     first, last = np.full((CELLS, CELLS), 300.0), np.full((CELLS, CELLS), 300.0)
     for across, along, high in WAVES:
-        wave = high * np.cos(math.pi * across * x)[None, :] * np.cos(math.pi * along * x)[:, None]
-        slow = sum(2.0 - 2.0 * math.cos(math.pi * number / CELLS) for number in (across, along))
+        wave = (
+            high
+            * elementwise.cos(math.pi * across * x)[None, :]
+            * elementwise.cos(math.pi * along * x)[:, None]
+        )
+        slow = sum(2.0 - 2.0 * elementary.cos(math.pi * number / CELLS) for number in (across, along))
         first += wave
-        last += wave * math.exp(-DIFFUSIVITY * slow / cell**2 * SECONDS)
+        last += wave * elementary.exp(-DIFFUSIVITY * slow / (cell * cell) * SECONDS)
     return first, last
 
 

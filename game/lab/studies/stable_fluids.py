@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.gas import Gas, GasSettings
 from game.physics.grid import Borders, Grid
+from game.physics.kernels import elementary, elementwise
 from game.physics.stable_fluids import PAPERS, PrintedFluid
 
 Floats = NDArray[np.float64]
@@ -37,7 +38,9 @@ class Whirl(NamedTuple):
 def flow(x: Floats, y: Floats) -> tuple[Floats, Floats]:
     """Two whirls in a box of 2 m by 1 m: they turn for ever without friction."""
     across, upright = 2.0 * math.pi * x / WIDE, math.pi * y / TALL
-    return FASTEST * np.sin(across) * np.cos(upright), -FASTEST * np.cos(across) * np.sin(upright)
+    return FASTEST * elementwise.sin(across) * elementwise.cos(upright), -FASTEST * elementwise.cos(
+        across
+    ) * elementwise.sin(upright)
 
 
 def whirl_after(method: str, cells: int, seconds: float) -> Whirl:
@@ -56,7 +59,7 @@ def whirl_after(method: str, cells: int, seconds: float) -> Whirl:
         gas = Gas(grid, Borders(), GasSettings(advection=method, turns=4, tolerance=1e-8), ("smoke",))
         gas.u[:], gas.v[:] = flow(*grid.u_places())[0], flow(*grid.v_places())[1]
         gas.jolt()
-        first = float(np.sum(gas.velocity() ** 2))
+        first = float(np.sum(elementary.square(gas.velocity())))
         for _ in range(steps):
             gas.step(seconds / steps)
         found, left = gas.velocity(), gas.divergence()

@@ -14,11 +14,11 @@ and soot (kg/m³) are among them.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from game.physics.combustion.effects import EXPANSION_BIT, FLAMES_BIT, RADIATION_BIT, SOOT_LOSS_BIT
 from game.physics.heat.radiation import cooled_inside
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 
 TEMPERATURE, FUEL, OXYGEN, SOOT = range(4)  # of ``columns``
@@ -60,8 +60,8 @@ def lift_cells(cells, column, ambient, gravity, force):
 def burn_cells(cells, columns, laws, dt, source, sums):
     """Go on by dt (s); source (ny, nx) 1/s is added to; sums (SUMS,) are written."""
     t, f, o, s = columns[0], columns[1], columns[2], columns[3]
-    share = -math.expm1(-laws.rate * dt)
-    soot_share = -math.expm1(-laws.soot_rate * dt)
+    share = -elementary.expm1(-laws.rate * dt)
+    soot_share = -elementary.expm1(-laws.soot_rate * dt)
     for k in range(SUMS):
         sums[k] = 0.0
     for j in range(cells.shape[0]):

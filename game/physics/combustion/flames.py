@@ -120,8 +120,8 @@ class Flames:
         if cells.ndim != 3 or source.shape != cells.shape[:2] or cells.shape[2] <= int(self.columns.max()):
             raise ValueError(f"cells {cells.shape}, source {source.shape}: they do not belong together")
         burn_cells(cells, self.columns, self.made_of.laws(), float(dt), source, self.sums)
-        self.books += self.sums[list(BOOKS)] * self.cell**2
-        self.power = float(self.sums[RELEASED]) * self.cell**2 / dt
+        self.books += self.sums[list(BOOKS)] * (self.cell * self.cell)
+        self.power = float(self.sums[RELEASED]) * (self.cell * self.cell) / dt
 
     def books_now(self) -> Books:
         """As numbers."""
@@ -129,7 +129,7 @@ class Flames:
 
     def contents(self, cells: Floats) -> tuple[float, float, float, float]:
         """J above the ambient, kg of fuel, of oxygen, of soot in all cells, a metre deep."""
-        volume, rows = self.cell**2, self.columns.tolist()
+        volume, rows = self.cell * self.cell, self.columns.tolist()
         sums = [float(np.sum(cells[..., k])) * volume for k in rows]
         warmth = sums[TEMPERATURE] - self.made_of.ambient * volume * cells.shape[0] * cells.shape[1]
         return self.made_of.capacity * warmth, sums[FUEL], sums[OXYGEN], sums[SOOT]

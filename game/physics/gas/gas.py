@@ -18,6 +18,7 @@ from game.physics.gas.stepping import Step, advance
 from game.physics.grid import Borders, Grid, edges_of
 from game.physics.grid.borders import INFLOW, OPEN
 from game.physics.grid.obstacles import Sampled
+from game.physics.kernels import elementary
 from game.physics.kernels.finite import finite_doubles
 from game.physics.multigrid import Found, PressureSolver
 
@@ -224,7 +225,7 @@ class Gas:
         self._check()
 
     def _tell(self, found: Found, q: float, dt: float) -> None:
-        scale = q * (dt / self.grid.cell) ** 2
+        scale = q * elementary.square(dt / self.grid.cell)
         removed = self.solver.removed
         squeezed = float(np.max(np.abs(removed), initial=0.0)) * scale / dt
         self.report = Report(int(found.turns), found.before * scale, found.after * scale, q, squeezed)
@@ -286,14 +287,14 @@ class Gas:
     def energy(self) -> float:
         """Kinetic, m⁴/s²: half the square of the velocity over the open part of faces, over the density."""
         f, h = self.solids.faces, self.grid.cell
-        square_u, square_v = f.ax * self.u**2, f.ay * self.v**2
+        square_u, square_v = f.ax * (self.u * self.u), f.ay * (self.v * self.v)
         total = np.sum(square_u[:, 1:] + square_u[:, :-1]) + np.sum(square_v[1:] + square_v[:-1])
         return 0.25 * h * h * float(total)
 
     def total(self, name: str) -> float:
         """A field over the cells that are not closed, times their area, m²."""
         open_cells = self.solver.equation.inverse > 0.0
-        return float(np.sum(self.field(name)[open_cells])) * self.grid.cell**2
+        return float(np.sum(self.field(name)[open_cells])) * (self.grid.cell * self.grid.cell)
 
     def loads(self, point: tuple[float, float] = (0.0, 0.0), density: float = 1.2) -> list[Load]:
         """Force (N/m) on each body and torque (N) about a point (m), by a gas of a density (kg/m³).

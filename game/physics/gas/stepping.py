@@ -226,14 +226,14 @@ def _diffuse(s: GasState, room: Room, solids: GasSolids, step: Step) -> None:
         each = np.array([given.get(name, 0.0) for name in step.fields])
     else:
         each = np.full(len(step.fields), given)
-    strongest = float(np.max(each)) * step.dt / step.h**2
+    strongest = float(np.max(each)) * step.dt / (step.h * step.h)
     if strongest <= 0.0:
         return
     substeps = math.ceil(strongest / STABLE)
     for _ in range(substeps):
         room.pad_s[2:-2, 2:-2] = s.scalars
         fill_scalar_ghosts(room.pad_s, step.edges.kinds, step.held, step.values)
-        strength = each * (step.dt / step.h**2 / substeps)
+        strength = each * (step.dt / (step.h * step.h) / substeps)
         diffuse(s.scalars, room.pad_s, solids.faces.ax, solids.faces.ay, strength)
 
 
@@ -263,7 +263,7 @@ def _free_sides(free_u: Floats, free_v: Floats, edges: Edges) -> None:
 def _drag(s: GasState, room: Room, solids: GasSolids, step: Step, q: float) -> None:
     """The implicit part of viscosity."""
     drag, edges = solids.drag, step.edges
-    strength = q * step.settings.viscosity * step.dt / step.h**2
+    strength = q * step.settings.viscosity * step.dt / (step.h * step.h)
     set_side_velocities(s.u, s.v, edges)
     if solids.present:
         set_closed_faces(s.u, s.v, solids.faces)
@@ -276,7 +276,7 @@ def _drag(s: GasState, room: Room, solids: GasSolids, step: Step, q: float) -> N
 
 def _add_drag(s: GasState, room: Room, solids: GasSolids, step: Step) -> None:
     """Viscosity's force at the end of the step belongs to the forces that the next one carries."""
-    part = step.settings.viscosity / step.h**2
+    part = step.settings.viscosity / (step.h * step.h)
     pad_field(s.u, room.pad_u)
     pad_field(s.v, room.pad_v)
     fill_velocity_ghosts(room.pad_u, X, step.edges)

@@ -10,6 +10,7 @@ import math
 
 from game.physics.grid.ghosts import fill_velocity_ghosts
 from game.physics.grid.layout import PAD
+from game.physics.kernels import elementary
 from game.physics.kernels.jit import kernel
 
 EXACT = 1e-5  # of what viscosity does in a step, left over by the iteration
@@ -38,7 +39,7 @@ def turns_for(strength: float) -> int:
     """Turns of the iteration for nu dt / h² = strength, from its condition 1 + 8 strength (Saad 2003, 6.11.3)."""
     root = math.sqrt(1.0 + 8.0 * strength)
     rate = (root - 1.0) / (root + 1.0)
-    return min(MOST_TURNS, max(1, math.ceil(math.log(0.5 * EXACT) / math.log(max(rate, 1e-12)))))
+    return min(MOST_TURNS, max(1, math.ceil(elementary.log(0.5 * EXACT) / elementary.log(max(rate, 1e-12)))))
 
 
 @kernel

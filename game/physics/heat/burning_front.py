@@ -34,13 +34,15 @@ class BurningFront:
             raise ValueError(f"reaction = {reaction!r}: expected one of {', '.join(REACTIONS)}")
         self.cell, self.diffusivity, self.rate = float(cell), float(diffusivity), float(rate)
         self.kind, self.threshold = REACTIONS.index(reaction), float(threshold)
-        self.explicit_limit = self.cell**2 / ((4.0 if self.values.shape[0] > 1 else 2.0) * self.diffusivity)
+        self.explicit_limit = (self.cell * self.cell) / (
+            (4.0 if self.values.shape[0] > 1 else 2.0) * self.diffusivity
+        )
 
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless above 0 and within the explicit limit."""
         if not 0.0 < dt <= self.explicit_limit * (1.0 + 1e-12):
             raise ValueError(f"dt = {dt!r}: expected above 0 and at most {self.explicit_limit:g} s")
-        number = self.diffusivity * dt / self.cell**2
+        number = self.diffusivity * dt / (self.cell * self.cell)
         front_step(self.values, self._next, number, self.kind, self.rate, self.threshold, float(dt))
         self.values, self._next = self._next, self.values
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from game.physics.kernels import elementary
+
 LEAST_ROOT = 1e-12
 
 
@@ -18,7 +20,9 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
 
 def stefan_number(stefan: float) -> float:
     """λ of a front s = 2 λ √(α t) that melts from a wall: λ exp(λ²) erf λ = Ste / √π (Stefan 1891)."""
-    return _root(lambda x: x * math.exp(x * x) * math.erf(x) - stefan / math.sqrt(math.pi), LEAST_ROOT, 5.0)
+    return _root(
+        lambda x: x * elementary.exp(x * x) * elementary.erf(x) - stefan / math.sqrt(math.pi), LEAST_ROOT, 5.0
+    )
 
 
 def neumann_number(
@@ -33,8 +37,8 @@ def neumann_number(
     ratio = math.sqrt(a1 / a2)
 
     def excess(x: float) -> float:
-        gain = k1 * (melting - wall) * math.exp(-x * x) / (math.sqrt(math.pi * a1) * math.erf(x))
-        loss = k2 * (start - melting) * math.exp(-((x * ratio) ** 2))
+        gain = k1 * (melting - wall) * elementary.exp(-x * x) / (math.sqrt(math.pi * a1) * elementary.erf(x))
+        loss = k2 * (start - melting) * elementary.exp(-(elementary.square(x * ratio)))
         loss /= math.sqrt(math.pi * a2) * math.erfc(x * ratio)
         return latent * x * math.sqrt(a1) - gain + loss
 
@@ -44,7 +48,10 @@ def neumann_number(
 def slab_centre(fourier: float) -> float:
     """Temperature in the middle of a slab -L to L that was 1, its surfaces at 0, at Fo = α t / L²."""
     terms = ((2 * n + 1, (-1) ** n) for n in range(200))
-    return sum(4.0 * s / (math.pi * n) * math.exp(-((n * math.pi / 2.0) ** 2) * fourier) for n, s in terms)
+    return sum(
+        4.0 * s / (math.pi * n) * elementary.exp(-(elementary.square(n * math.pi / 2.0)) * fourier)
+        for n, s in terms
+    )
 
 
 def flux_rise(flux: float, conductivity: float, capacity: float, time: float) -> float:
@@ -58,7 +65,7 @@ def ignition_time(flux: float, conductivity: float, capacity: float, rise: float
     """Time (s) until a thick solid's surface has risen so many K under a flux: π/4 k C (ΔT / q)² (Quintiere
     2006).
     """
-    return 0.25 * math.pi * conductivity * capacity * (rise / flux) ** 2
+    return 0.25 * math.pi * conductivity * capacity * elementary.square(rise / flux)
 
 
 def fisher_speed(diffusivity: float, rate: float) -> float:
@@ -73,7 +80,7 @@ def fisher_speed_on_grid(diffusivity: float, rate: float, cell: float, dt: float
 
     def speed(q: float) -> float:
         growth = rate + 2.0 * diffusivity * (math.cosh(q * cell) - 1.0) / (cell * cell)
-        return math.log1p(dt * growth) / (q * dt)
+        return elementary.log1p(dt * growth) / (q * dt)
 
     wide = math.sqrt(rate / diffusivity)
     low, high = 0.05 * wide, 20.0 * wide
@@ -99,5 +106,5 @@ def self_heating_limit(shape: str) -> float:
         return 2.0
     if shape != "slab":
         raise ValueError(f"shape = {shape!r}: expected slab or disc")
-    steepest = _root(lambda x: x * math.tanh(x) - 1.0, 0.5, 2.0)  # of 2 (y / cosh y)²
-    return 2.0 * (steepest / math.cosh(steepest)) ** 2
+    steepest = _root(lambda x: x * elementary.tanh(x) - 1.0, 0.5, 2.0)  # of 2 (y / cosh y)²
+    return 2.0 * elementary.square(steepest / math.cosh(steepest))

@@ -8,8 +8,7 @@ edges.
 
 from __future__ import annotations
 
-import math
-
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 FISHER, IGNITION, SELF_HEATING = range(3)
@@ -23,7 +22,7 @@ def _reaction(u, kind, rate, threshold):
         return rate * u * (1.0 - u)
     if kind == IGNITION:
         return rate * u * (1.0 - u) * (u - threshold)
-    return rate * math.exp(min(u, HOTTEST))
+    return rate * elementary.exp(min(u, HOTTEST))
 
 
 @inner_kernel

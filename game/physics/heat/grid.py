@@ -131,7 +131,7 @@ class HeatGrid(_Plate):
 
     def heat(self) -> float:
         """J in a metre of depth, from 0 K."""
-        return math.fsum((self.capacity * self.values).ravel().tolist()) * self.cell**2
+        return math.fsum((self.capacity * self.values).ravel().tolist()) * (self.cell * self.cell)
 
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless it is above 0, or if it is beyond the explicit limit and
@@ -155,7 +155,7 @@ class HeatGrid(_Plate):
             theta = 1.0 if self.fresh > 0 else 0.5
             self.fresh = max(self.fresh - 1, 0)
             came, self.iterations = implicit_step(*arguments, theta, MOST_ITERATIONS, self._work)
-        self.came[0] += came * self.cell**2
+        self.came[0] += came * (self.cell * self.cell)
 
 
 class MeltingGrid(_Plate):
@@ -179,7 +179,7 @@ class MeltingGrid(_Plate):
         most_k = max(material.solid_k, material.liquid_k, material.gas_k)
         least_c = min(material.solid, material.liquid, material.gas)
         faces = 8.0 if np.any(self.is_held) else 4.0
-        self.explicit_limit = self.cell**2 * least_c / (faces * most_k)
+        self.explicit_limit = (self.cell * self.cell) * least_c / (faces * most_k)
         self.look()
 
     def look(self) -> None:
@@ -188,13 +188,13 @@ class MeltingGrid(_Plate):
 
     def heat(self) -> float:
         """J in a metre of depth, from 0 K as a solid."""
-        return math.fsum(self.values.ravel().tolist()) * self.cell**2
+        return math.fsum(self.values.ravel().tolist()) * (self.cell * self.cell)
 
     def deposit(self, joule: ArrayLike) -> None:
         """Add heat (ny, nx) J to cells of a metre of depth. ValueError for what is not finite or below 0
         K.
         """
-        added = np.asarray(joule, dtype=np.float64) / self.cell**2
+        added = np.asarray(joule, dtype=np.float64) / (self.cell * self.cell)
         if not np.isfinite(added).all() or np.min(self.values + added) < 0.0:
             raise ValueError("joule: expected finite numbers that leave no cell below 0 K")
         self.values += added
@@ -207,13 +207,13 @@ class MeltingGrid(_Plate):
             raise ValueError(
                 f"dt = {dt:g} s: expected at most {self.most_substeps * self.explicit_limit:g} s"
             )
-        h, part = dt / count, 1.0 / self.cell**2
+        h, part = dt / count, 1.0 / (self.cell * self.cell)
         for _ in range(count):
             join_phases(self.molten, self.boiled, self.material, part, self.is_held, self.gx, self.gy)
             came = flow_into(self.temperature, self.gx, self.gy, self.held, self.flow)
             add_flow(self.values, self.flow, h)
             self.look()
-            self.came[0] += came * h * self.cell**2
+            self.came[0] += came * h * (self.cell * self.cell)
 
     def front_across(self, row: int = 0) -> float:
         """How far the molten part reaches along a row, m, by the shares of its cells."""

@@ -15,11 +15,11 @@ towards the gas.
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from game.physics.heat.effects import CONDUCTION_BIT, CONVECTION_BIT, RADIATION_BIT, SMOULDERING_BIT
 from game.physics.heat.radiation import STEFAN_BOLTZMANN, cooled_inside
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 # rows of nodes (ROWS, n): K, J/K of what does not burn, kg, kg, m² that meets the gas and shines; K and share
@@ -72,7 +72,7 @@ def warm(nodes, i, joule, laws, totals):
 def _burn(nodes, i, h, laws, totals):
     """Burn for h (s)."""
     share = laws.rate * h * max(nodes[OXYGEN, i], 0.0)
-    gone = nodes[FUEL, i] * -math.expm1(-share)
+    gone = nodes[FUEL, i] * -elementary.expm1(-share)
     if gone <= 0.0:
         return
     vapour = laws.vapour * gone
@@ -109,7 +109,7 @@ def step_nodes(nodes, links, conductances, torn, laws, substeps, dt, totals):
         for i in range(count):
             if laws.mask & CONVECTION_BIT:
                 capacity = _capacity(nodes, i, laws)
-                part = -math.expm1(-nodes[EXCHANGE, i] * nodes[AREA, i] * h / capacity)
+                part = -elementary.expm1(-nodes[EXCHANGE, i] * nodes[AREA, i] * h / capacity)
                 joule = capacity * part * (nodes[GAS, i] - nodes[TEMPERATURE, i])
                 nodes[GIVEN, i] -= joule
                 warm(nodes, i, joule, laws, totals)
@@ -138,6 +138,6 @@ def strongest_coupling(nodes, links, conductances, torn, laws, dt, sums):
             sums[links[k, 1]] += conductances[k]
     worst = 0.0
     for i in range(sums.shape[0]):
-        left = nodes[FUEL, i] * math.exp(-laws.rate * dt * max(nodes[OXYGEN, i], 0.0))
+        left = nodes[FUEL, i] * elementary.exp(-laws.rate * dt * max(nodes[OXYGEN, i], 0.0))
         worst = max(worst, sums[i] / (nodes[REST, i] + laws.fuel_heat * left))
     return worst

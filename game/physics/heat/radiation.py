@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 STEFAN_BOLTZMANN = 5.670374419e-8  # W/(m² K⁴)
@@ -19,34 +20,34 @@ SMALL = 5e-4  # b T³ dt below which the series will do
 @inner_kernel
 def _above(x0, way):
     """x > 1 after ``way`` = 4 Ta³ b t."""
-    s0 = math.log((x0 - 1.0) / (x0 + 1.0)) if x0 < 1e8 else -2.0 / x0
-    goal = s0 - 2.0 * math.atan(x0) - way
+    s0 = elementary.log((x0 - 1.0) / (x0 + 1.0)) if x0 < 1e8 else -2.0 / x0
+    goal = s0 - 2.0 * elementary.atan(x0) - way
     s = s0 - way * 0.5 * (x0 * x0 + 1.0) if x0 < 1e8 else s0 - way * 0.5 * x0 * x0
     for _ in range(MOST_NEWTON):
         if s < -700.0:
             s = goal + 0.5 * math.pi  # x is 1: the rest is a straight line
             break
-        x = -1.0 / math.tanh(0.5 * s)
-        change = (goal - (s - 2.0 * math.atan(x))) * 0.5 * (x * x + 1.0)
+        x = -1.0 / elementary.tanh(0.5 * s)
+        change = (goal - (s - 2.0 * elementary.atan(x))) * 0.5 * (x * x + 1.0)
         s += change
         if abs(change) <= 4e-16 * abs(s):
             break
-    return -1.0 / math.tanh(0.5 * s) if s > -700.0 else 1.0
+    return -1.0 / elementary.tanh(0.5 * s) if s > -700.0 else 1.0
 
 
 @inner_kernel
 def _below(x0, way):
     """x < 1 after ``way`` = 4 Ta³ b t."""
-    s0 = math.log((1.0 - x0) / (1.0 + x0))
-    goal = s0 - 2.0 * math.atan(x0) - way
+    s0 = elementary.log((1.0 - x0) / (1.0 + x0))
+    goal = s0 - 2.0 * elementary.atan(x0) - way
     s = s0
     for _ in range(MOST_NEWTON):
-        x = -math.tanh(0.5 * s)
-        change = (goal - (s - 2.0 * math.atan(x))) * 0.5 * (1.0 + x * x)
+        x = -elementary.tanh(0.5 * s)
+        change = (goal - (s - 2.0 * elementary.atan(x))) * 0.5 * (1.0 + x * x)
         s += change
         if abs(change) <= 4e-16 * abs(s):
             break
-    return -math.tanh(0.5 * s)
+    return -elementary.tanh(0.5 * s)
 
 
 @inner_kernel

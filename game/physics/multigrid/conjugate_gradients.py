@@ -28,9 +28,9 @@ def factorise(e, factor):
             a, b = left * factor[j + 1, i], down * factor[j, i + 1]
             rest = full - a * a - b * b
             if i > 0:
-                rest -= MODIFIED * left * e.cy[j + 1, i - 1] * factor[j + 1, i] ** 2
+                rest -= MODIFIED * left * e.cy[j + 1, i - 1] * (factor[j + 1, i] * factor[j + 1, i])
             if j > 0:
-                rest -= MODIFIED * down * e.cx[j - 1, i + 1] * factor[j, i + 1] ** 2
+                rest -= MODIFIED * down * e.cx[j - 1, i + 1] * (factor[j, i + 1] * factor[j, i + 1])
             if rest < SAFETY * full:
                 rest = full
             factor[j + 1, i + 1] = 1.0 / math.sqrt(rest)

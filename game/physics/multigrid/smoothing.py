@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
 
 LOW, HIGH = 0.25, 2.0  # of the spectrum of a line-free Laplacian divided by its diagonal: what is smoothed
@@ -20,7 +21,7 @@ LOW, HIGH = 0.25, 2.0  # of the spectrum of a line-free Laplacian divided by its
 def chebyshev_factors(degree: int, low: float = LOW, high: float = HIGH) -> tuple[float, ...]:
     """One over the roots of Chebyshev's polynomial of a degree on an interval."""
     half, middle = 0.5 * (high - low), 0.5 * (high + low)
-    return tuple(1.0 / (middle + half * math.cos(math.pi * (k + 0.5) / degree)) for k in range(degree))
+    return tuple(1.0 / (middle + half * elementary.cos(math.pi * (k + 0.5) / degree)) for k in range(degree))
 
 
 FACTORS = chebyshev_factors(3)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.plates.law import (
     BEND,
@@ -50,7 +51,7 @@ RICHER = 1e-3  # m, beyond what is crossed in a step, within which contacts are 
 def shape(state, laws, points, i):
     """Write the three points of a plate: (x, y) from its place, and how they move with the bend."""
     a, q, theta = laws[HALF, i], state[BEND, i], state[THETA, i]
-    c, s, level, up = math.cos(theta), math.sin(theta), math.cos(q), math.sin(q)
+    c, s, level, up = elementary.cos(theta), elementary.sin(theta), elementary.cos(q), elementary.sin(q)
     for k in range(POINTS):
         side = k - 1.0
         far = 1.0 if k != 1 else 0.0
@@ -68,7 +69,7 @@ def lever(row, first, state, laws, i, arm, normal, sign, bends):
     """
     total_n, total_t = 0.0, 0.0
     gives = bends if laws[STIFF, i] > 0.0 else 0.0
-    c, s = math.cos(state[THETA, i]), math.sin(state[THETA, i])
+    c, s = elementary.cos(state[THETA, i]), elementary.sin(state[THETA, i])
     mass = laws[MASS, i]
     for k in range(2):
         dx, dy = (normal[0], normal[1]) if k == 0 else (-normal[1], normal[0])
@@ -216,7 +217,7 @@ def with_wall(world, found, count, i, walls, w, reach):
 def crossed(state, laws, i, gravity, dt):
     """How far (m) a point of a plate may go in a step, and a little more."""
     a = laws[HALF, i]
-    speed = math.sqrt(state[VX, i] ** 2 + state[VY, i] ** 2) + abs(state[SPIN, i]) * a
+    speed = math.sqrt(state[VX, i] * state[VX, i] + state[VY, i] * state[VY, i]) + abs(state[SPIN, i]) * a
     return 1.5 * dt * (speed + abs(state[BEND_RATE, i]) * a + abs(gravity) * dt) + RICHER
 
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import math
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.plates.law import (
     BEND,
@@ -281,7 +282,7 @@ def fly(state, laws, air, buffer, counts, settings, dt):
         load(buffer, AIR, air, first, many)
         for i in range(LANES):
             theta = buffer[THETA * LANES + i]
-            buffer[COS * LANES + i], buffer[SIN * LANES + i] = math.cos(theta), math.sin(theta)
+            buffer[COS * LANES + i], buffer[SIN * LANES + i] = elementary.cos(theta), elementary.sin(theta)
             buffer[FROM_X * LANES + i] = buffer[X * LANES + i]
             buffer[FROM_Y * LANES + i] = buffer[Y * LANES + i]
             buffer[TIME * LANES + i] = 0.0

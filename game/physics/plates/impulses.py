@@ -139,7 +139,10 @@ def solve_contacts(world, found, order, before, warm, table, touched, dt):
             touched[ids[k, 1]] += rows[k, PUSH]
     for i in range(n):
         if touched[i] > 0.0:
-            slow = math.sqrt(state[VX, i] ** 2 + state[VY, i] ** 2) + abs(state[SPIN, i]) * laws[HALF, i]
+            slow = (
+                math.sqrt(state[VX, i] * state[VX, i] + state[VY, i] * state[VY, i])
+                + abs(state[SPIN, i]) * laws[HALF, i]
+            )
             if slow < CREEP:
                 calm = 1.0 / (1.0 + CALMING * dt)
                 state[VX, i] *= calm

@@ -45,6 +45,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel
 
 Floats = NDArray[np.float64]
@@ -104,11 +105,11 @@ class Plate(NamedTuple):
 
     def lift_coefficient(self, incidence: float) -> float:
         """C_L on the chord 2 a at an incidence (rad), without spin: C_T sin 2 alpha."""
-        return self.glide * math.sin(2.0 * incidence)
+        return self.glide * elementary.sin(2.0 * incidence)
 
     def drag_coefficient(self, incidence: float) -> float:
         """C_D on the chord 2 a at an incidence (rad): A - B cos 2 alpha."""
-        return self.drag - self.drag_turn * math.cos(2.0 * incidence)
+        return self.drag - self.drag_turn * elementary.cos(2.0 * incidence)
 
 
 RANGES = {
@@ -137,10 +138,10 @@ def checked_plate(plate: Plate) -> Plate:
 def law_of(plate: Plate) -> Floats:
     """The column (COLUMNS,) of a checked plate."""
     a, i, beta = plate.half_chord, plate.inertia, plate.thickness
-    turning = a * a * (i * (1.0 + beta**2) + 0.5 * (1.0 - beta**2) ** 2) / 4.0
+    turning = a * a * (i * (1.0 + beta * beta) + 0.5 * elementary.square(1.0 - beta * beta)) / 4.0
     bending, rate = 0.5 * turning, 2.0 * math.pi * plate.bend_hz
     column = np.zeros(COLUMNS)
-    column[HALF], column[MASS_X], column[MASS_Y], column[INERTIA] = a, i + beta**2, i + 1.0, turning
+    column[HALF], column[MASS_X], column[MASS_Y], column[INERTIA] = a, i + beta * beta, i + 1.0, turning
     column[WEIGHT] = i - beta
     column[TURN], column[GLIDE] = 2.0 / math.pi * plate.turn, 2.0 / math.pi * plate.glide / a
     column[DRAG], column[DRAG_TURN] = plate.drag / (math.pi * a), plate.drag_turn / (math.pi * a)

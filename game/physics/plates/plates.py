@@ -13,6 +13,7 @@ from game.physics.constraints.effects import CONTACTS
 from game.physics.effects import Effect, EffectSet
 from game.physics.fields import GRAVITY, GROUND, QUADRATIC_DRAG
 from game.physics.fields import WIND as WINDS
+from game.physics.kernels import elementary, elementwise
 from game.physics.plates import contacts as touching
 from game.physics.plates import impulses
 from game.physics.plates.checks import (
@@ -159,7 +160,7 @@ class Plates:
         """Give a plate a velocity (m/s) and a spin (rad/s)."""
         if not all(map(math.isfinite, (*velocity, spin))):
             raise ValueError(f"velocity = {velocity!r}, spin = {spin!r}: expected finite numbers")
-        if math.hypot(*velocity) > LARGEST or abs(spin) > FASTEST_SPIN:
+        if elementary.length(*velocity) > LARGEST or abs(spin) > FASTEST_SPIN:
             raise ValueError(
                 f"velocity = {velocity!r}, spin = {spin!r}: faster than {LARGEST:g}, {FASTEST_SPIN:g}"
             )
@@ -272,7 +273,7 @@ class Plates:
         jump = self.air[:2] - self.felt
         if not np.any(jump):
             return
-        c, s = np.cos(self.rows[THETA]), np.sin(self.rows[THETA])
+        c, s = elementwise.cos(self.rows[THETA]), elementwise.sin(self.rows[THETA])
         along, across = c * jump[0] + s * jump[1], c * jump[1] - s * jump[0]
         along *= 1.0 - self.laws[WEIGHT] / self.laws[MASS_X]
         across *= 1.0 - self.laws[WEIGHT] / self.laws[MASS_Y]
@@ -304,14 +305,16 @@ class Plates:
     def energy(self) -> Floats:
         """(n,) J/m: of motion through still air with what it takes along, of height, and of bend."""
         rows, laws = self.rows, self.laws
-        c, s = np.cos(rows[THETA]), np.sin(rows[THETA])
+        c, s = elementwise.cos(rows[THETA]), elementwise.sin(rows[THETA])
         ux, uy = c * rows[VX] + s * rows[VY], c * rows[VY] - s * rows[VX]
         gravity = self.settings.gravity if GRAVITY in self.effects else 0.0
-        total = laws[MASS_X] * ux**2 + laws[MASS_Y] * uy**2 + laws[INERTIA] * rows[SPIN] ** 2
+        total = (
+            laws[MASS_X] * (ux * ux) + laws[MASS_Y] * (uy * uy) + laws[INERTIA] * (rows[SPIN] * rows[SPIN])
+        )
         if BENDING in self.effects:
-            total = total + laws[BEND_INERTIA] * rows[BEND_RATE] ** 2
+            total = total + laws[BEND_INERTIA] * (rows[BEND_RATE] * rows[BEND_RATE])
         # a bend that is fixed keeps what it holds
-        total = total + laws[STIFF] * (rows[BEND] - laws[CURL]) ** 2
+        total = total + laws[STIFF] * elementary.square(rows[BEND] - laws[CURL])
         return np.asarray(laws[MASS] * (0.5 * total + laws[WEIGHT] * gravity * rows[Y]))
 
     def step_error(self, dt: float) -> float:
@@ -329,7 +332,7 @@ class Plates:
         fly(whole, laws, self.air, self._buffer, self._counts, rules, dt)
         for _ in range(2):
             fly(halves, laws, self.air, self._buffer, self._counts, rules, 0.5 * dt)
-        return float(np.max(np.hypot(*(whole - halves)[:2])))
+        return float(np.max(elementwise.hypot(*(whole - halves)[:2])))
 
     def check(self) -> None:
         """FloatingPointError, naming quantity and plate, for what is not finite or absurd."""

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.kernels.lean import lean_kernel
 from game.physics.plates.flight import LANES, METHODS, ROWS, WIND, fly
 from game.physics.plates.law import (
@@ -88,7 +89,7 @@ def drop(
         laws[WEIGHT, i] = 1.0  # the weight (I - beta) g in units of U²/a
     state = np.zeros((STATE, n))
     state[THETA], state[SPIN] = tilt, spin
-    state[VX], state[VY] = 0.01 * math.sin(tilt), -0.01 * math.cos(tilt)
+    state[VX], state[VY] = 0.01 * elementary.sin(tilt), -0.01 * elementary.cos(tilt)
     out = np.zeros((int(time / (dt * every)) + 1, STATE, n))
     trace(
         state, laws, np.zeros((WIND, n)), np.zeros(ROWS * LANES), np.zeros(LANES, dtype=np.int64),
@@ -104,10 +105,10 @@ def course_of(states: Floats, times: Floats) -> Course:
     half = len(theta) // 2
     parts = np.array([theta[half] - theta[0], theta[-1] - theta[half]])
     if abs(mean) > LEAST_SPIN and parts[0] * parts[1] > 0.0 and min(abs(parts)) > 0.7 * max(abs(parts)):
-        return _cycle(states, times, crossings(np.sin(0.5 * theta), times), "tumble")
+        return _cycle(states, times, crossings(elementwise.sin(0.5 * theta), times), "tumble")
     stops = crossings(states[:, SPIN], times)
     if len(stops) < 5:
-        level = abs(math.sin(float(np.mean(theta)))) < 0.5
+        level = abs(elementary.sin(float(np.mean(theta)))) < 0.5
         fell, went = states[0, Y] - states[-1, Y], abs(states[-1, X] - states[0, X])
         return _cycle(states, times, times[[0, -1]], "broadside" if level and went < fell else "glide")
     last = len(stops) - 1 - (len(stops) - 1) % 2
@@ -141,7 +142,7 @@ def _cycle(states: Floats, times: Floats, begins: Floats, regime: str) -> Course
         swing = _half_way(states[:, X], times, stops)
     if len(stops) < 5 and regime != "tumble":
         period = math.nan
-    slope = math.degrees(math.atan2(fell, abs(went)))
+    slope = math.degrees(elementary.atan2(fell, abs(went)))
     return Course(regime, period, angles, turned / took, fell / took, swing, slope)
 
 

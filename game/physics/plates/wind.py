@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.plates.flight import WIND, WX, WX_T, WX_X, WX_Y, WY, WY_T, WY_X, WY_Y
 
@@ -66,7 +67,7 @@ def one_gust(air, i, away, goes, size, blows, share, change):
     exponent = 0.5 * (rx * rx + ry * ry) * per
     if exponent > 40.0:
         return
-    e = math.exp(-exponent)
+    e = elementary.exp(-exponent)
     p = sx * ry - sy * rx + turns * size
     wx, wy = e * (sx - p * ry * per), e * (sy + p * rx * per)
     xx = e * (sy * ry * per - rx * per * (sx - p * ry * per))
@@ -96,7 +97,7 @@ def sample_wind(places, gusts, count, shelters, even, time, air):
         for k in range(WIND):
             air[k, i] = 0.0
         if layer > 0.0:
-            e = math.exp(-max(y - floor, 0.0) / layer)
+            e = elementary.exp(-max(y - floor, 0.0) / layer)
             air[WX, i] = speed * (1.0 - e)
             air[WX_Y, i] = speed * e / layer if y > floor else 0.0
         else:
@@ -107,8 +108,8 @@ def sample_wind(places, gusts, count, shelters, even, time, air):
             if since <= 0.0 or since >= gust[LASTS]:
                 continue
             turn = math.pi / gust[LASTS]
-            rises = math.sin(turn * since)
-            share, change = rises * rises, 2.0 * turn * rises * math.cos(turn * since)
+            rises = elementary.sin(turn * since)
+            share, change = rises * rises, 2.0 * turn * rises * elementary.cos(turn * since)
             cx, cy = gust[AT_X] + gust[GOES_X] * since, gust[AT_Y] + gust[GOES_Y] * since
             goes, size = (gust[GOES_X], gust[GOES_Y]), gust[SIZE]
             blows = (gust[BLOWS_X], gust[BLOWS_Y], gust[TURNS])
@@ -120,7 +121,7 @@ def sample_wind(places, gusts, count, shelters, even, time, air):
         for k in range(shelters.shape[0]):
             below = shelters[k, SHELTER_TOP] - y
             if below > 0.0 and shelters[k, SHELTER_LEFT] < x < shelters[k, SHELTER_RIGHT]:
-                left = math.exp(-below / shelters[k, SHELTER_REACH])
+                left = elementary.exp(-below / shelters[k, SHELTER_REACH])
                 for row in range(WIND):
                     air[row, i] *= left
                 air[WX_Y, i] += air[WX, i] / shelters[k, SHELTER_REACH]

@@ -91,7 +91,7 @@ class PrintedFluid:
         self.sweeps += done
 
     def _diffuse(self, dt: float) -> None:
-        number = self.viscosity * dt / self.cell**2
+        number = self.viscosity * dt / (self.cell * self.cell)
         if number == 0.0:
             return
         for field, kind in ((self.u, ACROSS), (self.v, ALONG)):
@@ -102,7 +102,7 @@ class PrintedFluid:
         if self.solid.any():
             self.u[1:-1, 1:-1][self.solid], self.v[1:-1, 1:-1][self.solid] = 0.0, 0.0
         write_divergence(self.u, self.v, self.cell, self._right)
-        self._right *= -(self.cell**2)
+        self._right *= -(self.cell * self.cell)
         self.pressure[:] = 0.0
         fill_ghosts(self._right, PLAIN)
         self._solve(self.pressure, self._right, 1.0, 4.0, PLAIN)

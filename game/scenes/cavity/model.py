@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.grid import Border, Borders, Grid
+from game.physics.kernels import elementary, elementwise
 from game.scenes.cavity.parameters import CavityParameters
 from game.stage import Part
 
@@ -107,7 +108,9 @@ class CavityModel(Part):
         """Push the gas near a place (m) by a velocity (m/s)."""
         for number, field in enumerate((self.gas.u, self.gas.v)):
             x, y = self.gas.grid.u_places() if number == 0 else self.gas.grid.v_places()
-            near = np.exp(-((x - place[0]) ** 2 + (y - place[1]) ** 2) / 0.004)
+            near = elementwise.exp(
+                -(elementary.square(x - place[0]) + elementary.square(y - place[1])) / 0.004
+            )
             field += near * (along[number] - field)
         self.gas.jolt()
 
@@ -156,4 +159,4 @@ def _peak(values: Floats) -> float:
         return float(values[k])
     left, here, right = values[k - 1 : k + 2].tolist()
     bend = left - 2.0 * here + right
-    return here - (right - left) ** 2 / (8.0 * bend) if bend < 0.0 else here
+    return here - elementary.square(right - left) / (8.0 * bend) if bend < 0.0 else here

@@ -14,6 +14,7 @@ from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import BUOYANCY, EXPANSION
 from game.physics.grid import Border, Borders, Grid
+from game.physics.kernels import elementary
 from game.physics.solids import Material, Polygon, SolidWorld
 from game.physics.surfaces import SolidSurface
 from game.scenes.fireplace.tables import (
@@ -157,7 +158,7 @@ class Air(Part):
     def take(self, points: Floats, joule: Floats, vapour: Floats) -> None:
         """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, in equal parts."""
         j, i = self._cells_at(points)
-        volume, share = self.cell**2, 1.0 / points.shape[1]
+        volume, share = self.cell * self.cell, 1.0 / points.shape[1]
         warmth = np.repeat(joule[:, None] * share / (VAPOUR["capacity"] * volume), points.shape[1], axis=1)
         np.add.at(self._rise, (j, i), warmth)
         np.add.at(
@@ -168,37 +169,38 @@ class Air(Part):
     def heat_match(self, head: tuple[float, float], power: float, dt: float) -> None:
         """The flame of a match of so many W/m at its head."""
         x, y = self.gas.grid.centres()
-        near = (x - head[0]) ** 2 + (y - head[1] - 0.012) ** 2 < HEAD**2
+        near = elementary.square(x - head[0]) + elementary.square(y - head[1] - 0.012) < HEAD * HEAD
         count = int(np.count_nonzero(near))
         if not count:
             return
         t = self.gas.scalars[..., 0]
         rise = np.minimum(
-            power * dt / (VAPOUR["capacity"] * self.cell**2 * count), np.maximum(MATCH_HOT - t, 0.0)
+            power * dt / (VAPOUR["capacity"] * (self.cell * self.cell) * count),
+            np.maximum(MATCH_HOT - t, 0.0),
         )
         self._rise[near] += rise[near]
-        self.flows[0] += float(np.sum(rise[near])) * VAPOUR["capacity"] * self.cell**2
+        self.flows[0] += float(np.sum(rise[near])) * VAPOUR["capacity"] * (self.cell * self.cell)
 
     def pour(self, place: tuple[float, float], reach: float) -> None:
         """Steam where water falls on a fire: it takes heat (J/m) of the gas around, and drives the air
         out.
         """
         x, y = self.gas.grid.centres()
-        near = (x - place[0]) ** 2 + (y - place[1]) ** 2 < reach**2
+        near = elementary.square(x - place[0]) + elementary.square(y - place[1]) < reach * reach
         t = self.gas.scalars[..., 0]
         cooler = np.where(near, 373.15 + 0.3 * (t - 373.15), t)
         taken = np.where(near & (t > 373.15), t - cooler, 0.0)
         t -= taken
         self.gas.scalars[..., 2][near] *= 0.4
-        self.flows[0] -= float(np.sum(taken)) * VAPOUR["capacity"] * self.cell**2
+        self.flows[0] -= float(np.sum(taken)) * VAPOUR["capacity"] * (self.cell * self.cell)
 
     def blow(self, place: tuple[float, float], way: tuple[float, float], reach: float = 0.09) -> None:
         """Push the gas about a place (m) by a way (m/s)."""
         for field, (x, y), part in (
             (self.gas.u, self.gas.grid.u_places(), way[0]), (self.gas.v, self.gas.grid.v_places(), way[1]),
         ):  # fmt: skip
-            away = ((x - place[0]) ** 2 + (y - place[1]) ** 2) / reach**2
-            field += part * np.clip(1.0 - away, 0.0, None) ** 2
+            away = (elementary.square(x - place[0]) + elementary.square(y - place[1])) / (reach * reach)
+            field += part * elementary.square(np.clip(1.0 - away, 0.0, None))
         self.gas.jolt()
 
     # -- a step -------------------------------------------------------------------------------------------
@@ -292,7 +294,7 @@ class Air(Part):
 
     def heat(self) -> float:
         """J/m in the gas above that of the room."""
-        return float(np.sum(self._heats())) * self.cell**2
+        return float(np.sum(self._heats())) * (self.cell * self.cell)
 
     def state(self) -> AirState:
         """All that later steps depend on."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from game.physics.animation.keyframes import Keyframes
+from game.physics.kernels import elementary
 from game.physics.solids import Capsule, Material, SolidWorld
 from game.physics.surfaces import KeyFrames
 from game.stage import Part
@@ -50,7 +49,7 @@ class Match(Part):
         x, y, turn = self._at(time)
         if self.held is not None:
             (x, y), turn = self.held, 0.8
-        return x + self._half * math.cos(turn), y + self._half * math.sin(turn), turn
+        return x + self._half * elementary.cos(turn), y + self._half * elementary.sin(turn), turn
 
     def strike(self, time: float) -> None:
         """Take it out, and play its curve from now on."""
@@ -70,7 +69,7 @@ class Match(Part):
         if not self.lit(time):
             return 0.0
         since = time - self.began - STRUCK
-        return POWER * (1.0 + 1.2 * math.exp(-since / FLARE) if self.held is None else 1.0)
+        return POWER * (1.0 + 1.2 * elementary.exp(-since / FLARE) if self.held is None else 1.0)
 
     def place(self, time: float) -> tuple[Point, Point] | None:
         """Its head and its end, m; None while it is out of sight."""
@@ -80,4 +79,4 @@ class Match(Part):
         x, y, turn = self._at(time)
         if self.held is not None:
             (x, y), turn = self.held, 0.8
-        return (x, y), (x + LONG * math.cos(turn), y + LONG * math.sin(turn))
+        return (x, y), (x + LONG * elementary.cos(turn), y + LONG * elementary.sin(turn))

@@ -14,6 +14,7 @@ from game.physics.gas.effects import GAS
 from game.physics.heat import STEFAN_BOLTZMANN, cooled
 from game.physics.heat.effects import HEAT
 from game.physics.heat.nodes import AMBIENT, AREA, FUEL, OF_FUEL, RADIATED, STEAM, WATER, WATER_HEAT
+from game.physics.kernels import elementary
 from game.physics.solids.effects import SOLIDS
 from game.scenes.fireplace.air import Air, AirState
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
@@ -114,7 +115,7 @@ class FireplaceModel(Part):
         self.changed = True
         x = min(max(point[0], -0.3), 0.3)
         before_heat, before_fuel = self.wood.nodes.heat(), math.fsum(self.wood.nodes.fuel.tolist())
-        turn = 24.0 * math.sin(37.0 * x + self.time)
+        turn = 24.0 * elementary.sin(37.0 * x + self.time)
         entry = WoodEntry(at=(x, max(point[1], 0.3)), turn=turn, length=LOG.length, thick=LOG.thick, pieces=5)
         if not self.wood.add(entry):
             return False
@@ -130,7 +131,7 @@ class FireplaceModel(Part):
         """Water on what is near."""
         self.changed = True
         nodes, away = self.wood.nodes, self.wood.places() - point
-        near = np.flatnonzero(away[:, 0] ** 2 + away[:, 1] ** 2 < POUR_REACH**2)
+        near = np.flatnonzero(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] < POUR_REACH * POUR_REACH)
         for piece in near.tolist():
             most = 0.4 * float(self.wood.table[piece, WHOLE])
             self.heat_at_first += most * WATER_HEAT * ROOM
@@ -143,8 +144,8 @@ class FireplaceModel(Part):
         if not len(places):
             return
         away = places - point
-        nearest = int(np.argmin(away[:, 0] ** 2 + away[:, 1] ** 2))
-        if math.hypot(*away[nearest].tolist()) <= GRIP:
+        nearest = int(np.argmin(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1]))
+        if elementary.length(*away[nearest].tolist()) <= GRIP:
             self.changed = True
             self.held, self.target = nearest, point
 
@@ -162,7 +163,7 @@ class FireplaceModel(Part):
             return
         world, body = self.wood.world, int(self.wood.table[self.held, BODY])
         way = np.array(self.target) - world.bodies.positions[body]
-        fast = 8.0 * math.hypot(*way.tolist())
+        fast = 8.0 * elementary.length(*way.tolist())
         world.set_velocity(
             body, 8.0 * way * min(1.0, QUICKEST / max(fast, 1e-9)), 0.5 * float(world.bodies.spins[body])
         )
@@ -204,12 +205,12 @@ class FireplaceModel(Part):
         head = self.match.place(self.time)
         if head is not None and self.match.lit(self.time):  # its flame is smaller than a cell
             away = wood.places() - head[0]
-            touched = away[:, 0] ** 2 + away[:, 1] ** 2 < TOUCH**2
+            touched = away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] < TOUCH * TOUCH
             gas[touched], speed[touched] = np.maximum(gas[touched], TOUCH_HOT), 4.0
         places = wood.places()
-        away = places[:, 0] ** 2 + (places[:, 1] - 0.2) ** 2
+        away = places[:, 0] * places[:, 0] + elementary.square(places[:, 1] - 0.2)
         strong = SEES_FLAMES * min(1.0, max(self.shine, 0.0) / BRIGHT)
-        wood.meet(gas, oxygen, speed, strong / (1.0 + away / FAR**2))
+        wood.meet(gas, oxygen, speed, strong / (1.0 + away / (FAR * FAR)))
         torn = int(wood.nodes.torn.sum())
         wood.advance(dt)
         joule, vapour, _ = wood.nodes.take_given()
@@ -291,7 +292,9 @@ class FireplaceModel(Part):
         """0 to 1: how much light what glows gives."""
         hot = self.wood.nodes.temperature[: self.wood.count]
         return (
-            float(np.clip(np.sum(np.clip((hot - 750.0) / 500.0, 0.0, 1.0) ** 2) / 8.0, 0.0, 1.0))
+            float(
+                np.clip(np.sum(elementary.square(np.clip((hot - 750.0) / 500.0, 0.0, 1.0))) / 8.0, 0.0, 1.0)
+            )
             if len(hot)
             else 0.0
         )

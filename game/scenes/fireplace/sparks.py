@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import linear
 from game.stage import Part
 
 Floats = NDArray[np.float64]
@@ -28,7 +29,7 @@ class Sparks(Part):
     def burst(self, place: tuple[float, float], count: int, speed: float = 0.7) -> None:
         """So many fly off from a place (m), upwards and to the sides."""
         free = np.flatnonzero(self.table[:, LIFE] <= 0.0)[:count]
-        random = self.chance.uniform(-1.0, 1.0, (count, 4))[: len(free)]
+        random = linear.uniform(self.chance, -1.0, 1.0, (count, 4))[: len(free)]
         for slot, (a, b, c, d) in zip(free.tolist(), random.tolist(), strict=True):
             self.table[slot] = (
                 place[0] + 0.02 * a, place[1] + 0.02 * b, 0.7 * speed * c, speed * (0.8 + 0.5 * d), 0.0,

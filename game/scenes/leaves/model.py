@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, elementwise, linear
 from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings, PlateState
 from game.physics.plates.law import VX, VY, X, Y
 from game.physics.plates.watch import Watch
@@ -90,12 +91,12 @@ class LeavesModel(Part):
                 kind = bed.kinds[k % len(bed.kinds)]
                 x = bed.left + (bed.right - bed.left) * (k + 0.5) / bed.count
                 jitter = 0.0 if bed.alike else 1.0
-                x += jitter * random.uniform(-0.02, 0.02)
+                x += jitter * linear.uniform(random, -0.02, 0.02)
                 y = bed.height + 0.02 + 0.02 * (k % 2) + bed.spread * random.random()
                 # at rest with the rims up or down; let go from above at any angle
-                angle = random.uniform(-0.1, 0.1) + (math.pi if random.random() < 0.5 else 0.0)
+                angle = linear.uniform(random, -0.1, 0.1) + (math.pi if random.random() < 0.5 else 0.0)
                 if bed.height > 0.1:
-                    angle = 0.2 if bed.alike else random.uniform(-math.pi, math.pi)
+                    angle = 0.2 if bed.alike else linear.uniform(random, -math.pi, math.pi)
                 self.add(kind, (x, y), angle, random, jitter)
 
     # -- changes --------------------------------------------------------------------------------------
@@ -107,10 +108,10 @@ class LeavesModel(Part):
         """One more leaf; ValueError if there are too many."""
         if len(self.plates) >= MOST_LEAVES:
             raise ValueError(f"leaves: at most {MOST_LEAVES}")
-        grown = 1.0 + jitter * random.uniform(-0.15, 0.15)
+        grown = 1.0 + jitter * linear.uniform(random, -0.15, 0.15)
         own = (
-            float(NAMES.index(kind)), random.uniform(-0.5, 0.5) + (math.pi if random.random() < 0.5 else 0.0),
-            random.random(), random.uniform(-1.0, 1.0), float(random.integers(2)), grown,
+            float(NAMES.index(kind)), linear.uniform(random, -0.5, 0.5) + (math.pi if random.random() < 0.5 else 0.0),
+            random.random(), linear.uniform(random, -1.0, 1.0), float(random.integers(2)), grown,
         )  # fmt: skip
         self.own = np.concatenate([self.own, np.array([own])])
         self.plates.add(self._plate(len(self.own) - 1), place, angle)
@@ -121,7 +122,7 @@ class LeavesModel(Part):
         """A leaf by hand."""
         self.added += 1
         random = np.random.default_rng((self.chance, self.added))
-        self.add(kind, place, random.uniform(-math.pi, math.pi), random)
+        self.add(kind, place, linear.uniform(random, -math.pi, math.pi), random)
 
     def _plate(self, number: int) -> Plate:
         """The law of a leaf: its kind, its own shade of it, and what is chosen for all."""
@@ -150,7 +151,7 @@ class LeavesModel(Part):
 
     def blow(self, place: tuple[float, float], way: tuple[float, float]) -> None:
         """A gust as it was drawn: from a place (m) on, by the length and direction of the way (m)."""
-        length = math.hypot(*way)
+        length = elementary.length(*way)
         if length < 0.05:
             return
         speed = min(3.0 * length, 6.0) * self.parameters.gusts
@@ -173,7 +174,7 @@ class LeavesModel(Part):
         landed = ~free & (self.airborne > 0.25)
         took_off = free & (self.airborne <= 0.25) & (self.airborne + dt > 0.25)
         for i in np.flatnonzero(landed).tolist():
-            speed = math.hypot(float(before[VX, i]), float(before[VY, i]))
+            speed = elementary.hypot(float(before[VX, i]), float(before[VY, i]))
             row = (plates.time, 0.5 * speed, float(plates.rows[X, i]))
             self.heard = np.concatenate([self.heard, [row]])[-HEARD:]
         self.airborne = np.where(free, self.airborne + dt, 0.0)
@@ -198,7 +199,7 @@ class LeavesModel(Part):
 
     def gusts_now(self) -> float:
         """The strongest wind at a leaf, m/s."""
-        return float(np.max(np.hypot(*self.plates.air[:2]), initial=0.0))
+        return float(np.max(elementwise.hypot(*self.plates.air[:2]), initial=0.0))
 
     def cloud(self) -> tuple[float, float]:
         """The middle of the leaves that fly; of all, without any."""

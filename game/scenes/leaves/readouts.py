@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementwise
 from game.physics.plates.flight import WY
 from game.physics.plates.law import DRAG, DRAG_TURN, HALF, UNIT, VY
 from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
@@ -25,7 +26,7 @@ def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
     terminal = laws[UNIT] / np.sqrt((laws[DRAG] + laws[DRAG_TURN]) * laws[HALF])
     falling = flying & (plates.rows[VY] < 0.0)
     descent = plates.air[WY] - plates.rows[VY]  # through the air
-    speeds = np.hypot(*plates.velocities.T) if len(plates) else np.zeros(0)
+    speeds = elementwise.hypot(*plates.velocities.T) if len(plates) else np.zeros(0)
     return (
         Readout("leaves", len(plates)),
         Readout("in the basket", int(np.count_nonzero(inside))),

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.plates import Plate
 
 Floats = NDArray[np.float64]
@@ -53,24 +54,40 @@ def outline_of(name: str) -> Floats:
         for k, at in enumerate(lobes):
             nxt = lobes[(k + 1) % 5] + (math.tau if k == 4 else 0.0)
             for off, far in ((-0.20, 0.62), (-0.09, 0.76), (0.0, 1.0), (0.09, 0.76), (0.20, 0.62)):
-                points.append((reach[k] * far * math.cos(at + off), reach[k] * far * math.sin(at + off)))
+                points.append(
+                    (reach[k] * far * elementary.cos(at + off), reach[k] * far * elementary.sin(at + off))
+                )
             notch = 0.5 * (at + nxt)
             deep = 0.34 if k != 2 else 0.22
-            points.append((deep * math.cos(notch), deep * math.sin(notch)))
+            points.append((deep * elementary.cos(notch), deep * elementary.sin(notch)))
         shape = np.array(points)
     elif name == "oak":
-        along = np.cos(turn)
-        half = np.abs(np.sin(turn)) ** 0.8 * (0.72 + 0.28 * np.cos(9.0 * along + 0.6))
-        shape = np.stack([along, wide * half * np.sign(np.sin(turn))], axis=1)
+        along = elementwise.cos(turn)
+        half = np.abs(elementwise.sin(turn)) ** 0.8 * (0.72 + 0.28 * elementwise.cos(9.0 * along + 0.6))
+        shape = np.stack([along, wide * half * np.sign(elementwise.sin(turn))], axis=1)
     elif name == "linden":
-        along = np.cos(turn)
+        along = elementwise.cos(turn)
         shape = np.stack(
-            [along, wide * np.abs(np.sin(turn)) ** 0.75 * np.sign(np.sin(turn)) * (1.0 - 0.25 * along)], 1
+            [
+                along,
+                wide
+                * np.abs(elementwise.sin(turn)) ** 0.75
+                * np.sign(elementwise.sin(turn))
+                * (1.0 - 0.25 * along),
+            ],
+            1,
         )
     else:
-        along = np.cos(turn)
+        along = elementwise.cos(turn)
         shape = np.stack(
-            [along, wide * np.abs(np.sin(turn)) ** 1.25 * np.sign(np.sin(turn)) * (1.0 - 0.2 * along)], 1
+            [
+                along,
+                wide
+                * np.abs(elementwise.sin(turn)) ** 1.25
+                * np.sign(elementwise.sin(turn))
+                * (1.0 - 0.2 * along),
+            ],
+            1,
         )
     return np.ascontiguousarray(shape)
 

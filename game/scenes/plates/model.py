@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GROUND
+from game.physics.kernels import elementwise
 from game.physics.plates import GustyWind, Plate, Plates, PlateSettings, PlateState
 from game.physics.plates.law import BEND, HALF, MASS_Y, RADIUS, THETA, UNIT, X, Y
 from game.physics.plates.watch import NO_COURSE, Course, Watch
@@ -156,7 +157,7 @@ class PlatesModel(Part):
         """The plate that is drawn nearest to a place, within ``reach`` m; -1 for none."""
         if not len(self.plates):
             return -1
-        away = np.hypot(*(self.shown(self.plates.positions) - place).T)
+        away = elementwise.hypot(*(self.shown(self.plates.positions) - place).T)
         best = int(np.argmin(away))
         return best if away[best] < reach else -1
 

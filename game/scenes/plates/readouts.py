@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels import elementary, elementwise
 from game.physics.plates.law import SPIN
 from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.scenes.plates.model import PlatesModel
@@ -22,10 +23,10 @@ def readouts_of(model: PlatesModel) -> tuple[Readout, ...]:
         course = model.course(chosen)
         spin, descent = course.spin * half / unit, course.descent / unit
         period, amplitude = course.period * unit / half, math.degrees(course.amplitude)
-        speed = math.hypot(*plates.velocities[chosen].tolist()) / unit
+        speed = elementary.length(*plates.velocities[chosen].tolist()) / unit
         now = float(plates.rows[SPIN, chosen]) * half / unit
     spin_exact, descent_exact, period_exact = model.reference(chosen)
-    fast = np.hypot(*plates.velocities.T) if len(plates) else np.zeros(0)
+    fast = elementwise.hypot(*plates.velocities.T) if len(plates) else np.zeros(0)
     return (
         Readout("inertia", inertia),
         Readout("descent", descent, "U"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,6 +13,7 @@ from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY, CONFINEMENT, GAS
 from game.physics.grid import Border, Borders, Grid
+from game.physics.kernels import elementary, elementwise
 from game.physics.stable_fluids import PrintedFluid
 from game.physics.surfaces.surface import Sample, empty_sample
 from game.scenes.shared.stopwatch import Stopwatch
@@ -211,7 +211,7 @@ class SmokeModel(Part):
     def solid_at(self, point: tuple[float, float]) -> int:
         """Number of the disc at a point, or -1."""
         for number, (x, y, radius, _, _) in enumerate(self.obstacles.rows.tolist()):
-            if math.dist((x, y), point) <= radius:
+            if elementary.dist((x, y), point) <= radius:
                 return number
         return -1
 
@@ -244,8 +244,8 @@ class SmokeModel(Part):
     # -- the hand -----------------------------------------------------------------------------------------
 
     def _brush(self, x: Floats, y: Floats, point: tuple[float, float], radius: float) -> Floats:
-        away = ((x - point[0]) ** 2 + (y - point[1]) ** 2) / radius**2
-        return np.asarray(np.clip(1.0 - away, 0.0, None) ** 2)
+        away = (elementary.square(x - point[0]) + elementary.square(y - point[1])) / (radius * radius)
+        return np.asarray(elementary.square(np.clip(1.0 - away, 0.0, None)))
 
     def stir(self, point: tuple[float, float], way: tuple[float, float]) -> None:
         """Push the gas about a point by a velocity, m/s."""
@@ -293,7 +293,9 @@ class SmokeModel(Part):
         for one in self.content.sources:
             if self.time >= one.seconds:
                 continue
-            near = (x - one.at[0]) ** 2 + (y - one.at[1]) ** 2 < one.radius**2
+            near = (
+                elementary.square(x - one.at[0]) + elementary.square(y - one.at[1]) < one.radius * one.radius
+            )
             cells[near, SMOKE] = np.maximum(cells[near, SMOKE], one.smoke)
             cells[near, WARM] = np.maximum(cells[near, WARM], one.kelvin)
             cells[near, FUEL] = np.maximum(cells[near, FUEL], one.fuel)
@@ -328,11 +330,11 @@ class SmokeModel(Part):
 
     def total(self, field: int) -> float:
         """Of a field over the box, times m²."""
-        return float(np.sum(self.scalars[..., field])) * self.cell**2
+        return float(np.sum(self.scalars[..., field])) * (self.cell * self.cell)
 
     def energy(self) -> float:
         """m⁴/s²: half the square of the velocity over the box."""
-        return 0.5 * float(np.sum(self.velocity() ** 2)) * self.cell**2
+        return 0.5 * float(np.sum(elementary.square(self.velocity()))) * (self.cell * self.cell)
 
     def smear(self) -> float:
         """How mixed the smoke is, 0 to 1: by how much the cells that it lies in are not full of it."""
@@ -361,4 +363,6 @@ class SmokeModel(Part):
 def _whirl(x: Floats, y: Floats) -> tuple[Floats, Floats]:
     """Two whirls side by side in the box: a steady flow without friction."""
     across, upright = np.pi * x / (0.5 * WIDE), np.pi * y / TALL
-    return WHIRL * np.sin(across) * np.cos(upright), -WHIRL * np.cos(across) * np.sin(upright)
+    return WHIRL * elementwise.sin(across) * elementwise.cos(upright), -WHIRL * elementwise.cos(
+        across
+    ) * elementwise.sin(upright)

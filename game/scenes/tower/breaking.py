@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.kernels import linear
 from game.physics.solids import Material, Polygon, SolidWorld
 
 Floats = NDArray[np.float64]
@@ -17,8 +18,8 @@ SLANT = 0.35  # m of length for each m across, at most: how obliquely a piece br
 def cuts_of(wide: float, tall: float, count: int, random: np.random.Generator) -> list[Floats]:
     """Corners (4, 2) m of so many pieces of a box about its middle, cut across its longer side."""
     long, across = max(wide, tall), min(wide, tall)
-    even = (np.arange(1, count) + random.uniform(-0.3, 0.3, count - 1)) / count
-    slants = random.uniform(-SLANT, SLANT, count - 1) * min(across, 0.3 * long / count)
+    even = (np.arange(1, count) + linear.uniform(random, -0.3, 0.3, count - 1)) / count
+    slants = linear.uniform(random, -SLANT, SLANT, count - 1) * min(across, 0.3 * long / count)
     ends = np.concatenate([[-0.5 * long], (even - 0.5) * long, [0.5 * long]])
     tilts = np.concatenate([[0.0], slants, [0.0]])
     pieces = []

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.physics.kernels import linear
 from game.scenes.tower.tables import AGE, DUST_WIDTH, DVX, DVY, DX, DY, LIFE, SIZE, Floats
 
 MOST = 900
@@ -20,11 +21,11 @@ def puffs(places: Floats, speeds: Floats, size: float, life: float, random: np.r
     count = len(places)
     found = np.zeros((count, DUST_WIDTH))
     found[:, [DX, DY]] = places
-    found[:, [DVX, DVY]] = speeds * random.uniform(0.3, 1.0, (count, 1)) + random.uniform(
-        -0.6, 0.6, (count, 2)
+    found[:, [DVX, DVY]] = speeds * linear.uniform(random, 0.3, 1.0, (count, 1)) + linear.uniform(
+        random, -0.6, 0.6, (count, 2)
     )
-    found[:, LIFE] = life * random.uniform(0.6, 1.3, count)
-    found[:, SIZE] = size * random.uniform(0.6, 1.5, count)
+    found[:, LIFE] = life * linear.uniform(random, 0.6, 1.3, count)
+    found[:, SIZE] = size * linear.uniform(random, 0.6, 1.5, count)
     return found
 
 

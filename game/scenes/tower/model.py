@@ -10,6 +10,7 @@ import numpy as np
 from game.physics.accretion import strike_times
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
+from game.physics.kernels import elementwise, linear
 from game.physics.solids import SolidSettings, SolidState, SolidWorld
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.shared.stopwatch import Stopwatch
@@ -138,12 +139,16 @@ class TowerModel(Part):
         x, y = self.world.bodies.positions[body].tolist()
         pieces = cuts_of(float(part[WIDE]), float(part[TALL]), PIECES_OF_COLUMN, random)
         side = np.where(np.arange(len(pieces)) % 2 == 0, 1.0, -1.0) * (1.0 if random.random() < 0.5 else -1.0)
-        thrown = np.stack([side * random.uniform(0.6, 1.4, len(pieces)), np.zeros(len(pieces))], axis=1)
+        thrown = np.stack(
+            [side * linear.uniform(random, 0.6, 1.4, len(pieces)), np.zeros(len(pieces))], axis=1
+        )
         self._replace(row, pieces, RUBBLE, self.parameters.blast * thrown)
         if self.storeys[storey - 1, CUT] == NOT_YET:
             self.storeys[storey - 1, CUT] = self.time
-        spread = random.uniform(-0.5, 0.5, (10, 2)) * (1.0, 2.0)
-        self._raise_dust(spread + np.array((x, y)), random.uniform(-3.0, 3.0, (10, 2)), 0.8, 3.5, random)
+        spread = linear.uniform(random, -0.5, 0.5, (10, 2)) * (1.0, 2.0)
+        self._raise_dust(
+            spread + np.array((x, y)), linear.uniform(random, -3.0, 3.0, (10, 2)), 0.8, 3.5, random
+        )
 
     def break_floor(self, row: int) -> None:
         """A floor's bay, or a shard of one, breaks in two or three."""
@@ -233,15 +238,15 @@ class TowerModel(Part):
         half, random = half_width(self.content), self._random(100_000 + storey)
         fast = min(max(speed, 0.0) * half / self.content.storey, 18.0)
         side = np.where(np.arange(36) % 2 == 0, 1.0, -1.0)
-        y = floor_height(self.content, storey) + random.uniform(0.1, 0.9, 36)
-        speeds = np.stack([side * fast, random.uniform(-1.0, 2.0, 36)], axis=1)
+        y = floor_height(self.content, storey) + linear.uniform(random, 0.1, 0.9, 36)
+        speeds = np.stack([side * fast, linear.uniform(random, -1.0, 2.0, 36)], axis=1)
         self._raise_dust(np.stack([side * half, y], axis=1), speeds, 1.3, 9.0, random)
 
     def _break_columns(self, before: Floats) -> None:
         """Columns that ride on what falls break where it is stopped."""
         columns = np.flatnonzero((self.parts[:, KIND] == COLUMN) & (self.parts[:, BODY] >= 0.0))
         bodies = self.parts[columns, BODY].astype(np.int64)
-        lost = np.hypot(*(self.world.bodies.velocities[bodies] - before[bodies]).T)
+        lost = elementwise.hypot(*(self.world.bodies.velocities[bodies] - before[bodies]).T)
         for row in columns[lost > self.parameters.strength].tolist():
             self.cut(row)
 
@@ -340,10 +345,10 @@ class TowerModel(Part):
 
 def _halves(corners: Floats, random: np.random.Generator) -> list[Floats]:
     """A convex quadrangle in two, across its longer pair of sides."""
-    sides = np.hypot(*(np.roll(corners, -1, axis=0) - corners).T)
+    sides = elementwise.hypot(*(np.roll(corners, -1, axis=0) - corners).T)
     if sides[0] + sides[2] < sides[1] + sides[3]:
         corners = np.roll(corners, -1, axis=0)
-    s, t = random.uniform(0.35, 0.65, 2)
+    s, t = linear.uniform(random, 0.35, 0.65, 2)
     a, b, c, d = corners
     p, q = a + s * (b - a), d + t * (c - d)
     return [np.array([a, p, q, d]), np.array([p, b, c, q])]
