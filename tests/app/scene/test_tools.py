@@ -145,6 +145,7 @@ def test_the_stop_watch_measures_simulated_time_in_slow_motion_and_by_steps(driv
     driver.frames(30)
     assert watch.seconds(driver.stage.time_s) == held and not watch.runs
     driver.click(*start)
+    assert watch.runs and held < watch.seconds(driver.stage.time_s) < held + 0.05  # it goes on from there
     driver.frames(10)
     driver.app.perform("reset")
     driver.frames(2)
