@@ -141,7 +141,9 @@ class Bench:
 class ToolsCard:
     """Offers everything that one measures and shows with."""
 
-    def __init__(self, host: Host, bench: Bench, more: Sequence[tuple[str, str, str, Act]], then: Then) -> None:
+    def __init__(
+        self, host: Host, bench: Bench, more: Sequence[tuple[str, str, str, Act]], then: Then
+    ) -> None:
         """``more``: title, words, what stands at the right, and what is done, of the other rows.
 
         ``then``: has something done when the card has gone.
