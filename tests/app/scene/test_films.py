@@ -6,10 +6,13 @@ import struct
 import sys
 from pathlib import Path
 
+import numpy as np
 import pygame
 import pytest
 
 from game.app.scene.film import writers
+from game.app.scene.film.again import FilmAgain
+from game.stage.records.rerun import Rerun
 from tests.app.tests_app import Driver
 from tests.stage.example_scene import KICK
 
@@ -108,6 +111,25 @@ def test_the_last_seconds_are_gone_through_again_beside_the_play(driver, said):
     assert digest == film.rerun.kept.digest
     assert sum(gif_times(path)) / 100 == pytest.approx(step / 120, abs=0.1)
     assert not [line for line in said if "differ" in line]
+
+
+@pytest.mark.parametrize("speed", [0.25, 1.0, 2.0])
+def test_its_pictures_are_even_in_time_whatever_the_speed(driver, tmp_path, speed):
+    driver.open("example")
+    driver.frames(120)
+    rerun = Rerun(driver.stage.kept_from(40))
+    writer = writers.make_writer("gif", tmp_path / "a.gif", (640, 400), False)
+    film = FilmAgain(rerun, writer, speed, "dark", driver.top.play.view.camera)
+    places = []
+    while not film.finished:
+        film.step()
+        before, now = rerun.scene.previous.position[0], rerun.scene.ball.position[0]
+        places.append(before + rerun.alpha * (now - before))
+        film.draw()
+    writer.drop()
+    steps = np.diff(places[:-1])  # the ball goes 1 m/s to the right; the last picture is the present
+    assert steps == pytest.approx(np.full(len(steps), speed / writers.GIF_HZ), rel=1e-6)
+    assert len(places) == film.count and rerun.same
 
 
 def test_the_play_is_the_same_with_a_film_and_without(start, tmp_path):

@@ -173,6 +173,20 @@ def test_another_level_has_another_task_and_shows_all_again(driver, tmp_path):
     assert "restitution" in {row.follows for row in driver.top.shell.panel._sheet.rows}
 
 
+def test_a_task_that_is_begun_again_begins_with_no_tries(driver, tmp_path, said):
+    sheet = begin(driver, tmp_path)
+    for words in ("Not yet.", "Not yet (2 tries)."):
+        press(driver, sheet, "option-1-1")
+        press(driver, sheet, "check-1")
+        assert sheet.verdicts[1].words == words
+    driver.top.play.open_file(tmp_path / "task.toml")
+    driver.frames(30)
+    assert not sheet.answers and not sheet.verdicts
+    press(driver, sheet, "option-1-1")
+    press(driver, sheet, "check-1")
+    assert sheet.verdicts[1].words == "Not yet."
+
+
 @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080), (900, 520)])
 @pytest.mark.parametrize("theme", ["dark", "light"])
 def test_places_lie_in_the_sheet_and_apart(start, tmp_path, size, theme):

@@ -141,10 +141,12 @@ def test_the_stop_watch_measures_simulated_time_in_slow_motion_and_by_steps(driv
     assert watch.seconds(driver.stage.time_s) == pytest.approx(shown + 2 * driver.stage.dt)
     driver.click(*start)
     held = watch.seconds(driver.stage.time_s)
+    assert held == pytest.approx(shown + 2 * driver.stage.dt)
     driver.key(pygame.K_SPACE)
     driver.frames(30)
     assert watch.seconds(driver.stage.time_s) == held and not watch.runs
     driver.click(*start)
+    assert watch.runs and held < watch.seconds(driver.stage.time_s) < held + 0.05  # it goes on from there
     driver.frames(10)
     driver.app.perform("reset")
     driver.frames(2)
