@@ -31,8 +31,6 @@ from numba.core.bytecode import FunctionIdentity
 from game.folders import cache_folder
 from game.physics.kernels.jit_cache import KernelCache
 from game.physics.kernels.jit_sources import module_name, source_digest
-from game.physics.kernels.linking import InnerCompiler, OuterCompiler
-from game.physics.kernels.operators import remember_operators
 
 __all__ = ["Compiling", "code_folder", "compiling", "kernel", "source_digest"]
 
@@ -70,7 +68,6 @@ class _Watch(event.Listener):
 
 _watch = _Watch()
 event.register("numba:compile", _watch)
-remember_operators()
 
 # numba tells two functions of one name apart, as two closures over different integers, by a number that it
 # counts up from 1 in each process. Kept code of two processes then has one name for different functions, and
@@ -106,10 +103,7 @@ def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
             raise ValueError(f"kernel: the option {refused} is not to be had here")
 
     def compile_lazily(py_function: Callable[..., Any]) -> Any:
-        compiler = InnerCompiler if options.get("no_cpython_wrapper") else OuterCompiler
-        dispatcher = numba.njit(nogil=True, error_model="numpy", pipeline_class=compiler, **options)(
-            py_function
-        )
+        dispatcher = numba.njit(nogil=True, error_model="numpy", **options)(py_function)
         if not config.DISABLE_JIT:
             _forget_literals(dispatcher)
         if config.DISABLE_JIT or not _closes_over_integers(py_function):

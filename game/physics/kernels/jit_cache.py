@@ -35,10 +35,10 @@ from types import CodeType
 from typing import Any
 
 from numba.core.caching import NullCache
+from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from game.folders import cache_folder
-from game.physics.kernels.linking import kept_form, rebuilt
 from game.physics.kernels.prebuilt import GENERIC, platform_name, prebuilt
 from game.trust import is_private_file, make_private_folder, reason_to_distrust
 
@@ -102,7 +102,7 @@ class KernelCache(NullCache):
             try:
                 data = read(sig, target_context.codegen())
                 if data is not None:
-                    return rebuilt(target_context, pickle.loads(data))
+                    return CompileResult._rebuild(target_context, *pickle.loads(data))
             except Exception:  # missing, unreadable, written by who knows what: compiling mends it
                 continue
         return None
@@ -131,7 +131,7 @@ class KernelCache(NullCache):
             make_private_folder(self._folder)
             if not _is_trusted(self._folder):
                 return
-            data = dumps(kept_form(cres))
+            data = dumps(cres._reduce())
             _write(path, _checksum(data) + data)
             _used[path] = None
             remove_old_folders(self._folder)

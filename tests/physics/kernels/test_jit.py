@@ -70,7 +70,7 @@ print(json.dumps({
 }))
 """
 
-COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt", "linking", "operators")
+COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt")
 
 
 class Answer(NamedTuple):
