@@ -94,7 +94,11 @@ class CavityTrial:
 
 
 def _settings(cells: tuple[int, ...], methods: tuple[str, ...]) -> list[Setting]:
-    return [Setting(name, float(n), {}, {"cells": n, "advection": name}, 1.0 / n) for name in methods for n in cells]
+    return [
+        Setting(name, float(n), {}, {"cells": n, "advection": name}, 1.0 / n)
+        for name in methods
+        for n in cells
+    ]
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:

@@ -122,7 +122,7 @@ def _cubic_fields(flat, at, row, f, g, out):
 def _beside_walls(padded, ax, ay, x, y, joined, out):
     """Linear, from the cells that can be reached from the place's own cell; others count as that one."""
     ny, nx = ay.shape[0] - 1, ax.shape[1] - 1
-    i, j = int(math.floor(x + 0.5)), int(math.floor(y + 0.5))
+    i, j = math.floor(x + 0.5), math.floor(y + 0.5)
     i = i if joined[0] else min(max(i, 0), nx - 1)
     j = j if joined[1] else min(max(j, 0), ny - 1)
     f, g = abs(x - i), abs(y - j)

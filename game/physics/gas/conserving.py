@@ -1,7 +1,8 @@
 """Scalars in flux form: what leaves a cell enters its neighbour, so that sums stay to rounding.
 
-Upwind with van Leer's (1974) limited slopes, Heun's two stages, as many substeps as keep the share that leaves
-a cell below a half. A cell that is not closed has its whole volume; the flux goes through open parts only.
+Upwind with van Leer's (1974) limited slopes, Heun's two stages, as many substeps as keep the share that
+leaves a cell below a half. A cell that is not closed has its whole volume; the flux goes through open
+parts only.
 """
 
 from __future__ import annotations
@@ -57,7 +58,11 @@ def flux_stage(padded, u, v, solids, scale, kept, mix, out):
                     c = n + side
                     if speed != 0.0:
                         value = _upwind(
-                            padded[m, c - 2, k], padded[m, c - 1, k], padded[m, c, k], padded[m, c + 1, k], speed
+                            padded[m, c - 2, k],
+                            padded[m, c - 1, k],
+                            padded[m, c, k],
+                            padded[m, c + 1, k],
+                            speed,
                         )
                         total += speed * value * (2 * side - 1)
                 for side in range(2):  # below, above
@@ -66,7 +71,11 @@ def flux_stage(padded, u, v, solids, scale, kept, mix, out):
                     c = m + side
                     if speed != 0.0:
                         value = _upwind(
-                            padded[c - 2, n, k], padded[c - 1, n, k], padded[c, n, k], padded[c + 1, n, k], speed
+                            padded[c - 2, n, k],
+                            padded[c - 1, n, k],
+                            padded[c, n, k],
+                            padded[c + 1, n, k],
+                            speed,
                         )
                         total += speed * value * (2 * side - 1)
                 out[j, i, k] = mix * out[j, i, k] + (1.0 - mix) * (padded[m, n, k] - scale * total)

@@ -69,7 +69,7 @@ def confine(u, v, strength, kinds, curl, out):
 @inner_kernel
 def _holds(kind):
     """Whether the velocity through a side is given, so that no force changes it."""
-    return kind == WALL or kind == NO_SLIP or kind == INFLOW
+    return kind in (WALL, NO_SLIP, INFLOW)
 
 
 @kernel

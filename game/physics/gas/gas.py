@@ -58,8 +58,8 @@ class Gas:
       ``rates`` (ny, nx, fields) change of the scalars, per s (heat as K/s into "temperature").
     - ``faces`` (`SolidFaces`): open parts ``ax``, ``ay`` of faces, ``volume`` of cells, ``body`` ids.
 
-    Solids: `set_solids(surface, ...)`; each answers ``sample(points)`` as those of `physics.surfaces` do. With
-    moving=True they are sampled again before every step, and push the gas with their true velocity.
+    Solids: `set_solids(surface, ...)`; each answers ``sample(points)`` as those of `physics.surfaces` do.
+    With moving=True they are sampled again before every step, and push the gas with their true velocity.
     `loads()` is the force on them.
 
     A step: everything is carried (with `rates`), diffuses, forces push, viscosity drags, the pressure makes
@@ -301,7 +301,9 @@ class Gas:
         Pressure on the outline, and, where the gas sticks (settings.slip False), drag along closed faces.
         """
         if not 0.0 < density < math.inf or not all(map(math.isfinite, point)):
-            raise ValueError(f"density = {density!r}, point = {point!r}: expected a number above 0, and a place")
+            raise ValueError(
+                f"density = {density!r}, point = {point!r}: expected a number above 0, and a place"
+            )
         h, lower, chosen = self.grid.cell, self.grid.lower, self.settings
         places = np.array([lower[0] + 0.5 * h, lower[1] + 0.5 * h, float(point[0]), float(point[1])])
         drags = not chosen.slip and VISCOSITY in chosen.effects

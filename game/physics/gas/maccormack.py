@@ -47,7 +47,7 @@ def correct_scalars(padded, shift, kinds, returned, out):
             x, y = i - shift[j, i, 0], j - shift[j, i, 1]
             x = wrapped(x, nx) if joined_x else clamped(x, -1.0, nx - INSIDE)
             y = wrapped(y, ny) if joined_y else clamped(y, -1.0, ny - INSIDE)
-            c, r = int(math.floor(x)) + PAD, int(math.floor(y)) + PAD
+            c, r = math.floor(x) + PAD, math.floor(y) + PAD
             for k in range(fields):
                 one, two = padded[r, c, k], padded[r, c + 1, k]
                 three, four = padded[r + 1, c, k], padded[r + 1, c + 1, k]

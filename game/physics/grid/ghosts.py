@@ -62,9 +62,7 @@ def fill_velocity_ghosts(padded, axis, edges):
                 row[PAD - k] = _nodal(row[PAD], row[PAD + k], row[PAD + last - k], left)
                 row[PAD + last + k] = _nodal(row[PAD + last], row[PAD + last - k], row[PAD + k], right)
             else:
-                row[PAD - k] = _centred(
-                    row[PAD], row[PAD + k - 1], row[PAD + last + 1 - k], left, wall_left
-                )
+                row[PAD - k] = _centred(row[PAD], row[PAD + k - 1], row[PAD + last + 1 - k], left, wall_left)
                 row[PAD + last + k] = _centred(
                     row[PAD + last], row[PAD + last + 1 - k], row[PAD + k - 1], right,
                     wall_right,

@@ -122,21 +122,27 @@ def down_tables(axis, level, coarse):
 
 @kernel
 def coarsen_all(h, cx, cy):
-    """Conductances, diagonals and weights of all levels from the finest's cx (ny, nx + 1), cy (ny + 1, nx)."""
+    """Conductances, diagonals and weights of all levels from the finest's cx and cy."""
     h.cx[: cx.size] = cx.reshape(-1)
     h.cy[: cy.size] = cy.reshape(-1)
     invert_diagonal(faces_x(h.cx, h.at, 0), faces_y(h.cy, h.at, 0), cells(h.inverse, h.at, 0))
     for level in range(h.at.rows.size - 1):
         ny, nx = h.at.rows[level + 1], h.at.columns[level + 1]
         mx, my = down_tables(h.x, level, nx)[0], down_tables(h.y, level, ny)[0]
-        cx, cy, inverse = faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level), cells(h.inverse, h.at, level)
+        cx, cy, inverse = (
+            faces_x(h.cx, h.at, level),
+            faces_y(h.cy, h.at, level),
+            cells(h.inverse, h.at, level),
+        )
         stands = cells(h.stands, h.at, level)
         choose_cells(stands, inverse, cx, cy, mx, my)
         at = h.x.face_at[level]
         coarsen_x(cx, faces_x(h.cx, h.at, level + 1), stands, h.x.mid[at:], h.x.ratio[at:], my)
         at = h.y.face_at[level]
         coarsen_y(cy, faces_y(h.cy, h.at, level + 1), stands, h.y.mid[at:], h.y.ratio[at:], mx)
-        invert_diagonal(faces_x(h.cx, h.at, level + 1), faces_y(h.cy, h.at, level + 1), cells(h.inverse, h.at, level + 1))
+        invert_diagonal(
+            faces_x(h.cx, h.at, level + 1), faces_y(h.cy, h.at, level + 1), cells(h.inverse, h.at, level + 1)
+        )
         x, y = up_tables(h.x, level, h.at.columns[level]), up_tables(h.y, level, h.at.rows[level])
         at = h.at.cells[level]
         h.irregular[level] = list_irregular(
@@ -151,8 +157,8 @@ def _smooth(h, level, factor, back):
     field = padded(source, h.at, level)
     wrap_ghosts(field, h.joined[0], h.joined[1])
     relax(
-        field, padded(goal, h.at, level), cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level),
-        cells(h.inverse, h.at, level), factor,
+        field, padded(goal, h.at, level), cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy,
+        h.at, level), cells(h.inverse, h.at, level), factor,
     )  # fmt: skip
 
 

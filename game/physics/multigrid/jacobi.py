@@ -9,7 +9,6 @@ from game.physics.kernels.lean import lean_kernel
 from game.physics.multigrid.equation import residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts
 
-
 DAMPING = 0.95  # of the whole step
 
 

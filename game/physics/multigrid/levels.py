@@ -21,8 +21,8 @@ class Axis(NamedTuple):
 
     From a fine cell i to coarse ones: near (n,), far (n,) their places (-1 and the count are ghosts) and the
     weights share (n, 2). From coarse cell I: members (m, 3) the first, last and middle fine cell, gather
-    (m, 5) the weights of the first, last, the ones before and behind, and the middle one. mid (m + 1,) the fine
-    face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one.
+    (m, 5) the weights of the first, last, the ones before and behind, and the middle one. mid (m + 1,) the
+    fine face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one.
     """
 
     near: Whole

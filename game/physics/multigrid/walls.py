@@ -1,14 +1,13 @@
 """Coarser levels beside walls: which fine cells a coarse cell stands for, and what may be interpolated.
 
 A coarse cell stands for the largest connected part of its fine cells; of two equal parts for none. Nothing is
-interpolated through a closed face. Fine cells where that changes the weights are *irregular*: they have norm 0
-in the plain transfer, and are added one by one from a list.
+interpolated through a closed face. Fine cells where that changes the weights are *irregular*: they have norm
+0 in the plain transfer, and are added one by one from a list.
 """
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
-from game.physics.kernels.lean import inner_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 OWN, ALONG_X, ALONG_Y, ACROSS = 1, 2, 4, 8
 REGULAR = 15

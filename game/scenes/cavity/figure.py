@@ -14,8 +14,13 @@ def draw_profiles(pen: Pen) -> None:
     middle = LEFT + 0.5 * SIZE, TOP + 0.5 * SIZE
     pen.line(((middle[0], TOP), (middle[0], TOP + SIZE)), "text3", 1.0, dash=3.0)
     pen.line(((LEFT, middle[1]), (LEFT + SIZE, middle[1])), "text3", 1.0, dash=3.0)
-    along = [(middle[0] + 0.4 * SIZE * u, TOP + SIZE * (1.0 - y)) for y, u in zip(HEIGHTS, GHIA_U[400], strict=True)]
-    upright = [(LEFT + SIZE * x, middle[1] - 0.4 * SIZE * v) for x, v in zip(PLACES, GHIA_V[400], strict=True)]
+    along = [
+        (middle[0] + 0.4 * SIZE * u, TOP + SIZE * (1.0 - y))
+        for y, u in zip(HEIGHTS, GHIA_U[400], strict=True)
+    ]
+    upright = [
+        (LEFT + SIZE * x, middle[1] - 0.4 * SIZE * v) for x, v in zip(PLACES, GHIA_V[400], strict=True)
+    ]
     pen.line(along, "chalk", 2.0)
     pen.line(upright, "amber", 2.0)
     for points, color in ((along, "chalk"), (upright, "amber")):

@@ -60,12 +60,11 @@ class CavityModel(Part):
             # the speed that buoyancy reaches, sqrt(g beta dT L), is 1 m/s: nu = sqrt(Pr / Ra)
             viscosity = math.sqrt(PRANDTL / chosen.rayleigh)
             gravity, spread = -MEAN, viscosity / PRANDTL
-        base = GasSettings(
-            effects=self.active, advection=chosen.advection, centring=chosen.centring, pressure=chosen.pressure,
-            turns=int(chosen.turns), tolerance=1e-6, viscosity=viscosity, diffusivity=spread,
-            gravity=(0.0, gravity), ambient=MEAN,
+        return GasSettings(
+            effects=self.active, advection=chosen.advection, centring=chosen.centring,
+            pressure=chosen.pressure, turns=int(chosen.turns), tolerance=1e-6, viscosity=viscosity,
+            diffusivity=spread, gravity=(0.0, gravity), ambient=MEAN,
         )  # fmt: skip
-        return base
 
     def change_parameter(self, name: str) -> None:
         """Take over a parameter's new value."""
@@ -134,7 +133,9 @@ class CavityModel(Part):
         """Heat through the hot wall over what a gas at rest would conduct, by the wall's own slope."""
         warm = self.gas.field("temperature") - MEAN
         n = self.gas.grid.nx
-        slope = (8.0 * WARM - 9.0 * warm[:, 0] + warm[:, 1]) / 3.0 * n  # a parabola through wall and two cells
+        slope = (
+            (8.0 * WARM - 9.0 * warm[:, 0] + warm[:, 1]) / 3.0 * n
+        )  # a parabola through wall and two cells
         return float(np.mean(slope))
 
     def state(self) -> CavityState:

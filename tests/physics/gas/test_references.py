@@ -144,10 +144,16 @@ def kovasznay(n, steps):
     want_v = lam / k * np.exp(lam * x) * np.sin(k * y)
     _, y = grid.centres()
     given = np.stack(
-        [1.0 - math.exp(-0.5 * lam) * np.cos(k * y[:, 0]), lam / k * math.exp(-0.5 * lam) * np.sin(k * y[:, 0])], 1
+        [
+            1.0 - math.exp(-0.5 * lam) * np.cos(k * y[:, 0]),
+            lam / k * math.exp(-0.5 * lam) * np.sin(k * y[:, 0]),
+        ],
+        1,
     )
     borders = Borders(Border("inflow", given), Border("open"), Border("periodic"), Border("periodic"))
-    gas = Gas(grid, borders, replace(EXACT, viscosity=nu, prime=False, turns=8, tolerance=1e-7), fields=("smoke",))
+    gas = Gas(
+        grid, borders, replace(EXACT, viscosity=nu, prime=False, turns=8, tolerance=1e-7), fields=("smoke",)
+    )
     gas.u[:], gas.v[:] = want_u, want_v
     for _ in range(steps):
         gas.step(0.5 / n)
@@ -176,7 +182,9 @@ def test_heavy_on_light_grows_at_the_known_rate():
     """Rayleigh-Taylor over a smooth layer 0.08 m thick: 1.955235 1/s (viscous, tanh)."""
     n, delta, k = 48, 0.08, 2.0 * math.pi
     borders = Borders(Border("periodic"), Border("periodic"))
-    settings = GasSettings(gravity=(0.0, -1.0), ambient=1.0, viscosity=1e-3, diffusivity=1e-3, turns=6, tolerance=1e-8)
+    settings = GasSettings(
+        gravity=(0.0, -1.0), ambient=1.0, viscosity=1e-3, diffusivity=1e-3, turns=6, tolerance=1e-8
+    )
     gas = Gas(Grid(n, n, 1.0 / n), borders, settings, fields=("temperature",))
     _, y = gas.grid.centres()
     gas.field("temperature")[:] = 1.0 - np.tanh((y - 0.5) / delta)  # hot (light) below

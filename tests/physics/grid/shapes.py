@@ -34,7 +34,10 @@ class Box:
         found = empty_sample(len(points))
         away = points - self.centre
         c, s = np.cos(self.angle), np.sin(self.angle)
-        over = np.abs(np.stack([c * away[:, 0] + s * away[:, 1], c * away[:, 1] - s * away[:, 0]], 1)) - self.half
+        over = (
+            np.abs(np.stack([c * away[:, 0] + s * away[:, 1], c * away[:, 1] - s * away[:, 0]], 1))
+            - self.half
+        )
         outside = np.hypot(*np.maximum(over, 0.0).T)
         found.distance[:] = outside + np.minimum(np.max(over, axis=1), 0.0)
         found.velocity[:] = self.velocity + self.spin * np.stack([-away[:, 1], away[:, 0]], axis=1)

@@ -100,7 +100,12 @@ def _connected(faces, start, goal):
             (faces.ax[j, i], (j, i - 1)), (faces.ax[j, i + 1], (j, i + 1)),
             (faces.ay[j, i], (j - 1, i)), (faces.ay[j + 1, i], (j + 1, i)),
         ):  # fmt: skip
-            if part > 0.0 and (m, n) not in seen and 0 <= m < faces.volume.shape[0] and 0 <= n < faces.volume.shape[1]:
+            if (
+                part > 0.0
+                and (m, n) not in seen
+                and 0 <= m < faces.volume.shape[0]
+                and 0 <= n < faces.volume.shape[1]
+            ):
                 seen.add((m, n))
                 todo.append((m, n))
     return goal in seen

@@ -35,7 +35,8 @@ def matrix(solver):
     for j in range(ny):
         for i in range(nx):
             for c, m, n in (
-                (e.cx[j, i], j, i - 1), (e.cx[j, i + 1], j, i + 1), (e.cy[j, i], j - 1, i), (e.cy[j + 1, i], j + 1, i),
+                (e.cx[j, i], j, i - 1), (e.cx[j, i + 1], j, i + 1),
+                (e.cy[j, i], j - 1, i), (e.cy[j + 1, i], j + 1, i),
             ):  # fmt: skip
                 rows.append(j * nx + i)
                 columns.append(j * nx + i)
@@ -80,7 +81,9 @@ def solved(solver, b, method="multigrid", turns=1, goal=0.0):
 
 
 @pytest.mark.parametrize("kinds", [BOX, TUNNEL, TORUS])
-@pytest.mark.parametrize(("nx", "ny", "seed"), [(16, 16, None), (13, 17, 1), (32, 7, 2), (4, 4, None), (5, 23, None)])
+@pytest.mark.parametrize(
+    ("nx", "ny", "seed"), [(16, 16, None), (13, 17, 1), (32, 7, 2), (4, 4, None), (5, 23, None)]
+)
 def test_every_solver_finds_what_scipy_finds(kinds, nx, ny, seed):
     solver = PressureSolver(nx, ny, np.array(kinds))
     solver.set_faces(*parts(nx, ny, seed))
@@ -109,7 +112,9 @@ def test_solids_leave_a_turn_a_factor_of_ten():
     d = np.hypot(x - 0.4 * nx, y - 0.5 * ny) - 0.17 * ny
 
     def part(a, b):
-        return np.where(np.minimum(a, b) >= 0, 1.0, np.clip(np.maximum(a, b), 0, None) / (np.abs(a - b) + 1e-300))
+        return np.where(
+            np.minimum(a, b) >= 0, 1.0, np.clip(np.maximum(a, b), 0, None) / (np.abs(a - b) + 1e-300)
+        )
 
     ax = np.where(np.maximum(d[:-1], d[1:]) < 0, 0.0, part(d[:-1], d[1:]))
     ay = np.where(np.maximum(d[:, :-1], d[:, 1:]) < 0, 0.0, part(d[:, :-1], d[:, 1:]))
@@ -192,6 +197,10 @@ def test_gauss_seidel_leaves_of_the_smoothest_error_what_theory_says():
 
 def test_nonsense_is_refused():
     solver = PressureSolver(8, 8, np.array(BOX))
-    for arguments, named in ((("sor",), "method"), (("jacobi", -1), "turns"), (("jacobi", 1, np.nan), "goal")):
+    for arguments, named in (
+        (("sor",), "method"),
+        (("jacobi", -1), "turns"),
+        (("jacobi", 1, np.nan), "goal"),
+    ):
         with pytest.raises(ValueError, match=named):
             solver.solve(*arguments)
