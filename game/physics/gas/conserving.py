@@ -1,7 +1,8 @@
 """Scalars in flux form: what leaves a cell enters its neighbour, so that sums stay to rounding.
 
-Upwind with van Leer's (1974) limited slopes, Heun's two stages, as many substeps as keep the share that leaves
-a cell below a half. A cell that is not closed has its whole volume; the flux goes through open parts only.
+Upwind with van Leer's (1974) limited slopes, Heun's two stages, as many substeps as keep the share that
+leaves a cell below a half. A cell that is not closed has its whole volume; the flux goes through open
+parts only.
 """
 
 from __future__ import annotations

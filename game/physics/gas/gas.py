@@ -59,8 +59,8 @@ class Gas:
       ``rates`` (ny, nx, fields) change of the scalars, per s (heat as K/s into "temperature").
     - ``faces`` (`SolidFaces`): open parts ``ax``, ``ay`` of faces, ``volume`` of cells, ``body`` ids.
 
-    Solids: `set_solids(surface, ...)`; each answers ``sample(points)`` as those of `physics.surfaces` do. With
-    moving=True they are sampled again before every step, and push the gas with their true velocity.
+    Solids: `set_solids(surface, ...)`; each answers ``sample(points)`` as those of `physics.surfaces` do.
+    With moving=True they are sampled again before every step, and push the gas with their true velocity.
     `loads()` is the force on them.
 
     A step: everything is carried (with `rates`), diffuses, forces push, viscosity drags, the pressure makes

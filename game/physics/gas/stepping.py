@@ -67,8 +67,8 @@ class Step(NamedTuple):
 
 
 def advance(
-    s: GasState, room: Room, solver: PressureSolver, solids: GasSolids, sources: tuple[Floats, Floats, Floats],
-    step: Step,
+    s: GasState, room: Room, solver: PressureSolver, solids: GasSolids, sources: tuple[Floats, Floats,
+    Floats], step: Step,
 ) -> tuple[Found, float]:  # fmt: skip
     """One step; sources: expansion, force, rates. What the pressure solver did, and the centring q."""
     chosen = step.settings

@@ -70,11 +70,11 @@ def _side_limit(kind, wall, beyond):
 def free_way(ax, ay, j, i, dx, dy, joined):
     """How much (0 to 1) of a displacement back from a cell's centre can be gone before a closed face."""
     ny, nx = ay.shape[0] - 1, ax.shape[1] - 1
-    steps = int(math.ceil(max(abs(dx), abs(dy)) / STRIDE))
+    steps = math.ceil(max(abs(dx), abs(dy)) / STRIDE)
     x, y = i, j
     for k in range(1, steps + 1):
         part = k / steps
-        nu, nv = int(math.floor(i - part * dx + 0.5)), int(math.floor(j - part * dy + 0.5))
+        nu, nv = math.floor(i - part * dx + 0.5), math.floor(j - part * dy + 0.5)
         if not joined[0]:
             nu = min(max(nu, 0), nx - 1)
         if not joined[1]:

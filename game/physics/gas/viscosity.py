@@ -1,7 +1,8 @@
 """Viscosity: its explicit part, and the implicit one by Chebyshev's iteration.
 
-Each component of the velocity is a padded field of faces. `gain` (as padded) is 0 for closed faces along which
-the gas slips, which then drag nothing, else 1; `free` (rows, columns) is 0 for faces whose velocity is given.
+Each component of the velocity is a padded field of faces. `gain` (as padded) is 0 for closed faces along
+which the gas slips, which then drag nothing, else 1; `free` (rows, columns) is 0 for faces whose velocity is
+given.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ def add_laplacian(padded, gain, part, out):
 
 
 def turns_for(strength: float) -> int:
-    """Turns of the iteration for nu dt / h² = strength, from its condition 1 + 8 strength (Saad 2003, 6.11.3)."""
+    """Turns of the iteration for nu dt / h² = strength, by its condition, 1 + 8 strength (Saad 2003)."""
     root = math.sqrt(1.0 + 8.0 * strength)
     rate = (root - 1.0) / (root + 1.0)
     return min(MOST_TURNS, max(1, math.ceil(elementary.log(0.5 * EXACT) / elementary.log(max(rate, 1e-12)))))

@@ -86,5 +86,4 @@ def edges_of(borders: Borders, grid: Grid) -> Edges:
         if given.shape not in ((2,), (count, 2)):
             raise ValueError(f"{name}: velocity has the shape {given.shape}: expected (2,) or ({count}, 2)")
         velocities[number, :count] = given
-        velocities[number, count:] = velocities[number, count - 1]
     return Edges(kinds, velocities)

@@ -1,8 +1,8 @@
 """Open parts of faces and cells from signed distances of a solid.
 
-Each face is sampled at both corners and in its middle; on either half the distance runs linearly. So walls and
-gaps of one cell are kept, wherever they lie on the grid, where two corners alone would not see a wall between
-them.
+Each face is sampled at both corners and in its middle; on either half the distance runs linearly. So walls
+and gaps of one cell are kept, wherever they lie on the grid, where two corners alone would not see a wall
+between them.
 """
 
 from __future__ import annotations

@@ -1,11 +1,12 @@
-"""Values between grid points: linear, and cubic by Lagrange's polynomial through four points, of padded fields.
+"""Values of padded fields between grid points: linear, and cubic by Lagrange's polynomial of four points.
 
-Catmull and Rom's spline (1974) costs the same, but is exact for parabolas only: the steady eddy in a cavity at
-Re 1000 on 64 x 64 cells was 8.8 % weak with it, 5.6 % with Lagrange's.
+Catmull and Rom's spline (1974) costs the same, but is exact for parabolas only: the steady eddy in a cavity
+at Re 1000 on 64 x 64 cells was 8.8 % weak with it, 5.6 % with Lagrange's.
 
 Places count in grid points from the first value of the unpadded field. A padded field answers places from -1
-to its count (one beyond the last value); what comes from outside is clamped there by the caller. Padded fields
-are read flat by unsigned places, for which no sign has to be looked at: `corner` is the first of those read.
+to its count (one beyond the last value); what comes from outside is clamped there by the caller. Padded
+fields are read flat by unsigned places, for which no sign has to be looked at: `corner` is the first
+of those read.
 """
 
 from __future__ import annotations

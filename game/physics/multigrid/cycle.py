@@ -78,42 +78,42 @@ def make_hierarchy(nx: int, ny: int, ends: tuple[int, int, int, int]) -> Hierarc
     )  # fmt: skip
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def padded(array, at, level):
     """A level of p, q or r, (ny + 2, nx + 2)."""
     ny, nx, start = at.rows[level] + 2, at.columns[level] + 2, at.padded[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def cells(array, at, level):
     """A level of b, inverse or norm, (ny, nx)."""
     ny, nx, start = at.rows[level], at.columns[level], at.cells[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def faces_x(array, at, level):
     """A level of cx (ny, nx + 1)."""
     ny, nx, start = at.rows[level], at.columns[level] + 1, at.x[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def faces_y(array, at, level):
     """A level of cy (ny + 1, nx)."""
     ny, nx, start = at.rows[level] + 1, at.columns[level], at.y[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def up_tables(axis, level, fine):
     """near, far, share of a level with so many fine cells."""
     at = axis.fine_at[level]
     return axis.near[at : at + fine], axis.far[at : at + fine], axis.share[at : at + fine]
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def down_tables(axis, level, coarse):
     """members, gather of a level with so many coarse cells."""
     at = axis.coarse_at[level]
@@ -122,7 +122,7 @@ def down_tables(axis, level, coarse):
 
 @kernel
 def coarsen_all(h, cx, cy):
-    """Conductances, diagonals and weights of all levels from the finest's cx (ny, nx + 1), cy (ny + 1, nx)."""
+    """Conductances, diagonals and weights of all levels from the finest's cx and cy."""
     h.cx[: cx.size] = cx.reshape(-1)
     h.cy[: cy.size] = cy.reshape(-1)
     invert_diagonal(faces_x(h.cx, h.at, 0), faces_y(h.cy, h.at, 0), cells(h.inverse, h.at, 0))
@@ -150,19 +150,19 @@ def coarsen_all(h, cx, cy):
         )
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def _smooth(h, level, factor, back):
     """One sweep from p to q, or back."""
     source, goal = (h.q, h.p) if back else (h.p, h.q)
     field = padded(source, h.at, level)
     wrap_ghosts(field, h.joined[0], h.joined[1])
     relax(
-        field, padded(goal, h.at, level), cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level),
-        cells(h.inverse, h.at, level), factor,
+        field, padded(goal, h.at, level), cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy,
+        h.at, level), cells(h.inverse, h.at, level), factor,
     )  # fmt: skip
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def _down(h, level):
     """Smooth, and pass the residual on to the next level."""
     begin(padded(h.q, h.at, level), cells(h.b, h.at, level), cells(h.inverse, h.at, level), FACTORS[0])
@@ -185,7 +185,7 @@ def _down(h, level):
         restrict_irregular(whole, coarse, h.ways[at : at + count], h.listed[at : at + count], x, y)
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def _keep_regular(r, norm, whole):
     """Copy r (padded by one) to whole, and keep of it only what is regular."""
     for j in range(norm.shape[0]):
@@ -194,7 +194,7 @@ def _keep_regular(r, norm, whole):
             r[j + 1, i + 1] *= norm[j, i]
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def _up(h, level):
     """Add the coarser level's correction, and smooth."""
     coarse, fine = padded(h.p, h.at, level + 1), padded(h.q, h.at, level)
@@ -208,7 +208,7 @@ def _up(h, level):
         _smooth(h, level, FACTORS[2 - k], k != 1)
 
 
-@kernel
+@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 def v_cycle(h):
     """The finest p from 0, for the finest b."""
     last = h.at.rows.size - 1

@@ -21,8 +21,8 @@ class Axis(NamedTuple):
 
     From a fine cell i to coarse ones: near (n,), far (n,) their places (-1 and the count are ghosts) and the
     weights share (n, 2). From coarse cell I: members (m, 3) the first, last and middle fine cell, gather
-    (m, 5) the weights of the first, last, the ones before and behind, and the middle one. mid (m + 1,) the fine
-    face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one.
+    (m, 5) the weights of the first, last, the ones before and behind, and the middle one. mid (m + 1,) the
+    fine face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one.
     """
 
     near: Whole
@@ -125,13 +125,12 @@ def axis_tables(count: int, levels: int, ends: tuple[int, int]) -> tuple[list[in
         widths = np.array([np.sum(widths[group]) for group in groups])
         sizes.append(len(widths))
         starts[:, level + 1] = starts[:, level] + (sizes[-2], sizes[-1], sizes[-1] + 1)
-    kinds = (np.int64, np.int64, np.float64, np.int64, np.float64, np.int64, np.float64)
     shapes = ((0,), (0,), (0, 2), (0, 3), (0, 5), (0,), (0,))
-    joined = [
-        np.ascontiguousarray(np.concatenate([row[k] for row in rows]) if rows else np.zeros(shapes[k]), kind)
-        for k, kind in enumerate(kinds)
-    ]
-    return sizes, Axis(*joined, starts[0].copy(), starts[1].copy(), starts[2].copy())
+    tables = [np.concatenate([row[k] for row in rows]) if rows else np.zeros(shapes[k]) for k in range(7)]
+    near, far, members, mid = (np.ascontiguousarray(tables[k], dtype=np.int64) for k in (0, 1, 3, 5))
+    share, gather, ratio = (np.ascontiguousarray(tables[k], dtype=np.float64) for k in (2, 4, 6))
+    at = [row.copy() for row in starts]
+    return sizes, Axis(near, far, share, members, gather, mid, ratio, at[0], at[1], at[2])
 
 
 def levels_of(nx: int, ny: int) -> int:

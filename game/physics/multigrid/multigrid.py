@@ -1,4 +1,4 @@
-"""The pressure by V-cycles, each followed by a step of conjugate gradients (Tatebe 1993; McAdams et al. 2010).
+"""The pressure by V-cycles, each with a step of conjugate gradients (Tatebe 1993; McAdams et al. 2010).
 
 The cycle alone leaves errors of wave lengths between the levels; conjugate gradients take what it leaves,
 and make walls harmless that the coarser levels cannot show.

@@ -89,7 +89,8 @@ class PressureSolver:
 
     def solve(self, method: str = "multigrid", turns: int = 0, goal: float = 0.0) -> Found:
         """Improve the pressure until the largest residual is at most goal, in at most so many turns (0: as
-        usual for the method); no further than rounding lets it. ValueError for an unknown method, turns below 0 or a goal that is no number.
+        usual for the method); no further than rounding lets it. ValueError for an unknown
+        method, turns below 0 or a goal that is no number.
         """
         if method not in SOLVERS:
             raise ValueError(f"method = {method!r}: expected one of {', '.join(SOLVERS)}")

@@ -1,4 +1,4 @@
-"""Between a fine level and the next coarser one: bilinear up, its transpose down, and what walls change in it."""
+"""Between a fine level and the next coarser one: bilinear up, and its transpose down."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Coarser levels beside walls: which fine cells a coarse cell stands for, and what may be interpolated.
 
 A coarse cell stands for the largest connected part of its fine cells; of two equal parts for none. Nothing is
-interpolated through a closed face. Fine cells where that changes the weights are *irregular*: they have norm 0
-in the plain transfer, and are added one by one from a list.
+interpolated through a closed face. Fine cells where that changes the weights are *irregular*: they have norm
+0 in the plain transfer, and are added one by one from a list.
 """
 
 from __future__ import annotations

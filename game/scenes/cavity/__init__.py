@@ -10,7 +10,7 @@ CAVITY = Entry(
     category="Playgrounds",
     module="game.scenes.cavity.scene",
     class_name="Cavity",
-    keywords="lid driven fluid gas ghia reynolds vortex streamlines heated convection nusselt rayleigh benchmark",
+    keywords="lid driven fluid gas ghia reynolds vortex streamlines heated convection nusselt rayleigh",
     card="draw_eddy",
 )
 ENTRIES = (CAVITY,)

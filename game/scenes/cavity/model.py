@@ -61,12 +61,11 @@ class CavityModel(Part):
             # the speed that buoyancy reaches, sqrt(g beta dT L), is 1 m/s: nu = sqrt(Pr / Ra)
             viscosity = math.sqrt(PRANDTL / chosen.rayleigh)
             gravity, spread = -MEAN, viscosity / PRANDTL
-        base = GasSettings(
-            effects=self.active, advection=chosen.advection, centring=chosen.centring, pressure=chosen.pressure,
-            turns=int(chosen.turns), tolerance=1e-6, viscosity=viscosity, diffusivity=spread,
-            gravity=(0.0, gravity), ambient=MEAN,
+        return GasSettings(
+            effects=self.active, advection=chosen.advection, centring=chosen.centring,
+            pressure=chosen.pressure, turns=int(chosen.turns), tolerance=1e-6, viscosity=viscosity,
+            diffusivity=spread, gravity=(0.0, gravity), ambient=MEAN,
         )  # fmt: skip
-        return base
 
     def change_parameter(self, name: str) -> None:
         """Take over a parameter's new value."""

@@ -18,7 +18,7 @@ class CavityParameters(Parameters):
         "lid", ("lid", "heated"), labels=("moving lid", "hot and cold wall"), group="Flow", rebuild=True
     )
     number = Param(1000.0, 1.0, 10_000.0, log=True, group="Flow", rebuild=True, label="Reynolds number",
-                   help="speed of the lid times width over viscosity; Ghia's tables are for 100, 400, 1000")  # fmt: skip
+                   help="of the lid; Ghia's tables are for 100, 400, 1000")  # fmt: skip
     rayleigh = Param(10_000.0, 100.0, 1e6, log=True, group="Flow", rebuild=True, label="Rayleigh number",
                      help="of the heated cavity; air of Prandtl number 0.71")  # fmt: skip
     lid = Param(1.0, -2.0, 2.0, unit="m/s", group="Flow", label="Speed of the lid")

@@ -2,9 +2,9 @@
 
 GHIA: tables I and II of Ghia, Ghia and Shin (1982, J. Comput. Phys. 48, 387), as printed: u on the vertical
 centre line at HEIGHTS, v on the horizontal one at PLACES. Their extremes are grid values, 0.4 to 1.5 % low.
-EXTREMES: least u, most v, least v on those lines by two discretisations, each extrapolated; at Re 100 and 1000
-they agree with Botella and Peyret (1998, Computers & Fluids 27, 421): -0.2140424, -0.3885698. NUSSELT: mean
-number on the hot wall, de Vahl Davis (1983), by two discretisations again.
+EXTREMES: least u, most v, least v on those lines by two discretisations, each extrapolated; at Re 100 and
+1000 they agree with Botella and Peyret (1998, Computers & Fluids 27, 421): -0.2140424, -0.3885698. NUSSELT:
+mean number on the hot wall, de Vahl Davis (1983), by two discretisations again.
 """
 
 from __future__ import annotations

@@ -144,6 +144,26 @@ def test_smoke_in_flux_form_is_kept_to_rounding_and_drifts_otherwise():
         assert (drift < 1e-12) if kept else (1e-6 < drift < 0.2)
 
 
+@pytest.mark.parametrize("q", [0.5, 0.52, 0.7])
+def test_a_constant_force_gives_its_speed_whatever_the_centring(q):
+    """Parts of a step before and after the carrying make one whole."""
+    gas = Gas(Grid(8, 8, 0.1), Borders.all("periodic"), replace(STILL, centring=q), fields=("smoke",))
+    gas.force[:, :, 0] = 2.0
+    for _ in range(10):
+        gas.step(0.01)
+    assert gas.report.centring == q
+    assert np.allclose(gas.u, 0.2, rtol=1e-9) and np.allclose(gas.v, 0.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("conservative", [(), ("smoke",)])
+def test_sources_bring_what_they_say(conservative):
+    gas = Gas(Grid(8, 8, 0.1), settings=replace(STILL, conservative=conservative), fields=("smoke",))
+    gas.rates[3, 4, 0] = 5.0
+    for _ in range(10):
+        gas.step(0.01)
+    assert gas.total("smoke") == pytest.approx(0.5 * 0.01, rel=1e-9)
+
+
 @pytest.mark.parametrize(("value", "index"), [(math.nan, 1), (math.inf, 1), (-math.inf, 0)])
 def test_what_is_not_a_number_is_found_at_the_end_of_the_step(value, index):
     gas = stirred(fields=("smoke", "temperature"))

@@ -35,7 +35,8 @@ def matrix(solver):
     for j in range(ny):
         for i in range(nx):
             for c, m, n in (
-                (e.cx[j, i], j, i - 1), (e.cx[j, i + 1], j, i + 1), (e.cy[j, i], j - 1, i), (e.cy[j + 1, i], j + 1, i),
+                (e.cx[j, i], j, i - 1), (e.cx[j, i + 1], j, i + 1),
+                (e.cy[j, i], j - 1, i), (e.cy[j + 1, i], j + 1, i),
             ):  # fmt: skip
                 rows.append(j * nx + i)
                 columns.append(j * nx + i)

@@ -1,4 +1,4 @@
-"""The cavity as a person meets it: levels come to what they expect, the hand stirs, the study has its order."""
+"""The cavity as a person meets it: levels come to what they expect, the hand stirs."""
 
 from __future__ import annotations
 
