@@ -33,7 +33,8 @@ class OuterLibrary(KernelLibrary):
 
     def finalize(self) -> None:
         """Link, optimise, make machine code."""
-        self._linking_libraries = _with_all_inner(self._linking_libraries)
+        given: list[Any] = self._linking_libraries  # type: ignore[has-type]
+        self._linking_libraries = _with_all_inner(given)
         super().finalize()
 
 

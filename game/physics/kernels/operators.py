@@ -23,7 +23,7 @@ def _is_number(kind: Any) -> bool:
 
 
 def _is_element(kind: Any) -> bool:
-    if isinstance(kind, types.UniTuple):
+    if isinstance(kind, types.UniTuple):  # type: ignore[attr-defined]
         kind = kind.dtype
     return isinstance(kind, types.Array) or _is_number(kind)
 
@@ -38,11 +38,11 @@ def _remembered(self: Any, context: Any, arguments: Any, options: Any) -> Any:
     if found is None:
         found = _ask(self, context, arguments, options)
         # what is written in Python is compiled with the caller's options: numba keeps that apart itself
-        if self._impl_keys.get(found.args) is self.typing_key:
+        if found is not None and self._impl_keys.get(found.args) is self.typing_key:
             _answers[key] = found
     return found
 
 
 def remember_operators() -> None:
     """Let numba remember, in this process. Nothing else about it changes."""
-    BaseFunction.get_call_type = _remembered
+    BaseFunction.get_call_type = _remembered  # type: ignore[method-assign, assignment]
