@@ -15,7 +15,7 @@ from game.scenes.tower.building import floor_height
 from game.scenes.tower.dust import advance_dust, puffs
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import BODY, COLUMN, DVX, DX, GONE, KIND, RUBBLE, SHARD, STOREY
+from game.scenes.tower.tables import BODY, COLUMN, DVX, DX, GONE, KIND, RUBBLE, SHARD, SLAB, STOREY
 from game.stage import Action, Pointer, Stage
 from tests.scenes.listening import heard_in
 
