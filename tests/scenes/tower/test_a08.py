@@ -15,7 +15,7 @@ from game.scenes.tower.building import floor_height
 from game.scenes.tower.dust import advance_dust, puffs
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import BODY, COLUMN, DVX, DX, GONE, KIND, RUBBLE, SHARD, STOREY
+from game.scenes.tower.tables import BODY, COLUMN, DVX, DX, GONE, KIND, RUBBLE, SHARD, SLAB, STOREY
 from game.stage import Action, Pointer, Stage
 from tests.scenes.listening import heard_in
 
@@ -203,3 +203,23 @@ def test_hard_levels_come_out_as_expected(name: str) -> None:
         good = abs(value) <= entry.value if entry.at_most else abs(value - entry.value) <= entry.within
         assert good, (entry, value)
     stage.scene.check()
+
+
+def test_a_restored_model_breaks_as_it_would_have() -> None:
+    stage = small()
+    stage.post(Action("fire"))
+    stage.run(20)
+    model = stage.scene.model
+    state, steps, fired = model.state(), model.steps, model.fired
+    stage.run(30)
+    model.restore(state)
+    assert (model.steps, model.fired) == (steps, fired)
+
+
+def test_the_hand_takes_what_has_turned_where_it_lies() -> None:
+    stage = small()
+    model, hand = stage.scene.model, stage.scene.hand
+    row = int(np.flatnonzero(model.parts[:, KIND] == SLAB)[0])
+    model.world.set_pose(int(model.parts[row, BODY]), (40.0, 10.0), 0.5 * math.pi)
+    assert hand.part_at((40.0, 12.3), (SLAB,)) == row
+    assert hand.part_at((42.3, 10.0), (SLAB,)) == -1

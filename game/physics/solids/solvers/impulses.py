@@ -135,6 +135,43 @@ def solve_two(k11, k12, k22, r1, r2):
 
 
 @inner_kernel
+def closing(row, c, at, gone, turns, speeds, law):
+    """Speed that the point at column ``at`` must lose, as its law asks for, and its gap.
+
+    gone: m, what both bodies have moved along the normal. turns: cosines less 1, and sines, of a and b.
+    speeds: along the normal, spins of a and b. law: rate, push and 1/h of `point_law`.
+    """
+    cross_a, cross_b, dot_a, dot_b = levers(row, c, at)
+    gap = gone + row[c, at + SEP] + turns[2] * dot_b + turns[3] * cross_b
+    gap = gap - turns[0] * dot_a - turns[1] * cross_a
+    return speeds[0] + speeds[2] * cross_b - speeds[1] * cross_a + point_law(gap, law[0], law[1], law[2]), gap
+
+
+@inner_kernel
+def rub(row, c, at, pressing, slide):
+    """Friction of the point at column ``at``, within the cone of what presses; by how much it has changed."""
+    before, most = row[c, at + JT], row[c, ROW_MU] * pressing
+    j = max(-most, min(most, before - row[c, at + MASS_T] * slide))
+    row[c, at + JT] = j
+    return j - before
+
+
+@inner_kernel
+def press_two(row, c, v1, v2, gap, give):
+    """Normal impulses of both points together; by how much they have changed. give: of the spring."""
+    k1, k2, k12 = row[c, FIRST + STIFF_N], row[c, SECOND + STIFF_N], row[c, COUPLING]
+    n1, n2 = row[c, FIRST + JN], row[c, SECOND + JN]
+    soft = 0.25 * give * (k1 + k2) if gap <= 0.0 else 0.0
+    tilt = TILT * soft
+    j1, j2 = solve_two(
+        k1 + soft + tilt, k12 + soft - tilt, k2 + soft + tilt,
+        v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2,
+    )  # fmt: skip
+    row[c, FIRST + JN], row[c, SECOND + JN] = j1, j2
+    return j1 - n1, j2 - n2
+
+
+@inner_kernel
 def sweep_contacts(rows, motion, springs, pushing, noting):
     """One sweep: normal impulses, then friction.
 
@@ -142,71 +179,43 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
     (m/s); 1/h. pushing: overlap drives bodies apart, else it is left. noting: largest impulses are noted.
     """
     row, ends, rare = rows.rows, rows.ends, rows.rare
-    moving, fixed, push, over_h = springs
     for c in range(rows.count[0]):
         a, b = np.uint64(ends[c, END_A]), np.uint64(ends[c, END_B])
         nx, ny = row[c, ROW_NX], row[c, ROW_NY]
         iia, iib, wa, wb = row[c, ROW_IIA], row[c, ROW_IIB], motion[a, W], motion[b, W]
         x, y = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-        un, ut = x * nx + y * ny, x * ny - y * nx
+        speeds, ut = (x * nx + y * ny, wa, wb), x * ny - y * nx
         gone = (motion[b, DX] - motion[a, DX]) * nx + (motion[b, DY] - motion[a, DY]) * ny
-        ca, sa, cb, sb = motion[a, DC] - 1.0, motion[a, DS], motion[b, DC] - 1.0, motion[b, DS]
-        gone += cb * row[c, ROUND_B] - ca * row[c, ROUND_A]
+        turns = motion[a, DC] - 1.0, motion[a, DS], motion[b, DC] - 1.0, motion[b, DS]
+        gone += turns[2] * row[c, ROUND_B] - turns[0] * row[c, ROUND_A]
         spring = (0.0, 1.0, 0.0)
         if pushing:
-            spring = fixed if row[c, ROW_HARD] > 0.0 else moving
-        ca1, cb1, k1 = row[c, FIRST + CROSS_A], row[c, FIRST + CROSS_B], row[c, FIRST + STIFF_N]
-        da1, db1, n1 = row[c, FIRST + DOT_A], row[c, FIRST + DOT_B], row[c, FIRST + JN]
-        gap = gone + row[c, FIRST + SEP] + cb * db1 + sb * cb1 - ca * da1 - sa * ca1
-        bias = point_law(gap, spring[0], push, over_h)
-        v1 = un + wb * cb1 - wa * ca1 + bias
-        mu = row[c, ROW_MU]
+            spring = springs[1] if row[c, ROW_HARD] > 0.0 else springs[0]
+        law = (spring[0], springs[2], springs[3])
+        v1, gap = closing(row, c, FIRST, gone, turns, speeds, law)
+        ca1, cb1, da1, db1 = levers(row, c, FIRST)
         if ends[c, END_POINTS] == 1:
+            k1, n1 = row[c, FIRST + STIFF_N], row[c, FIRST + JN]
             j1 = max((k1 * n1 - v1) / (k1 + (k1 * spring[2] if gap <= 0.0 else 0.0)), 0.0)
             row[c, FIRST + JN] = j1
-            if noting:
-                rare[c, MOST_0] = max(rare[c, MOST_0], j1)
             jn = j1 - n1
             wa, wb = wa - iia * ca1 * jn, wb + iib * cb1 * jn
-            before = row[c, FIRST + JT]
-            j = before - row[c, FIRST + MASS_T] * (ut - wb * db1 + wa * da1)
-            j = max(-mu * j1, min(mu * j1, j))
-            row[c, FIRST + JT] = j
-            jt = j - before
+            jt = rub(row, c, FIRST, j1, ut - wb * db1 + wa * da1)
             wa, wb = wa + iia * da1 * jt, wb - iib * db1 * jt
         else:
-            ca2, cb2, k2 = row[c, SECOND + CROSS_A], row[c, SECOND + CROSS_B], row[c, SECOND + STIFF_N]
-            da2, db2, n2 = row[c, SECOND + DOT_A], row[c, SECOND + DOT_B], row[c, SECOND + JN]
-            gap2 = gone + row[c, SECOND + SEP] + cb * db2 + sb * cb2 - ca * da2 - sa * ca2
-            bias = point_law(gap2, spring[0], push, over_h)
-            v2 = un + wb * cb2 - wa * ca2 + bias
-            k12 = row[c, COUPLING]
-            give = 0.25 * spring[2] * (k1 + k2) if min(gap, gap2) <= 0.0 else 0.0
-            tilt = TILT * give
-            j1, j2 = solve_two(
-                k1 + give + tilt, k12 + give - tilt, k2 + give + tilt,
-                v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2,
-            )  # fmt: skip
-            row[c, FIRST + JN], row[c, SECOND + JN] = j1, j2
-            if noting:
-                rare[c, MOST_0], rare[c, MOST_1] = max(rare[c, MOST_0], j1), max(rare[c, MOST_1], j2)
-            n1, n2 = j1 - n1, j2 - n2
+            ca2, cb2, da2, db2 = levers(row, c, SECOND)
+            v2, gap2 = closing(row, c, SECOND, gone, turns, speeds, law)
+            n1, n2 = press_two(row, c, v1, v2, min(gap, gap2), spring[2])
             jn = n1 + n2
             wa, wb = wa - iia * (ca1 * n1 + ca2 * n2), wb + iib * (cb1 * n1 + cb2 * n2)
-            before = row[c, FIRST + JT]
-            j = before - row[c, FIRST + MASS_T] * (ut - wb * db1 + wa * da1)
-            j = max(-mu * j1, min(mu * j1, j))
-            row[c, FIRST + JT] = j
-            jt = j - before
+            jt = rub(row, c, FIRST, row[c, FIRST + JN], ut - wb * db1 + wa * da1)
             ut += (row[c, ROW_IMA] + row[c, ROW_IMB]) * jt
             wa, wb = wa + iia * da1 * jt, wb - iib * db1 * jt
-            before = row[c, SECOND + JT]
-            j = before - row[c, SECOND + MASS_T] * (ut - wb * db2 + wa * da2)
-            j = max(-mu * j2, min(mu * j2, j))
-            row[c, SECOND + JT] = j
-            j -= before
+            j = rub(row, c, SECOND, row[c, SECOND + JN], ut - wb * db2 + wa * da2)
             jt += j
             wa, wb = wa + iia * da2 * j, wb - iib * db2 * j
+        if noting:
+            note_most(row, rare, c, ends[c, END_POINTS])
         x, y = jn * nx + jt * ny, jn * ny - jt * nx
         motion[a, VX] -= row[c, ROW_IMA] * x
         motion[a, VY] -= row[c, ROW_IMA] * y
@@ -214,6 +223,20 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
         motion[b, VX] += row[c, ROW_IMB] * x
         motion[b, VY] += row[c, ROW_IMB] * y
         motion[b, W] = wb
+
+
+@inner_kernel
+def levers(row, c, at):
+    """r x n and r . n of the point at column ``at``: crosses of a and b, dots of a and b."""
+    return row[c, at + CROSS_A], row[c, at + CROSS_B], row[c, at + DOT_A], row[c, at + DOT_B]
+
+
+@inner_kernel
+def note_most(row, rare, c, points):
+    """The largest normal impulse of each point so far."""
+    rare[c, MOST_0] = max(rare[c, MOST_0], row[c, FIRST + JN])
+    if points == 2:
+        rare[c, MOST_1] = max(rare[c, MOST_1], row[c, SECOND + JN])
 
 
 @inner_kernel
