@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from game.physics.heat import BurningBodies, Fuel, NodesState
 from game.physics.heat.nodes import FUEL
-from game.physics.solids import Capsule, Chain, Disc, Material, SolidSettings, SolidState, SolidWorld, box
+from game.physics.solids import Capsule, Disc, Material, SolidSettings, SolidState, SolidWorld, box
 from game.scenes.fireplace.level import MOST_PIECES, FireplaceContent, WoodEntry
 from game.scenes.fireplace.tables import (
     BAR,
@@ -50,6 +50,7 @@ STILL, STIRRED, CALM = (
     18.0,
     0.25,
 )  # W/(m² K) in calm gas, more with the root of its speed beyond so many m/s
+DEEP = 0.4  # m: the hearth is so thick, so that nothing is pushed through it
 SHRINK = 0.05  # of its thickness, at a time
 
 
@@ -80,7 +81,7 @@ class Wood(Part):
         self.nodes = BurningBodies(1, made_of=self.made_of)
         self.woods = 0
         stone = Material(density=2000.0, friction=0.7)
-        self.world.add_body(Chain([(-2.0, 0.0), (2.0, 0.0)], material=stone), kind="fixed")
+        self.world.add_body(box(4.0, DEEP, 0.0, stone), (0.0, -0.5 * DEEP), kind="fixed")
         for x in BARS:
             self.world.add_body(Disc(BAR, material=stone), (x, GRATE), kind="fixed")
         for x in UPRIGHTS:
