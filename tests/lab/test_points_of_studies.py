@@ -28,6 +28,7 @@ ELSEWHERE = {
     "depth-with-rotation": {"translation"},
     "carom-chances": {"stepped", "lecture"},
     "snooker-long-pot": {"geometry"},
+    "conduction": {"explicit", "crank-nicolson", "alternating"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points
 NO_PLACE = {"c02-joints", "c01", "c01-uneven", "bounds-gap", "solver-race"}

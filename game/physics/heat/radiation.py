@@ -57,7 +57,7 @@ def cooled_inside(start, ambient, rate, dt):
         return start
     most = max(start, ambient)
     small = rate * dt * most * most * most
-    if small < SMALL:  # four terms of Taylor's series: what follows is as large as a rounding
+    if small < SMALL:  # four terms of Taylor's series: what follows is below 1e-12 of T
         f = rate * (start * start * start * start - ambient * ambient * ambient * ambient)
         slope, bend = 4.0 * rate * start * start * start, 12.0 * rate * start * start
         third = f * slope * slope + f * f * bend

@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 
 from game.physics.heat import BurningBodies, Fuel, NodesState
 from game.physics.heat.nodes import FUEL
-from game.physics.kernels import elementary, linear
-from game.physics.solids import Capsule, Chain, Disc, Material, SolidSettings, SolidState, SolidWorld, box
+from game.physics.solids import Capsule, Disc, Material, SolidSettings, SolidState, SolidWorld, box
 from game.scenes.fireplace.level import MOST_PIECES, FireplaceContent, WoodEntry
 from game.scenes.fireplace.tables import (
     BAR,
@@ -51,6 +50,7 @@ STILL, STIRRED, CALM = (
     18.0,
     0.25,
 )  # W/(m² K) in calm gas, more with the root of its speed beyond so many m/s
+DEEP = 0.4  # m: the hearth is so thick, so that nothing is pushed through it
 SHRINK = 0.05  # of its thickness, at a time
 
 
@@ -81,7 +81,7 @@ class Wood(Part):
         self.nodes = BurningBodies(1, made_of=self.made_of)
         self.woods = 0
         stone = Material(density=2000.0, friction=0.7)
-        self.world.add_body(Chain([(-2.0, 0.0), (2.0, 0.0)], material=stone), kind="fixed")
+        self.world.add_body(box(4.0, DEEP, 0.0, stone), (0.0, -0.5 * DEEP), kind="fixed")
         for x in BARS:
             self.world.add_body(Disc(BAR, material=stone), (x, GRATE), kind="fixed")
         for x in UPRIGHTS:
@@ -104,11 +104,11 @@ class Wood(Part):
         rows, before = [], NONE
         for k in range(entry.pieces):
             along = (2 * k + 1 - entry.pieces) * half
-            at = (entry.at[0] + along * elementary.cos(turn), entry.at[1] + along * elementary.sin(turn))
+            at = (entry.at[0] + along * math.cos(turn), entry.at[1] + along * math.sin(turn))
             body = self._body(at, turn, half, 0.5 * entry.thick, (k == 0, k == entry.pieces - 1))
             joint = NONE
             if before != NONE:
-                weld = (at[0] - half * elementary.cos(turn), at[1] - half * elementary.sin(turn))
+                weld = (at[0] - half * math.cos(turn), at[1] - half * math.sin(turn))
                 joint = float(self.world.add_joint("weld", int(before), body, weld))
             whole = DENSITY * 2.0 * half * entry.thick
             rows.append((body, self.woods, k, half, 0.5 * entry.thick, 1.0, whole, joint))
@@ -185,7 +185,7 @@ class Wood(Part):
         self.nodes.meet_gas(gas, oxygen, STILL + STIRRED * np.sqrt(np.clip(speed - CALM, 0.0, 9.0)))
         places, hot = self.places(), self.nodes.temperature
         apart = places[:, None] - places[None]
-        away = np.sqrt(apart[..., 0] * apart[..., 0] + apart[..., 1] * apart[..., 1])
+        away = np.sqrt(apart[..., 0] ** 2 + apart[..., 1] ** 2)
         half = self.table[:, HALF_THICK] * self.table[:, SCALE]
         seen = np.where(
             (away > 0.0) & (away < NEAR), half[None] / (math.pi * np.maximum(away, half[None])), 0.0
@@ -194,7 +194,7 @@ class Wood(Part):
         seen *= np.minimum(1.0, most / np.maximum(np.sum(seen, axis=1), 1e-9))[:, None]
         of_wood = np.sum(seen, axis=1)
         fourth = hot * hot * hot * hot
-        around = linear.product(seen, fourth) + flames * FLAME**4 + (1.0 - of_wood - flames) * ROOM**4
+        around = seen @ fourth + flames * FLAME**4 + (1.0 - of_wood - flames) * ROOM**4
         self.nodes.meet_light(np.sqrt(np.sqrt(around)))
 
     def advance(self, dt: float) -> None:

@@ -45,6 +45,10 @@ def test_many_steps_of_cooling_are_one():
     for _ in range(100):
         warming = cooled(warming, 300.0, 2e-9, 0.6)
     assert warming == pytest.approx(cooled(100.0, 300.0, 2e-9, 60.0), rel=1e-12)
+    short = 1400.0
+    for _ in range(1000):  # so short that a series takes the place of Newton's steps
+        short = cooled(short, 300.0, 2e-11, 0.005)
+    assert short == pytest.approx(cooled(1400.0, 300.0, 2e-11, 5.0), rel=1e-9)  # 1e-12 a step
     slope = (cooled(500.0, 300.0, 1e-11, 1e-3) - 500.0) / 1e-3
     assert slope == pytest.approx(-1e-11 * (500.0**4 - 300.0**4), rel=1e-5)
 
