@@ -172,7 +172,7 @@ def test_in_still_air_no_leaf_ever_gains_energy(method, dt):
 
 
 def test_the_law_itself_only_takes():
-    """H8 without what is taken back: in a wind of nothing, bent, balanced leaves lose energy at every step."""
+    """H8 without what is taken back: in a wind of nothing bent, balanced leaves only lose energy."""
     random = np.random.default_rng(3)
     kinds = [
         Plate(0.03, float(i), 0.05, curl=float(q), bend_hz=6.0, balance=float(e), damping=0.0)
