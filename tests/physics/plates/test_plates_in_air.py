@@ -298,15 +298,20 @@ def test_far_away_and_mirrored():
 
 
 def test_a_state_comes_back():
-    world = many(20, effects=FLIGHT | GROUND | CONTACTS | WIND | GUST_INERTIA, wind=GustyWind(1.0))
-    world.step(0.01)
-    kept = type(world.state())(*(np.copy(part) for part in world.state()))
-    fly(world, 0.3)
-    end = world.rows.copy()
-    world.remove(3)
-    world.restore(kept)
-    fly(world, 0.3)
-    assert np.array_equal(world.rows, end)
+    """In the air, and in a heap, whose contacts begin with the impulses of the step before."""
+    effects = FLIGHT | GROUND | CONTACTS | WIND | GUST_INERTIA
+    flying = many(20, effects=effects, wind=GustyWind(1.0))
+    heap = Plates([LEAF] * 8, [(0.01 * k, 0.02 + 0.02 * k, 0.1) for k in range(8)], effects=effects)
+    for world, before in ((flying, 0.01), (heap, 0.5)):
+        fly(world, before, 0.01)
+        kept = type(world.state())(*(np.copy(part) for part in world.state()))
+        fly(world, 0.3)
+        end = world.rows.copy()
+        world.remove(3)
+        world.restore(kept)
+        fly(world, 0.3)
+        assert np.array_equal(world.rows, end)
+    assert len(heap.warm) > 8
 
 
 @pytest.mark.parametrize(
