@@ -39,7 +39,7 @@ def neumann_number(
     def excess(x: float) -> float:
         gain = k1 * (melting - wall) * elementary.exp(-x * x) / (math.sqrt(math.pi * a1) * elementary.erf(x))
         loss = k2 * (start - melting) * elementary.exp(-(elementary.square(x * ratio)))
-        loss /= math.sqrt(math.pi * a2) * math.erfc(x * ratio)
+        loss /= math.sqrt(math.pi * a2) * (1.0 - elementary.erf(x * ratio))
         return latent * x * math.sqrt(a1) - gain + loss
 
     return _root(excess, LEAST_ROOT, 5.0)
@@ -47,7 +47,7 @@ def neumann_number(
 
 def slab_centre(fourier: float) -> float:
     """Temperature in the middle of a slab -L to L that was 1, its surfaces at 0, at Fo = α t / L²."""
-    terms = ((2 * n + 1, (-1) ** n) for n in range(200))
+    terms = ((2 * n + 1, 1 - 2 * (n % 2)) for n in range(200))
     return sum(
         4.0 * s / (math.pi * n) * elementary.exp(-(elementary.square(n * math.pi / 2.0)) * fourier)
         for n, s in terms
@@ -79,7 +79,9 @@ def fisher_speed_on_grid(diffusivity: float, rate: float, cell: float, dt: float
     """
 
     def speed(q: float) -> float:
-        growth = rate + 2.0 * diffusivity * (math.cosh(q * cell) - 1.0) / (cell * cell)
+        growth = rate + diffusivity * (elementary.expm1(q * cell) + elementary.expm1(-q * cell)) / (
+            cell * cell
+        )
         return elementary.log1p(dt * growth) / (q * dt)
 
     wide = math.sqrt(rate / diffusivity)
@@ -107,4 +109,4 @@ def self_heating_limit(shape: str) -> float:
     if shape != "slab":
         raise ValueError(f"shape = {shape!r}: expected slab or disc")
     steepest = _root(lambda x: x * elementary.tanh(x) - 1.0, 0.5, 2.0)  # of 2 (y / cosh y)²
-    return 2.0 * elementary.square(steepest / math.cosh(steepest))
+    return 2.0 * elementary.square(2.0 * steepest / (elementary.exp(steepest) + elementary.exp(-steepest)))

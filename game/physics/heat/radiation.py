@@ -63,7 +63,7 @@ def cooled_inside(start, ambient, rate, dt):
         third = f * slope * slope + f * f * bend
         return start - dt * (f - dt * (0.5 * f * slope - dt * third / 6.0))
     if ambient < 1e-3 * start:  # as into empty space; what is left out is (Ta / T)⁴ of the rate
-        lower = start / (1.0 + 3.0 * rate * dt * start * start * start) ** (1.0 / 3.0)
+        lower = start / elementary.cbrt(1.0 + 3.0 * rate * dt * start * start * start)
         if lower > 1e3 * ambient or ambient == 0.0:
             return lower
     x, way = start / ambient, 4.0 * rate * dt * ambient * ambient * ambient

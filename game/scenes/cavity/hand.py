@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.physics.kernels import elementary
 from game.scenes.cavity.model import CavityModel
 from game.stage import Part, Pointer
 
@@ -23,7 +24,7 @@ class CavityHand(Part):
             self.stirs = False
         elif event.kind == "move" and self.stirs:
             way = 30.0 * (event.x - self.x), 30.0 * (event.y - self.y)
-            length = (way[0] * way[0] + way[1] * way[1]) ** 0.5
+            length = elementary.hypot(*way)
             part = min(1.0, FASTEST / length) if length > 0.0 else 0.0
             self.model.stir((event.x, event.y), (part * way[0], part * way[1]))
         self.x, self.y = event.x, event.y

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from game.physics.heat import BurningBodies, Fuel, NodesState
 from game.physics.heat.nodes import FUEL
+from game.physics.kernels import elementary, linear
 from game.physics.solids import Capsule, Disc, Material, SolidSettings, SolidState, SolidWorld, box
 from game.scenes.fireplace.level import MOST_PIECES, FireplaceContent, WoodEntry
 from game.scenes.fireplace.tables import (
@@ -104,11 +105,11 @@ class Wood(Part):
         rows, before = [], NONE
         for k in range(entry.pieces):
             along = (2 * k + 1 - entry.pieces) * half
-            at = (entry.at[0] + along * math.cos(turn), entry.at[1] + along * math.sin(turn))
+            at = (entry.at[0] + along * elementary.cos(turn), entry.at[1] + along * elementary.sin(turn))
             body = self._body(at, turn, half, 0.5 * entry.thick, (k == 0, k == entry.pieces - 1))
             joint = NONE
             if before != NONE:
-                weld = (at[0] - half * math.cos(turn), at[1] - half * math.sin(turn))
+                weld = (at[0] - half * elementary.cos(turn), at[1] - half * elementary.sin(turn))
                 joint = float(self.world.add_joint("weld", int(before), body, weld))
             whole = DENSITY * 2.0 * half * entry.thick
             rows.append((body, self.woods, k, half, 0.5 * entry.thick, 1.0, whole, joint))
@@ -185,7 +186,7 @@ class Wood(Part):
         self.nodes.meet_gas(gas, oxygen, STILL + STIRRED * np.sqrt(np.clip(speed - CALM, 0.0, 9.0)))
         places, hot = self.places(), self.nodes.temperature
         apart = places[:, None] - places[None]
-        away = np.sqrt(apart[..., 0] ** 2 + apart[..., 1] ** 2)
+        away = np.sqrt(apart[..., 0] * apart[..., 0] + apart[..., 1] * apart[..., 1])
         half = self.table[:, HALF_THICK] * self.table[:, SCALE]
         seen = np.where(
             (away > 0.0) & (away < NEAR), half[None] / (math.pi * np.maximum(away, half[None])), 0.0
@@ -194,7 +195,11 @@ class Wood(Part):
         seen *= np.minimum(1.0, most / np.maximum(np.sum(seen, axis=1), 1e-9))[:, None]
         of_wood = np.sum(seen, axis=1)
         fourth = hot * hot * hot * hot
-        around = seen @ fourth + flames * FLAME**4 + (1.0 - of_wood - flames) * ROOM**4
+        around = (
+            linear.product(seen, fourth)
+            + flames * elementary.square(FLAME * FLAME)
+            + (1.0 - of_wood - flames) * elementary.square(ROOM * ROOM)
+        )
         self.nodes.meet_light(np.sqrt(np.sqrt(around)))
 
     def advance(self, dt: float) -> None:

@@ -110,7 +110,8 @@ class LeavesModel(Part):
             raise ValueError(f"leaves: at most {MOST_LEAVES}")
         grown = 1.0 + jitter * linear.uniform(random, -0.15, 0.15)
         own = (
-            float(NAMES.index(kind)), linear.uniform(random, -0.5, 0.5) + (math.pi if random.random() < 0.5 else 0.0),
+            float(NAMES.index(kind)),
+            linear.uniform(random, -0.5, 0.5) + (math.pi if random.random() < 0.5 else 0.0),
             random.random(), linear.uniform(random, -1.0, 1.0), float(random.integers(2)), grown,
         )  # fmt: skip
         self.own = np.concatenate([self.own, np.array([own])])

@@ -63,7 +63,9 @@ def outline_of(name: str) -> Floats:
         shape = np.array(points)
     elif name == "oak":
         along = elementwise.cos(turn)
-        half = np.abs(elementwise.sin(turn)) ** 0.8 * (0.72 + 0.28 * elementwise.cos(9.0 * along + 0.6))
+        half = elementwise.power(np.abs(elementwise.sin(turn)), 0.8) * (
+            0.72 + 0.28 * elementwise.cos(9.0 * along + 0.6)
+        )
         shape = np.stack([along, wide * half * np.sign(elementwise.sin(turn))], axis=1)
     elif name == "linden":
         along = elementwise.cos(turn)
@@ -71,7 +73,7 @@ def outline_of(name: str) -> Floats:
             [
                 along,
                 wide
-                * np.abs(elementwise.sin(turn)) ** 0.75
+                * elementwise.power(np.abs(elementwise.sin(turn)), 0.75)
                 * np.sign(elementwise.sin(turn))
                 * (1.0 - 0.25 * along),
             ],
@@ -83,7 +85,7 @@ def outline_of(name: str) -> Floats:
             [
                 along,
                 wide
-                * np.abs(elementwise.sin(turn)) ** 1.25
+                * elementwise.power(np.abs(elementwise.sin(turn)), 1.25)
                 * np.sign(elementwise.sin(turn))
                 * (1.0 - 0.2 * along),
             ],

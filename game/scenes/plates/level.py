@@ -7,6 +7,7 @@ from typing import Annotated
 
 import msgspec
 
+from game.physics.kernels import elementary
 from game.physics.plates import Plate
 from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
@@ -45,8 +46,9 @@ class PlateEntry(LevelEntry, frozen=True, kw_only=True):
 
     def plate(self, number: int = 0) -> Plate:
         """The plate ``number`` of the row, as the physics takes it."""
+        inertia = self.inertia * elementary.pow(self.times, float(number))
         return Plate(
-            self.half_chord, self.inertia * self.times**number, self.thickness, self.turn, self.glide,
+            self.half_chord, inertia, self.thickness, self.turn, self.glide,
             self.drag, self.drag_turn, self.torque, self.torque_2, self.curl, self.bend_hz,
             balance=self.balance,
         )  # fmt: skip

@@ -62,4 +62,6 @@ def paint_veil(
                 red = min(((under >> 16) & 255) + ((ink >> 16) & 255), 255)
                 green = min(((under >> 8) & 255) + ((ink >> 8) & 255), 255)
                 blue = min((under & 255) + (ink & 255), 255)
-                pixels[y, x] = np.uint32((under & 0xFF000000) | (red << 16) | (green << 8) | blue)
+                pixels[y, x] = np.uint32(
+                    (under & 0xFF000000) | (int(red) << 16) | (int(green) << 8) | int(blue)
+                )
