@@ -59,9 +59,9 @@ def paint_veil(
                     blend(pixels, y, x, ink, min(int(light * 384.0 + 0.5), 256))
                     continue
                 under = np.int64(pixels[y, x])
-                red = min(((under >> 16) & 255) + ((ink >> 16) & 255), 255)
-                green = min(((under >> 8) & 255) + ((ink >> 8) & 255), 255)
-                blue = min((under & 255) + (ink & 255), 255)
+                red = min(int((under >> 16) & 255) + int((ink >> 16) & 255), 255)
+                green = min(int((under >> 8) & 255) + int((ink >> 8) & 255), 255)
+                blue = min(int(under & 255) + int(ink & 255), 255)
                 pixels[y, x] = np.uint32(
                     (under & 0xFF000000) | (int(red) << 16) | (int(green) << 8) | int(blue)
                 )
