@@ -10,7 +10,9 @@ BUOYANCY = declare_effect("buoyancy", "Buoyancy", "Hot gas rises, smoke is heavy
 VISCOSITY = declare_effect("viscosity", "Viscosity", "Layers of gas drag one another along.")
 DIFFUSION = declare_effect("diffusion", "Diffusion", "Heat, smoke and the like spread by themselves.")
 CONFINEMENT = declare_effect(
-    "confinement", "Vorticity confinement", "Puts back eddies that the grid has smeared out; makes energy."
+    "confinement",
+    "Confinement",
+    "Of vorticity: puts back eddies that the grid smeared out; makes energy.",
 )
 EXPANSION = declare_effect("expansion", "Expansion", "Sources of volume push the gas apart.")
 

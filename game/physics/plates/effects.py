@@ -7,7 +7,7 @@ from game.physics.effects import Room, declare_effect
 from game.physics.fields import GRAVITY, GROUND, QUADRATIC_DRAG, WIND
 
 CIRCULATION = declare_effect(
-    "circulation", "Lift by circulation", "The air turns about a plate that glides or spins, and lifts it."
+    "circulation", "Circulation", "The air turns about a plate that glides or spins, and lifts it."
 )
 BENDING = declare_effect("bending", "Bending", "Plates bend about their middle, as leaves about the midrib.")
 GUST_INERTIA = declare_effect(

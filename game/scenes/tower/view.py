@@ -50,7 +50,7 @@ class Hour(NamedTuple):
     column: int
     rubble: tuple[int, int]
     edge: int
-    glass: tuple[int, int]
+    glass: tuple[int, int]  # no lamp is on: nobody is there; some panes mirror the sky
     dust: tuple[int, int]
 
 
@@ -60,7 +60,7 @@ DAY = Hour(
 )  # fmt: skip
 NIGHT = Hour(
     (0x0A1024, 0x1C2444, 0x6E4A5C), 0xF0C9A0, (0x232A44, 0x161B2E), (0x20262A, 0x0D1012),
-    0x7F7C80, 0x65636A, (0x57555C, 0x6E6B70), 0x0A0B10, (0x2D3E58, 0xD9A45C), (0x9A8F8C, 0x4C464A),
+    0x7F7C80, 0x65636A, (0x57555C, 0x6E6B70), 0x0A0B10, (0x2D3E58, 0x3A4A66), (0x9A8F8C, 0x4C464A),
 )  # fmt: skip
 
 
