@@ -101,11 +101,18 @@ def rotate_away(a: np.ndarray, axes: np.ndarray) -> None:
 
 
 def product(a: ArrayLike, b: ArrayLike) -> Any:
-    """a @ b of one or two dimensions each, or of a stack (..., n, m) with one matrix or vector.
+    """a @ b of one or two dimensions each, of a stack (..., n, m) with one matrix or vector, or of two stacks
+    (k, n, m) and (k, m, l), matrix by matrix.
 
     A numpy float for two vectors. ValueError if the shapes do not fit.
     """
     left, right = np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
+    if left.ndim == right.ndim == 3 and len(left) == len(right) and left.shape[2] == right.shape[1]:
+        found = np.empty((len(left), left.shape[1], right.shape[2]))
+        left, right = np.ascontiguousarray(left), np.ascontiguousarray(right)
+        for one, other, made in zip(left, right, found, strict=True):
+            multiply(one, other, made)
+        return found
     if right.ndim > 2 or left.shape[-1] != right.shape[0]:
         raise ValueError(f"product: shapes {left.shape} and {right.shape} do not fit")
     rows = np.ascontiguousarray(left.reshape(math.prod(left.shape[:-1]), left.shape[-1]))

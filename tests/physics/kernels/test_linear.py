@@ -12,7 +12,7 @@ from game.physics.kernels import linear
 
 @pytest.mark.parametrize(
     ("a", "b"), [((3,), (3,)), ((2, 3), (3,)), ((3,), (3, 4)), ((2, 3), (3, 4)), ((5, 2, 3), (3,)),
-                 ((5, 2, 3), (3, 2)), ((0, 2), (2, 2)), ((4, 0), (0, 2))],
+                 ((5, 2, 3), (3, 2)), ((0, 2), (2, 2)), ((4, 0), (0, 2)), ((5, 2, 3), (5, 3, 4))],
 )  # fmt: skip
 def test_products_of_every_shape(a: tuple[int, ...], b: tuple[int, ...]) -> None:
     random = np.random.default_rng(3)
