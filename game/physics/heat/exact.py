@@ -8,6 +8,7 @@ from collections.abc import Callable
 from game.physics.kernels import elementary
 
 LEAST_ROOT = 1e-12
+LEAST_BEYOND = 1e-16  # of 1 - erf, which is no more than rounding there; only a sign is asked for so far out
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
@@ -39,7 +40,8 @@ def neumann_number(
     def excess(x: float) -> float:
         gain = k1 * (melting - wall) * elementary.exp(-x * x) / (math.sqrt(math.pi * a1) * elementary.erf(x))
         loss = k2 * (start - melting) * elementary.exp(-(elementary.square(x * ratio)))
-        loss /= math.sqrt(math.pi * a2) * (1.0 - elementary.erf(x * ratio))
+        beyond = max(1.0 - elementary.erf(x * ratio), LEAST_BEYOND)
+        loss /= math.sqrt(math.pi * a2) * beyond
         return latent * x * math.sqrt(a1) - gain + loss
 
     return _root(excess, LEAST_ROOT, 5.0)

@@ -79,18 +79,13 @@ class SpringChain(Scene):
         return Frame(-0.3, -1.3, WIDE + 0.3, 1.3)
 
     def exact(self, ago=0.0):
-        return bead_positions(
-            self.free[0], math.sqrt(self.stiffness), max(self.time - ago - self.free[1], 0.0)
-        )
+        return bead_positions(self.free[0], np.sqrt(self.stiffness), max(self.time - ago - self.free[1], 0.0))
 
     def readouts(self):
         beads, rates = self.chain
         springs = np.diff(beads, prepend=0.0, append=0.0)
-        energy, error = (
-            0.5 * (linear.product(rates, rates) + linear.product(self.stiffness * springs, springs)),
-            beads - self.exact(),
-        )
-        return [Readout("error", float(np.abs(error).max()), "m"), Readout("energy", float(energy), "J/kg")]
+        energy = 0.5 * float((rates * rates).sum() + self.stiffness * (springs * springs).sum())
+        return [Readout("error", max(abs(beads - self.exact())), "m"), Readout("energy", energy, "J/kg")]
 
     def draw(self, canvas, alpha):
         canvas.grid()

@@ -103,7 +103,9 @@ def crowns() -> tuple[Crown, ...]:
                 + 0.32 * (toward * away * np.cos(turn) + away * np.sin(turn))
                 + chance.normal(0.0, 0.10, count)
             )
-            order = np.argsort(light + 0.4 * chance.random(count))  # what is lit stands before what is not
+            order = np.argsort(
+                light + 0.4 * chance.random(count), kind="stable"
+            )  # what is lit stands before what is not
             rows = np.concatenate([tufts, radii[:, None], np.clip(light, 0.0, 1.0)[:, None]], axis=1)[order]
             thick = 0.03 * height
             trunk = np.array(

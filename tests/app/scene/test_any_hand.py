@@ -82,7 +82,8 @@ def test_recorded_session_replays_at_any_frame_rate(start, tmp_path):
             driver.frames(
                 1, seconds=min(frame_s, (recording.steps - driver.stage.step_number) * driver.stage.dt)
             )
-        play.record.script.post_due()
+        if play.record.script is not None:  # it is gone with its last event
+            play.record.script.post_due()
         assert driver.stage.step_number == recording.steps
         assert driver.stage.digest() == recording.digest
 

@@ -515,7 +515,7 @@ def test_scratch_grows_and_is_shared(monkeypatch):
 def test_warm_ups_name_every_public_kernel():
     named = {name for name, _ in WARM_UPS}
     kernels = {name for name in raster.__all__ if name.startswith(("fill_", "stroke_", "color_"))}
-    kernels |= {"lights", "mirror_rows"}  # of the verbs for light
+    kernels |= {"lights", "mirror_rows", "paint_veil"}  # of the verbs for light and smoke
     assert named == kernels
     for _, call in WARM_UPS:
         call()

@@ -14,6 +14,7 @@ from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 Floats = NDArray[np.float64]
 TINY = 1e-11
+PROXIMAL = 3  # points: each leaves the shift's share of what was left
 ON_RAY, TOO_LONG = -1, -2
 
 
@@ -102,23 +103,35 @@ def solve_complementarity(a: Floats, q: Floats) -> Floats | None:
         )
         basis = np.arange(size, dtype=np.int64)
         if run_lemke(np.ascontiguousarray(tableau), basis, 50 * size + 50) >= 0:
-            values = _values(a + shift * np.eye(size), q, basis)
+            values = _values(a, q, basis, shift)
             if values is not None:
                 return values
     return None
 
 
-def _values(a: Floats, q: Floats, basis: NDArray[np.int64]) -> Floats | None:
-    """z of a basis, solved afresh: pivots have gathered rounding."""
+def _values(a: Floats, q: Floats, basis: NDArray[np.int64], shift: float) -> Floats | None:
+    """z of a basis, solved afresh: pivots have gathered rounding; None if it is no solution.
+
+    ``shift``: what was added to the diagonal for the pivots; its share is taken out again by proximal points
+    (Martinet 1970), which also go where A itself is singular, as where contacts share a load.
+    """
     size = len(q)
     z: Floats = np.zeros(size)
     active = np.sort(basis[(basis >= size) & (basis < 2 * size)] - size)
     if len(active):
         try:
-            z[active] = linear.solve(a[np.ix_(active, active)], -q[active])
+            kept, wanted = a[np.ix_(active, active)], -q[active]
+            shifted = kept + shift * np.eye(len(active))
+            z[active] = linear.solve(shifted, wanted)
+            for _ in range(PROXIMAL if shift else 0):
+                z[active] += linear.solve(shifted, wanted - linear.product(kept, z[active]))
         except np.linalg.LinAlgError:
             return None
     scale = 1.0 + float(np.abs(z).max(initial=0.0))
     if not np.isfinite(z).all() or z.min(initial=0.0) < -1e-6 * scale:
         return None
+    w = linear.product(a, z) + q
+    w[active] = 0.0
+    if w.min(initial=0.0) < -1e-9 * (1.0 + float(np.abs(q).max(initial=0.0))):
+        return None  # rounding has led the pivots to a basis that is no solution
     return np.maximum(z, 0.0)
