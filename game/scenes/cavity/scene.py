@@ -13,15 +13,16 @@ from game.scenes.cavity import CAVITY
 from game.scenes.cavity.figure import draw_profiles
 from game.scenes.cavity.hand import CavityHand
 from game.scenes.cavity.level import DEFAULT, CavityContent
-from game.scenes.cavity.model import CavityModel, CavityState
+from game.scenes.cavity.model import CavityModel
 from game.scenes.cavity.parameters import OF_MAKING, OF_PICTURE, CavityParameters
 from game.scenes.cavity.readouts import readouts_of
 from game.scenes.cavity.view import CavityView
 from game.scenes.shared.expectations import captions_of, draw_captions
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, Strip
+from game.scenes.shared.model_scene import ModelScene
+from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip
 
 
-class Cavity(Scene):
+class Cavity(ModelScene):
     """A square box of gas under a lid that moves. The lid drags the gas along, and after a while one large
     eddy stands in the box, with small ones in the corners: the flow that every program for fluids is first
     tried on, for its speeds on the two centre lines are known to six figures.
@@ -36,6 +37,7 @@ class Cavity(Scene):
     name, task, title = CAVITY.names
     parameters_type = CavityParameters
     parameters: CavityParameters
+    model: CavityModel
     effects = GAS.known.without(CONFINEMENT)
     content_type = CavityContent
     study = cavity_study
@@ -71,15 +73,6 @@ class Cavity(Scene):
     def parameter_changed(self, name: str) -> None:
         if name not in (*OF_PICTURE, *OF_MAKING):
             self.model.change_parameter(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> CavityState:
-        return self.model.state()
-
-    def restore(self, state: CavityState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> CavityContent:
         return self.content

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.heat import conduction_study
 from game.levels import Level
@@ -15,7 +15,7 @@ from game.scenes.fireplace import A26
 from game.scenes.fireplace.figure import draw_ember
 from game.scenes.fireplace.hand import FireplaceHand
 from game.scenes.fireplace.level import DEFAULT, FireplaceContent
-from game.scenes.fireplace.model import FireplaceModel, FireplaceState
+from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.parameters import OF_PICTURE, OF_TOOLS, FireplaceParameters
 from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
@@ -23,13 +23,12 @@ from game.scenes.fireplace.saving import content_of
 from game.scenes.fireplace.sounds import hearing_of
 from game.scenes.fireplace.targets import story_targets
 from game.scenes.fireplace.view import FireplaceView
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
-from game.stage import Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
-from game.stage.messages import Messages
+from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
 
 
-class Fireplace(Scene):
+class Fireplace(BuiltScene):
     """A match lights sticks, these light logs, and the fire grows until the logs are used up, break and fall.
     At the end embers glow, and cool as T⁴.
 
@@ -48,6 +47,8 @@ class Fireplace(Scene):
     name, task, title = A26.names
     parameters_type = FireplaceParameters
     parameters: FireplaceParameters
+    model: FireplaceModel
+    hand: FireplaceHand
     effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS
     content_type = FireplaceContent
     study = conduction_study
@@ -103,8 +104,7 @@ class Fireplace(Scene):
         self.model = FireplaceModel(content, self.parameters, self.active, self.seed)
         self.hand = FireplaceHand(self.model)
         self.view = FireplaceView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name in OF_TOOLS:
@@ -112,19 +112,10 @@ class Fireplace(Scene):
         elif name not in OF_PICTURE:
             self.model.change_parameter(name)
 
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
     def why_idle(self, name: str) -> str:
         if name == "cells" and self.parameters.tier != "own":
             return "The quality says how many there are; choose Own."
         return ""
-
-    def state(self) -> FireplaceState:
-        return self.model.state()
-
-    def restore(self, state: FireplaceState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> FireplaceContent:
         return content_of(self.model)
@@ -133,17 +124,10 @@ class Fireplace(Scene):
         """What the level said."""
         return self.model.content
 
-    def check(self) -> None:
-        """What must always hold among the logs."""
-        self.model.wood.world.check()
-
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name == "match":
@@ -157,9 +141,6 @@ class Fireplace(Scene):
             self.parameters.damper = 0.0 if self.parameters.damper > 0.5 else 1.0
             self.model.change_parameter("damper")
 
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
-
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
@@ -171,15 +152,5 @@ class Fireplace(Scene):
     def hearing(self) -> Hearing:
         return hearing_of(self.model)
 
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        return with_headroom(Frame(-1.4, -0.22, 1.4, 1.35), len(self.model.content.expected))
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content, frame = self.model.content, self.frame()
-        if content.expected:
-            top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+    def shown(self) -> Frame:
+        return Frame(-1.4, -0.22, 1.4, 1.35)

@@ -211,6 +211,10 @@ class LeavesModel(Part):
         part = flying if flying.any() else np.ones(len(flying), dtype=bool)
         return float(np.mean(rows[X, part])), float(np.mean(rows[Y, part]))
 
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on."""
+        self.plates.effects = active
+
     def state(self) -> LeavesState:
         """All that later steps depend on."""
         return LeavesState(

@@ -12,11 +12,12 @@ from game.scenes.leaves import A18
 from game.scenes.leaves.figure import draw_gust
 from game.scenes.leaves.hand import LeavesHand
 from game.scenes.leaves.level import DEFAULT, LeavesContent
-from game.scenes.leaves.model import HEARD_SPEED, HEARD_TIME, HEARD_X, LeavesModel, LeavesState
+from game.scenes.leaves.model import HEARD_SPEED, HEARD_TIME, HEARD_X, LeavesModel
 from game.scenes.leaves.parameters import OF_PICTURE, LeavesParameters
 from game.scenes.leaves.readouts import readouts_of
 from game.scenes.leaves.view import LeavesView
 from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.stage import (
     Equation,
@@ -25,7 +26,6 @@ from game.stage import (
     Hint,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Sound,
     Strip,
@@ -34,7 +34,7 @@ from game.stage import (
 from game.stage.messages import Messages
 
 
-class Leaves(Scene):
+class Leaves(ModelScene):
     """Leaves lie on the lawn of a park. A small wind takes them up, and each comes down as its shape asks:
     light broad ones swing, stiff ones turn over and over, those with their weight at one end glide. In the
     end most of them are in the litter basket.
@@ -51,6 +51,7 @@ class Leaves(Scene):
     name, task, title = A18.names
     parameters_type = LeavesParameters
     parameters: LeavesParameters
+    model: LeavesModel
     effects = PLATES.known
     content_type = LeavesContent
     study = leaf_study
@@ -111,19 +112,6 @@ class Leaves(Scene):
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE:
             self.model.change_parameter(name)
-
-    def effects_changed(self) -> None:
-        self.model.plates.effects = self.active
-
-    def state(self) -> LeavesState:
-        return self.model.state()
-
-    def restore(self, state: LeavesState) -> None:
-        self.model.restore(state)
-
-    def check(self) -> None:
-        """What must always hold."""
-        self.model.plates.check()
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)

@@ -189,6 +189,10 @@ class PlatesModel(Part):
         usual = Plates([Plate(half, max(inertia, 0.1))], [(0.0, 0.0, 0.0)]).laws[:, 0]
         return found if found is not None and np.allclose(own, usual, rtol=1e-9) else nothing
 
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on."""
+        self.plates.effects = active
+
     def state(self) -> PlatesState:
         """All that later steps depend on."""
         return PlatesState(

@@ -12,16 +12,17 @@ from game.scenes.plates import FALLING
 from game.scenes.plates.figure import draw_forces
 from game.scenes.plates.hand import PlatesHand
 from game.scenes.plates.level import DEFAULT, PlatesContent
-from game.scenes.plates.model import CEILING, FLOOR, LEFT, PlatesModel, PlatesState
+from game.scenes.plates.model import CEILING, FLOOR, LEFT, PlatesModel
 from game.scenes.plates.parameters import OF_PICTURE, PlatesParameters
 from game.scenes.plates.readouts import readouts_of
 from game.scenes.plates.view import MAP_RIGHT, PlatesView
 from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
+from game.scenes.shared.model_scene import ModelScene
+from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip
 from game.stage.messages import Messages
 
 
-class FallingPlates(Scene):
+class FallingPlates(ModelScene):
     """A sheet of paper let go does not fall straight: it swings to and fro, or turns over and over, or does
     both without order. What it does depends on its inertia beside that of the air it takes along.
 
@@ -40,6 +41,7 @@ class FallingPlates(Scene):
     name, task, title = FALLING.names
     parameters_type = PlatesParameters
     parameters: PlatesParameters
+    model: PlatesModel
     effects = PLATES.known
     content_type = PlatesContent
     study = plate_study
@@ -96,15 +98,6 @@ class FallingPlates(Scene):
         if name not in OF_PICTURE:
             self.model.change_parameter(name)
 
-    def effects_changed(self) -> None:
-        self.model.plates.effects = self.active
-
-    def state(self) -> PlatesState:
-        return self.model.state()
-
-    def restore(self, state: PlatesState) -> None:
-        self.model.restore(state)
-
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
 
@@ -123,10 +116,6 @@ class FallingPlates(Scene):
 
     def messages(self) -> Sequence[str]:
         return self.said.take()
-
-    def check(self) -> None:
-        """What must always hold."""
-        self.model.plates.check()
 
     def readouts(self) -> list[Readout]:
         return list(readouts_of(self.model))

@@ -98,11 +98,13 @@ class BuiltScene(ModelScene):
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend()
 
+    def shown(self) -> Frame:
+        """The part of the world to show, without room for what is expected."""
+        view = self.model.content.view
+        return Frame(view.left, view.bottom, view.right, view.top)
+
     def frame(self) -> Frame:
-        content = self.model.content
-        shown = content.view
-        frame = Frame(shown.left, shown.bottom, shown.right, shown.top)
-        return with_headroom(frame, len(content.expected))
+        return with_headroom(self.shown(), len(self.model.content.expected))
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)

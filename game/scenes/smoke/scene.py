@@ -10,19 +10,20 @@ from game.levels import Level
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import GAS
 from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import ModelScene
 from game.scenes.smoke import SMOKE
 from game.scenes.smoke.figure import draw_projection
 from game.scenes.smoke.hand import SmokeHand
 from game.scenes.smoke.level import DEFAULT, SmokeContent, SolidEntry
-from game.scenes.smoke.model import TALL, WIDE, SmokeModel, SmokeState
+from game.scenes.smoke.model import TALL, WIDE, SmokeModel
 from game.scenes.smoke.parameters import OF_PICTURE, PRINTED, SmokeParameters
 from game.scenes.smoke.readouts import readouts_of
 from game.scenes.smoke.view import SmokeView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, SetParameter, Strip
+from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, SetParameter, Strip
 from game.stage.messages import Messages
 
 
-class Smoke(Scene):
+class Smoke(ModelScene):
     """Gas on a grid, to be stirred, painted and set on fire. Each cell asks where its gas was one step ago,
     and takes over what was there; then a pressure is found that leaves nothing squeezed.
 
@@ -36,6 +37,7 @@ class Smoke(Scene):
     name, task, title = SMOKE.names
     parameters_type = SmokeParameters
     parameters: SmokeParameters
+    model: SmokeModel
     effects = GAS.known | COMBUSTION.known
     content_type = SmokeContent
     study = whirl_study
@@ -82,9 +84,6 @@ class Smoke(Scene):
         if name not in OF_PICTURE:
             self.model.change()
 
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
     def why_idle(self, name: str) -> str:
         printed = self.parameters.method in PRINTED
         if printed and name in ("pressure", "confinement"):
@@ -96,12 +95,6 @@ class Smoke(Scene):
     def takes_long(self, event: Any) -> bool:
         """Another method or solver is compiled first."""
         return isinstance(event, SetParameter) and event.name in ("method", "pressure")
-
-    def state(self) -> SmokeState:
-        return self.model.state()
-
-    def restore(self, state: SmokeState) -> None:
-        self.model.restore(state)
 
     def save_content(self) -> SmokeContent:
         solids = tuple(

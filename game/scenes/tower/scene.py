@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.collapse import collapse_study
 from game.levels import Level
 from game.physics.fields import GRAVITY
 from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.tower import A08
 from game.scenes.tower.figure import draw_front
 from game.scenes.tower.hand import TowerHand
 from game.scenes.tower.level import TowerContent
-from game.scenes.tower.model import ModelState, TowerModel
+from game.scenes.tower.model import TowerModel
 from game.scenes.tower.parameters import OF_PICTURE, OF_TOOLS, TowerParameters
 from game.scenes.tower.readouts import readouts
 from game.scenes.tower.saving import content_of
@@ -24,21 +24,16 @@ from game.scenes.tower.targets import story_targets
 from game.scenes.tower.view import TowerView
 from game.stage import (
     Equation,
-    Frame,
     Hearing,
     Hint,
-    Pointer,
     Readout,
-    Scene,
     SceneAction,
-    SetParameter,
     Strip,
     WarmUp,
 )
-from game.stage.messages import Messages
 
 
-class Tower(Scene):
+class Tower(BuiltScene):
     """An empty tower of floors and columns. Charges cut the columns of one storey; what is above falls upon
     the floor below, takes it along, and both go on, slower than before but with more mass. So the front runs
     down from floor to floor: with nothing else to resist, an even row of floors falls with a third of
@@ -55,6 +50,8 @@ class Tower(Scene):
     name, task, title = A08.names
     parameters_type = TowerParameters
     parameters: TowerParameters
+    model: TowerModel
+    hand: TowerHand
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = TowerContent
     study = collapse_study
@@ -102,60 +99,34 @@ class Tower(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else self.default_content
+        content = self.content_of(level)
         self.model = TowerModel(content, self.parameters, self.active)
         self.hand = TowerHand(self.model)
         self.view = TowerView(self.model)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE and name not in OF_TOOLS:
             self.model.change_parameter(name)
 
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
     def why_idle(self, name: str) -> str:
-        if name == "substeps" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
         if name == "joints":
             return "" if self.model.time == 0.0 else "Joints are as they were built; reset the tower."
-        return ""
-
-    def takes_long(self, event: Any) -> bool:
-        """Another solver is compiled first."""
-        return isinstance(event, SetParameter) and event.name == "solver"
-
-    def state(self) -> ModelState:
-        return self.model.state()
-
-    def restore(self, state: ModelState) -> None:
-        self.model.restore(state)
+        return super().why_idle(name)
 
     def save_content(self) -> TowerContent:
         return content_of(self.model)
-
-    def check(self) -> None:
-        """What must always hold in the world."""
-        self.model.world.check()
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
 
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
-
     def action(self, name: str) -> None:
         if name.startswith("tool-"):
             self.parameters.tool = name.removeprefix("tool-")
         else:
             self.model.fire()
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 
@@ -167,18 +138,3 @@ class Tower(Scene):
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return with_headroom(
-            Frame(view.left, view.bottom, view.right, view.top), len(self.model.content.expected)
-        )
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content, frame = self.model.content, self.frame()
-        top = (0.5 * (frame.left + frame.right), frame.top)
-        draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
