@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from game.lab.studies.plates import leaf_study
 from game.levels import Level
@@ -16,25 +15,21 @@ from game.scenes.leaves.model import HEARD_SPEED, HEARD_TIME, HEARD_X, LeavesMod
 from game.scenes.leaves.parameters import OF_PICTURE, LeavesParameters
 from game.scenes.leaves.readouts import readouts_of
 from game.scenes.leaves.view import LeavesView
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
-from game.scenes.shared.model_scene import ModelScene
+from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.stage import (
     Equation,
-    Frame,
     Hearing,
     Hint,
-    Pointer,
     Readout,
     SceneAction,
     Sound,
     Strip,
     WarmUp,
 )
-from game.stage.messages import Messages
 
 
-class Leaves(ModelScene):
+class Leaves(BuiltScene):
     """Leaves lie on the lawn of a park. A small wind takes them up, and each comes down as its shape asks:
     light broad ones swing, stiff ones turn over and over, those with their weight at one end glide. In the
     end most of them are in the litter basket.
@@ -52,6 +47,8 @@ class Leaves(ModelScene):
     parameters_type = LeavesParameters
     parameters: LeavesParameters
     model: LeavesModel
+    hand: LeavesHand
+    view: LeavesView
     effects = PLATES.known
     content_type = LeavesContent
     study = leaf_study
@@ -106,8 +103,7 @@ class Leaves(ModelScene):
         self.model = LeavesModel(content, self.parameters, self.active, self.seed)
         self.hand = LeavesHand(self.model)
         self.view = LeavesView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE:
@@ -116,9 +112,6 @@ class Leaves(ModelScene):
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
 
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
-
     def action(self, name: str) -> None:
         if name == "whirl":
             x, _ = self.model.cloud()
@@ -126,9 +119,6 @@ class Leaves(ModelScene):
         else:
             self.model.wind.count = 0
             self.model.wind.gusts[:] = 0.0
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     def readouts(self) -> list[Readout]:
         return list(readouts_of(self.model))
@@ -146,25 +136,3 @@ class Leaves(ModelScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return self.view.targets()
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return (
-            ("arrow:green", "wind", ""),
-            ("disc:chalk", "flutters", ""),
-            ("disc:amber", "tumbles", ""),
-            ("disc:green", "glides", ""),
-        )
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return with_headroom(
-            Frame(view.left, view.bottom, view.right, view.top), len(self.model.content.expected)
-        )
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        expected = self.model.content.expected
-        if expected:
-            frame = self.frame()
-            captions = captions_of(expected, self.readouts())
-            draw_captions(canvas, (0.5 * (frame.left + frame.right), frame.top), captions)

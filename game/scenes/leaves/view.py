@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import pygame
@@ -41,6 +42,15 @@ class LeavesView:
             "cloud": (float(tally[2]), float(tally[3])),
             "basket": (basket.x, 0.75),
         }
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        """What the marks mean."""
+        return (
+            ("arrow:green", "wind", ""),
+            ("disc:chalk", "flutters", ""),
+            ("disc:amber", "tumbles", ""),
+            ("disc:green", "glides", ""),
+        )
 
     def draw(self, canvas: Canvas, previous: LeavesState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state before to now."""

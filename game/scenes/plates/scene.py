@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 from game.lab.studies.plates import plate_study
 from game.levels import Level
 from game.physics.plates.effects import PLATES
@@ -16,13 +13,11 @@ from game.scenes.plates.model import CEILING, FLOOR, LEFT, PlatesModel
 from game.scenes.plates.parameters import OF_PICTURE, PlatesParameters
 from game.scenes.plates.readouts import readouts_of
 from game.scenes.plates.view import MAP_RIGHT, PlatesView
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
-from game.scenes.shared.model_scene import ModelScene
-from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip
-from game.stage.messages import Messages
+from game.scenes.shared.model_scene import BuiltScene
+from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip
 
 
-class FallingPlates(ModelScene):
+class FallingPlates(BuiltScene):
     """A sheet of paper let go does not fall straight: it swings to and fro, or turns over and over, or does
     both without order. What it does depends on its inertia beside that of the air it takes along.
 
@@ -42,6 +37,7 @@ class FallingPlates(ModelScene):
     parameters_type = PlatesParameters
     parameters: PlatesParameters
     model: PlatesModel
+    hand: PlatesHand
     effects = PLATES.known
     content_type = PlatesContent
     study = plate_study
@@ -91,8 +87,7 @@ class FallingPlates(ModelScene):
         self.model = PlatesModel(content, self.parameters, self.active)
         self.hand = PlatesHand(self.model)
         self.view = PlatesView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+        self.check_content(content)
 
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE:
@@ -100,9 +95,6 @@ class FallingPlates(ModelScene):
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         model = self.model
@@ -114,28 +106,8 @@ class FallingPlates(ModelScene):
             for entry in DEFAULT.plates:
                 model.add(entry.plate(), entry.at, entry.tilt, entry.velocity, entry.spin)
 
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
-
     def readouts(self) -> list[Readout]:
         return list(readouts_of(self.model))
 
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return (
-            ("line:chalk", "flutters", ""),
-            ("line:amber", "tumbles", ""),
-            ("line:vermilion", "irregular", ""),
-            ("line:green", "glides", ""),
-        )
-
-    def frame(self) -> Frame:
-        whole = Frame(LEFT - 0.02, FLOOR - 0.04, MAP_RIGHT + 0.04, CEILING + 0.02)
-        return with_headroom(whole, len(self.model.content.expected))
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        expected = self.model.content.expected
-        if expected:
-            frame = self.frame()
-            captions = captions_of(expected, self.readouts())
-            draw_captions(canvas, (0.5 * (frame.left + frame.right), frame.top), captions)
+    def shown(self) -> Frame:
+        return Frame(LEFT - 0.02, FLOOR - 0.04, MAP_RIGHT + 0.04, CEILING + 0.02)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,6 +39,15 @@ class PlatesView:
 
     def __init__(self, model: PlatesModel, hand: PlatesHand):
         self.model, self.hand = model, hand
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        """What the marks mean."""
+        return (
+            ("line:chalk", "flutters", ""),
+            ("line:amber", "tumbles", ""),
+            ("line:vermilion", "irregular", ""),
+            ("line:green", "glides", ""),
+        )
 
     def draw(self, canvas: Canvas, previous: PlatesState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state before to now."""
