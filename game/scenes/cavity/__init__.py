@@ -1,10 +1,10 @@
-"""A27: the eddy in a cavity under a moving lid, and between a hot and a cold wall."""
+"""S08: the eddy in a cavity under a moving lid, and between a hot and a cold wall."""
 
 from game.stage.catalogue import Entry
 
 CAVITY = Entry(
     name="cavity",
-    task="A27",
+    task="S08",
     title="Eddy in a cavity",
     fact="the fluid coder's yardstick",
     category="Playgrounds",

@@ -1,4 +1,4 @@
-"""A27: the flow in a cavity."""
+"""S08: the flow in a cavity."""
 
 from __future__ import annotations
 
