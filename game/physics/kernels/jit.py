@@ -31,6 +31,7 @@ from numba.core.bytecode import FunctionIdentity
 from game.folders import cache_folder
 from game.physics.kernels.jit_cache import KernelCache
 from game.physics.kernels.jit_sources import module_name, source_digest
+from game.physics.kernels.quick_typing import answer_at_once
 
 __all__ = ["Compiling", "code_folder", "compiling", "kernel", "source_digest"]
 
@@ -68,6 +69,7 @@ class _Watch(event.Listener):
 
 _watch = _Watch()
 event.register("numba:compile", _watch)
+answer_at_once()
 
 # numba tells two functions of one name apart, as two closures over different integers, by a number that it
 # counts up from 1 in each process. Kept code of two processes then has one name for different functions, and
