@@ -22,6 +22,7 @@ LOWER, UPPER, NORMAL_X, NORMAL_Y, PLACE_X, PLACE_Y, LEVEL, WEIGHT, ESTIMATE = ra
 ANSWERS = 9
 UNTESTED = -1.0  # level of a pair whose roots were not compared
 PAIR, A, B, DONE = range(4)  # of a pair of nodes that is left; done: compared exactly, and they meet
+FIRST_NODE, SECOND_NODE, LEAVES = range(3)  # what of two nodes is replaced by its children
 CAPACITY = 4096  # pairs of nodes left at a time
 NO_BOUND = 1e300
 
@@ -61,11 +62,68 @@ def _keep(left, gaps, count, p, a, b, gap):
 
 
 @inner_kernel
-def _price(links, a, b):
-    """Tests that refining two nodes takes, and which is replaced: 0 the first, 1 the second, 2 neither."""
+def _choose(forest, a, b):
+    """Tests that refining two nodes takes, and which is replaced, if any."""
+    links, nodes = forest.links, forest.nodes
     if links[a, CHILDREN] == 0 and links[b, CHILDREN] == 0:
-        return links[a, CORNERS] * links[b, CORNERS], 2
-    return 0, 0
+        return links[a, CORNERS] * links[b, CORNERS], LEAVES
+    if links[a, CHILDREN] == 0 or (links[b, CHILDREN] > 0 and nodes[b, RADIUS] > nodes[a, RADIUS]):
+        return links[b, CHILDREN], SECOND_NODE
+    return links[a, CHILDREN], FIRST_NODE
+
+
+@inner_kernel
+def _compare_roots(forest, poses, pairs, reach, budget, left, gaps, answers):
+    """Begin the answers with the roots of each pair, as far as the budget goes; (tests, pairs left)."""
+    tests, count = 0, 0
+    for p in range(pairs.shape[0]):
+        for k in range(ANSWERS):
+            answers[p, k] = 0.0
+        answers[p, LOWER], answers[p, UPPER], answers[p, LEVEL] = NO_BOUND, NO_BOUND, UNTESTED
+        if tests >= budget or count >= CAPACITY:
+            answers[p, LOWER] = 0.0
+            continue
+        tests += 1
+        a, b = forest.roots[pairs[p, 0]], forest.roots[pairs[p, 1]]
+        gap, answers[p, UPPER] = _compare(forest, poses[pairs[p, 0]], poses[pairs[p, 1]], a, b)
+        answers[p, LEVEL] = 0.0
+        if gap > reach[p]:
+            answers[p, LOWER] = gap
+        else:
+            count = _keep(left, gaps, count, p, a, b, gap)
+    return tests, count
+
+
+@inner_kernel
+def _compare_leaves(forest, pose_a, pose_b, a, b, out):
+    """Put the exact distance of two leaves into an answer; True if they meet."""
+    links = forest.links
+    found = polygon_distance(
+        forest.corners, links[a, FIRST], links[a, CORNERS], pose_a, links[b, FIRST], links[b, CORNERS], pose_b
+    )
+    out[UPPER], out[LOWER] = min(out[UPPER], found), min(out[LOWER], found)
+    out[ESTIMATE] = 1.0
+    return found == 0.0
+
+
+@inner_kernel
+def _compare_children(forest, placed, node, kind, reach, out, left, gaps, count):
+    """Keep what is near of one node's children and the other; how many are kept then.
+
+    placed: both bodies' poses; node: (pair, node of the first, node of the second).
+    """
+    p, a, b = node
+    links = forest.links
+    for child in range(links[b, CHILDREN] if kind == SECOND_NODE else links[a, CHILDREN]):
+        a_now = links[a, CHILD] + child if kind == FIRST_NODE else a
+        b_now = links[b, CHILD] + child if kind == SECOND_NODE else b
+        gap, discs = _compare(forest, placed[0], placed[1], a_now, b_now)
+        out[UPPER] = min(out[UPPER], discs)
+        if gap > reach:
+            out[LOWER] = min(out[LOWER], gap)
+        elif gap < out[UPPER] or out[UPPER] == 0.0:
+            count = _keep(left, gaps, count, p, a_now, b_now, gap)
+    return count
 
 
 @inner_kernel
@@ -118,67 +176,33 @@ def refine(forest, poses, pairs, reach, budget, left, gaps, answers):
     end; answers: (k, ANSWERS). A pair whose roots were not compared has level UNTESTED and no bounds. The
     estimate is the middle of the bounds, or 0 where circles overlap; once leaves were compared, the upper.
     """
-    links, nodes = forest.links, forest.nodes
-    tests, count, now = 0, 0, 0
-    for p in range(pairs.shape[0]):
-        for k in range(ANSWERS):
-            answers[p, k] = 0.0
-        answers[p, LOWER], answers[p, UPPER], answers[p, LEVEL] = NO_BOUND, NO_BOUND, UNTESTED
-        if tests >= budget or count >= CAPACITY:
-            answers[p, LOWER] = 0.0
-            continue
-        tests += 1
-        a, b = forest.roots[pairs[p, 0]], forest.roots[pairs[p, 1]]
-        gap, answers[p, UPPER] = _compare(forest, poses[pairs[p, 0]], poses[pairs[p, 1]], a, b)
-        answers[p, LEVEL] = 0.0
-        if gap > reach[p]:
-            answers[p, LOWER] = gap
-        else:
-            count = _keep(left[now], gaps[now], count, p, a, b, gap)
-    level, stopped, changed = 0, False, True
+    tests, count = _compare_roots(forest, poses, pairs, reach, budget, left[0], gaps[0], answers)
+    now, level, stopped, changed = 0, 0, False, True
     while changed and not stopped:
         changed, level, after = False, level + 1, 0
+        next_left, next_gaps = left[1 - now], gaps[1 - now]
         for i in range(count):
             p, a, b, gap = left[now, i, PAIR], left[now, i, A], left[now, i, B], gaps[now, i]
             out = answers[p]
             if gap >= out[UPPER] and out[UPPER] > 0.0:
                 continue
-            price, kind = _price(links, a, b)
-            if kind != 2:
-                larger_b = links[a, CHILDREN] == 0 or (
-                    links[b, CHILDREN] > 0 and nodes[b, RADIUS] > nodes[a, RADIUS]
-                )
-                kind = 1 if larger_b else 0
-                price = links[b, CHILDREN] if larger_b else links[a, CHILDREN]
-            full = after + price + count - i > CAPACITY and kind != 2
+            price, kind = _choose(forest, a, b)
+            full = after + price + count - i > CAPACITY and kind != LEAVES
             stopped = stopped or tests + price > budget or full
             if stopped or left[now, i, DONE] == 1 or out[UPPER] == 0.0:
-                after = _keep(left[1 - now], gaps[1 - now], after, p, a, b, gap)
-                left[1 - now, after - 1, DONE] = left[now, i, DONE]
+                after = _keep(next_left, next_gaps, after, p, a, b, gap)
+                next_left[after - 1, DONE] = left[now, i, DONE]
                 continue
             changed, tests = True, tests + price
             out[LEVEL] = level
             pose_a, pose_b = poses[pairs[p, 0]], poses[pairs[p, 1]]
-            if kind == 2:
-                found = polygon_distance(
-                    forest.corners, links[a, FIRST], links[a, CORNERS], pose_a, links[b, FIRST],
-                    links[b, CORNERS], pose_b,
-                )  # fmt: skip
-                out[UPPER], out[LOWER] = min(out[UPPER], found), min(out[LOWER], found)
-                out[ESTIMATE] = 1.0
-                if found == 0.0:
-                    after = _keep(left[1 - now], gaps[1 - now], after, p, a, b, min(gap, 0.0))
-                    left[1 - now, after - 1, DONE] = 1
-                continue
-            for child in range(price):
-                a_now = links[a, CHILD] + child if kind == 0 else a
-                b_now = links[b, CHILD] + child if kind == 1 else b
-                gap, discs = _compare(forest, pose_a, pose_b, a_now, b_now)
-                out[UPPER] = min(out[UPPER], discs)
-                if gap > reach[p]:
-                    out[LOWER] = min(out[LOWER], gap)
-                elif gap < out[UPPER] or out[UPPER] == 0.0:
-                    after = _keep(left[1 - now], gaps[1 - now], after, p, a_now, b_now, gap)
+            if kind != LEAVES:
+                after = _compare_children(
+                    forest, (pose_a, pose_b), (p, a, b), kind, reach[p], out, next_left, next_gaps, after
+                )
+            elif _compare_leaves(forest, pose_a, pose_b, a, b, out):
+                after = _keep(next_left, next_gaps, after, p, a, b, min(gap, 0.0))
+                next_left[after - 1, DONE] = 1
         now, count = 1 - now, after
     if now == 1:
         for i in range(count):
