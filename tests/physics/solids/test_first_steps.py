@@ -1,8 +1,9 @@
-"""Small worlds for a step or two, against what mechanics says in closed form: seconds without the compiler."""
+"""Small worlds for a step or two, against what mechanics says: seconds also without the compiler."""
 
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -53,7 +54,9 @@ def test_a_rubbing_impact_of_two_boxes_keeps_all_momenta(name):
     """Faces that just touch meet askew, with friction at both ends of the face: impulses act in pairs."""
     world = world_of(solver=name, iterations=3)
     world.add_body(box(2.0, 1.0), (0.0, 0.0), velocity=(1.5, 0.5), spin=0.3)
-    world.add_body(box(1.0, 1.0, material=Material(density=3.0)), (0.3, 1.0), velocity=(-1.0, -1.0), spin=-0.4)
+    world.add_body(
+        box(1.0, 1.0, material=Material(density=3.0)), (0.3, 1.0), velocity=(-1.0, -1.0), spin=-0.4
+    )
     before, spins = momenta(world), world.bodies.spins.copy()
     places = world.bodies.positions.copy()
     world.step(DT)
@@ -74,7 +77,7 @@ def test_a_smooth_box_that_lands_askew_comes_to_rest_at_both_corners(sweeps):
 
 
 def test_both_corners_of_a_smooth_box_that_lands_askew_bounce():
-    """Newton's law at each end of the face, if both still press: the gap opens e times as fast as it closed."""
+    """Newton's law at each end of the face, if both still press."""
     e, spin = 0.5, 0.5
     bouncy = Material(friction=0.0, restitution=e)
     world = world_of(solver="sequential-impulses", slop=0.0, bounce=0.1, iterations=3)
@@ -176,7 +179,7 @@ def test_what_a_broken_joint_held_can_touch():
 def test_the_plan_holds_every_joint_that_holds_and_no_other():
     world = world_of()
     bodies = [world.add_body(Disc(0.1), (float(k), 0.0)) for k in range(7)]
-    pairs = list(zip(bodies, bodies[1:], strict=False))
+    pairs = list(pairwise(bodies))
     joints = [world.add_joint("pin", a, b, (a + 0.5, 0.0)) for a, b in pairs]
     mouse = world.add_joint("mouse", bodies[0], bodies[3], (3.0, 0.0), hertz=2.0, most=10.0)
     world.remove_joint(joints[2])
@@ -184,4 +187,3 @@ def test_the_plan_holds_every_joint_that_holds_and_no_other():
     assert sorted(plan.order.tolist()) == sorted(set(joints) - {joints[2], mouse})
     # a chain is a tree: each joint but the last of each part has one block below its own
     assert sorted(np.diff(plan.starts).tolist()) == [0, 0, 1, 1, 1]
-
