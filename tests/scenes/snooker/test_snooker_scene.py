@@ -143,6 +143,7 @@ def test_a_concession_is_asked_once_and_a_claim_is_not():
     assert stage.scene.model.game.winner is None and stage.scene.hand.buttons()[3][1] == "Sure?"
     press_button(stage, "concede")
     assert stage.scene.model.game.winner == 1
+    assert [button[0] for button in stage.scene.hand.buttons()] == ["undo", "replay", "view", "rack"]
     press_button(stage, "rack")
     state = stage.scene.model.game
     assert state.winner is None and state.won == (0, 1) and state.turn == 1
