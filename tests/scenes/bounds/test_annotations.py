@@ -19,10 +19,7 @@ def test_every_crossing_has_a_mark_where_the_segments_meet(count):
     level = np.array([(-1.0, 0.25, 10.0, 0.25)])
     trees = (SimpleNamespace(ends=upright), SimpleNamespace(ends=level))
     query = SimpleNamespace(crossings=np.array([(k, 0) for k in range(count)]), crossing_count=count)
-    marks, said = [], []
-    monkeypatch.setattr(
-        Annotations, "_leader", lambda self, lines, at, words, *rest: said.append((at, words))
-    )
+    marks = []
     canvas = SimpleNamespace(contact=lambda point: marks.append(tuple(point)))
     Annotations().draw_crossings(canvas, None, SimpleNamespace(query=query, trees=trees), HERE, words=False)
     assert np.array(marks) == pytest.approx(np.array([(k, 0.25) for k in range(count)]))
