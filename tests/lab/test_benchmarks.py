@@ -60,6 +60,7 @@ def test_the_cloth_by_numpy_is_a_cloth():
     lengths = np.hypot(cloth.x[b] - cloth.x[a], cloth.y[b] - cloth.y[a])
     assert np.abs(lengths - 0.01).max() < 1e-14
     assert np.array_equal(cloth.y[0], top)
+    assert top[0] - cloth.y[1].min() < 0.011  # three thousandths and more without the hold
     assert cloth.vy[-1] == pytest.approx(-2.0 * 9.81 / 60.0)  # the hem has not felt the hold yet
     assert np.abs(cloth.x - 0.01 * np.arange(cloth.x.shape[1])).max() < 1e-9
 
