@@ -88,6 +88,22 @@ def test_both_corners_of_a_smooth_box_that_lands_askew_bounce():
     assert world.bodies.spins[body] == pytest.approx(-e * spin, abs=1e-9)
 
 
+@pytest.mark.parametrize("spin", [0.5, -0.5])
+def test_only_the_corner_that_comes_fast_enough_bounces(spin):
+    """One comes at 1.25 m/s, the other at 0.75, 1 m/s must it be: k12 / k11 = -1/5 of a square on its face."""
+    e, fast = 0.5, 1.25
+    bouncy = Material(friction=0.0, restitution=e)
+    world = world_of(solver="sequential-impulses", slop=0.0, bounce=1.0, iterations=3)
+    world.add_body(box(20.0, 1.0, material=bouncy), (0.0, -0.5), kind="fixed")
+    body = world.add_body(box(1.0, 1.0, material=bouncy), (0.0, 0.5), velocity=(0.2, -1.0), spin=spin)
+    disc = world.add_body(Disc(0.25, material=bouncy), (3.0, 0.25), velocity=(0.0, -1.5))
+    world.step(DT)
+    rises, sinks = e * fast, -0.2 * e * fast
+    assert world.bodies.velocities[body] == pytest.approx((0.2, 0.5 * (rises + sinks)), abs=1e-9)
+    assert world.bodies.spins[body] == pytest.approx(-math.copysign(rises - sinks, spin), abs=1e-9)
+    assert world.bodies.velocities[disc] == pytest.approx((0.0, e * 1.5), abs=1e-9)
+
+
 @pytest.mark.parametrize(("kind", "order"), [("fixed", 1), ("fixed", -1), ("dynamic", 1)])
 def test_overlap_parts_by_the_spring_of_its_kind(kind, order):
     """A damped spring solved implicitly; against what nothing moves it is twice as stiff in frequency."""
