@@ -90,7 +90,7 @@ def test_both_corners_of_a_smooth_box_that_lands_askew_bounce():
 
 @pytest.mark.parametrize("spin", [0.5, -0.5])
 def test_only_the_corner_that_comes_fast_enough_bounces(spin):
-    """One comes at 1.25 m/s, the other at 0.75, 1 m/s must it be: k12 / k11 = -1/5 of a square on its face."""
+    """One comes at 1.25 m/s, the other at 0.75, 1 m/s must it be: k12 = -k11 / 5 of a square."""
     e, fast = 0.5, 1.25
     bouncy = Material(friction=0.0, restitution=e)
     world = world_of(solver="sequential-impulses", slop=0.0, bounce=1.0, iterations=3)
