@@ -4,7 +4,8 @@
 
 is started by `python -m tests.mutation` in a copy of the checkout. A fork costs milliseconds where a new
 process costs seconds. Every run tells what a test costs and which functions it calls: with time the tests
-that call the changed function run first, the quickest foremost. What fails must pass without the fault.
+that call the changed function run first, the quickest foremost; those nearby that never ran are run once
+without the fault before. What fails must pass without the fault.
 """
 
 from __future__ import annotations
