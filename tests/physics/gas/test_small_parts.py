@@ -9,7 +9,7 @@ import pytest
 
 from game.physics.gas import Gas, GasSettings
 from game.physics.gas.tracing import trace
-from game.physics.grid import Grid
+from game.physics.grid import Borders, Grid
 from game.physics.grid.borders import PERIODIC, WALL
 from tests.physics.grid.shapes import Disc
 
@@ -56,3 +56,18 @@ def test_ways_end_on_walls_and_go_on_where_sides_are_joined():
     behind = np.minimum(3.0, np.arange(6.0) + 0.5)  # back to the wall, half a cell beyond the first centre
     assert traced(w, 1.0)[..., 0] == pytest.approx(np.tile(behind, (4, 1)))
     assert traced(w, 1.0, PERIODIC)[..., 0] == pytest.approx(3.0)
+
+
+def test_maccormack_carries_a_smooth_field_far_better_than_linear_interpolation():
+    """Two steps of 0.4 cells in an even wind around a torus: the wave moves as it is."""
+    n, dt, errors = 24, 0.4 / 24, {}
+    for advection in ("linear", "maccormack"):
+        settings = GasSettings(gravity=(0.0, 0.0), advection=advection)
+        gas = Gas(Grid(n, 4, 1.0 / n), Borders.all("periodic"), settings, fields=("smoke",))
+        gas.u[:] = 1.0
+        x, _ = gas.grid.centres()
+        gas.field("smoke")[:] = np.sin(2.0 * math.pi * x)
+        for _ in range(2):
+            gas.step(dt)
+        errors[advection] = np.abs(gas.field("smoke") - np.sin(2.0 * math.pi * (x - 2.0 * dt))).mean()
+    assert errors["maccormack"] < 0.25 * errors["linear"]
