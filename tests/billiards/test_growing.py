@@ -71,6 +71,16 @@ def test_stops_go_on(dt):
         step = after
 
 
+@pytest.mark.parametrize("dt", [1 / 19997, 1 / 6997, 3.7e-4])
+def test_stops_are_the_steps_around_each_tick_of_the_grid(dt):
+    stops = [0]
+    while stops[-1] < 900:
+        stops.append(next_stop(stops[-1], dt))
+    last = [math.floor(tick / GRID_HZ / dt * (1.0 + 1e-12)) for tick in range(1, 10_000)]
+    around = sorted({0, *last, *(step + 1 for step in last)})
+    assert stops == around[: len(stops)]
+
+
 def test_it_is_broken_off_at_a_whole_step():
     for grown, _ in both(break_shot(physics=FRICTIONLESS), 0.03, 1.0):
         grown.compute(5.0)

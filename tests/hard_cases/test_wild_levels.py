@@ -51,11 +51,11 @@ def outcomes(levels: list[str], steps: int, tame: bool) -> dict[str, dict[str, A
     return told
 
 
-def judge(told: dict[str, dict[str, Any]]) -> None:
-    """Nothing but refusals in one line and levels that keep within the bounds."""
+def trouble_in(told: dict[str, dict[str, Any]]) -> dict[str, str]:
+    """What is neither refused in one line nor keeps within the bounds, by level."""
     trouble = {level: outcome["trouble"] for level, outcome in told.items() if "trouble" in outcome}
-    assert not trouble
-    assert not [level for level, outcome in told.items() if "\n" in outcome.get("refused", "")]
+    refused = {level: outcome.get("refused", "") for level, outcome in told.items()}
+    return trouble | {level: words for level, words in refused.items() if "\n" in words}
 
 
 @pytest.mark.skipif(MANY > 0, reason="the many are tried")
@@ -63,7 +63,7 @@ def judge(told: dict[str, dict[str, Any]]) -> None:
 @pytest.mark.timeout(900)  # where all kernels are compiled first; well below a minute otherwise
 def test_a_few_wild_levels_of_each_scene() -> None:
     told = outcomes([f"{name}:{number}" for name in NAMES for number in range(FEW)], steps=4, tame=True)
-    judge(told)
+    assert trouble_in(told) == {}
     assert sum("steps" in outcome for outcome in told.values()) > len(told) // 3
 
 
@@ -71,7 +71,7 @@ def test_a_few_wild_levels_of_each_scene() -> None:
 @pytest.mark.timeout(0)
 @pytest.mark.parametrize("name", NAMES)
 def test_many_wild_levels(name: str) -> None:
-    judge(outcomes([f"{name}:{number}" for number in range(MANY)], steps=40, tame=False))
+    assert trouble_in(outcomes([f"{name}:{number}" for number in range(MANY)], steps=40, tame=False)) == {}
 
 
 def test_the_bounds_are_kept(tmp_path: Path) -> None:

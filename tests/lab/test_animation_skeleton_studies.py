@@ -22,6 +22,7 @@ from game.lab.studies.animation.skinning import (
     BEND,
     area_off,
     collapse_study,
+    curled,
     joints_study,
     present_influences,
     skinning_study,
@@ -42,6 +43,12 @@ def few(study, methods, knobs=None):
         return kept
 
     return replace(study, settings=settings)
+
+
+def test_the_points_lie_on_both_sides_of_the_chain_all_along_it():
+    _, points = curled()
+    assert points.min(axis=0) == pytest.approx((-0.05, -0.12), abs=0.01)
+    assert points.max(axis=0) == pytest.approx((1.05, 0.12), abs=0.01)
 
 
 def test_errors_fall_with_every_influence():

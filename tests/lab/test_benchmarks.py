@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from game.lab.benchmarks import Measured, Peer, Scenario, all_scenarios, measure_scenario
+from game.lab.benchmarks import Measured, Peer, Scenario, all_scenarios, measure_scenario, rigid
+from game.lab.benchmarks.billiards import random_shots
 from game.lab.benchmarks.broadphase import Workload, kd_tree, pymunk_step, str_tree
+from game.lab.benchmarks.constraints import NumpyCloth, pymunk_chain
 
 
 def test_names_differ_and_words_are_there():
@@ -46,6 +48,42 @@ def test_other_trees_of_boxes_find_the_pairs_there_are(kind):
     assert pairs > 100
     assert str_tree(kind, 300)() == pairs
     assert kind != "equal" or kd_tree(kind, 300)() == pairs
+
+
+def test_the_cloth_by_numpy_is_a_cloth():
+    """The colour that is projected last has its links at their length, the held row stays, weight acts."""
+    cloth = NumpyCloth()
+    top = cloth.y[0].copy()
+    for _ in range(2):
+        cloth.step(1.0 / 60.0)
+    a, b, _, _ = cloth.families[-1]
+    lengths = np.hypot(cloth.x[b] - cloth.x[a], cloth.y[b] - cloth.y[a])
+    assert np.abs(lengths - 0.01).max() < 1e-14
+    assert np.array_equal(cloth.y[0], top)
+    assert top[0] - cloth.y[1].min() < 0.011  # three thousandths and more without the hold
+    assert cloth.vy[-1] == pytest.approx(-2.0 * 9.81 / 60.0)  # the hem has not felt the hold yet
+    assert np.abs(cloth.x - 0.01 * np.arange(cloth.x.shape[1])).max() < 1e-9
+
+
+def test_an_engine_has_the_same_chain():
+    pytest.importorskip("pymunk")
+    space, bodies = pymunk_chain()
+    assert len(bodies) == 101 and len(space.bodies) == len(space.constraints) == 100
+    assert [body.position.x for body in bodies[1:]] == pytest.approx(0.1 * np.arange(1, 101))
+
+
+def test_there_are_as_many_random_shots_as_are_wanted():
+    shots = random_shots(2, 3)
+    assert len(shots) == 3 and all(len(shot.balls) == 2 for shot in shots)
+
+
+def test_bodies_start_anew_in_every_run(monkeypatch):
+    monkeypatch.setattr(rigid, "batch", lambda: (np.zeros((2, 13)), np.zeros((2, 7)), np.zeros((2, 6))))
+    monkeypatch.setattr(rigid, "advance", lambda method, states, *others: states.__iadd__(1.0))
+    run, states = rigid.runner(rigid.METHODS[0])
+    for _ in range(2):
+        run()
+        assert (states == 1.0).all()
 
 
 def test_an_engine_steps_the_same_boxes():

@@ -9,6 +9,7 @@ from game.lab.studies.broadphase.count import count_study, work_study
 from game.lab.studies.broadphase.missed import meeting_times
 from game.lab.studies.broadphase.slabs import slabs_study
 from game.lab.studies.broadphase.speed import speed_study, swaps_study, sweep_study
+from game.lab.studies.broadphase.steps import Steps, tests_per_box
 from game.lab.studies.broadphase.workloads import (
     cell_cost_study,
     cell_size_study,
@@ -16,6 +17,7 @@ from game.lab.studies.broadphase.workloads import (
     ratio_study,
 )
 from game.lab.study import Outcome, Study
+from game.physics.broadphase.workloads import make_boxes
 
 ALL = (
     cell_size_study,
@@ -29,6 +31,32 @@ ALL = (
     work_study,
     slabs_study,
 )
+
+
+def test_boxes_come_to_their_places_in_motion_and_are_timed_from_there():
+    """Two steps ahead of it, then the places that are stated, then as many steps as are asked for."""
+    boxes = make_boxes("equal", 8, np.random.default_rng(0), (10.0, 10.0), 0.3, 1.0)
+    seen = []
+
+    class Phase:
+        tests = 24
+
+        def add_boxes(self, lowers, uppers):
+            return np.arange(len(lowers))
+
+        def update_boxes(self, ids, lowers, uppers):
+            assert np.allclose(uppers - lowers, boxes.uppers - boxes.lowers)
+            seen.append(float(((lowers - boxes.lowers) / boxes.velocities).mean()))
+
+        def pairs(self):
+            return [(0, 1)] * len(seen)
+
+    steps = Steps(Phase(), boxes, tests_per_box, steps=4, dt=0.5)
+    steps.reset()
+    assert seen == pytest.approx([-1.0, -0.5, 0.0])
+    steps.run()
+    assert seen[3:] == pytest.approx([0.5, 1.0, 1.5, 2.0])
+    assert steps.outcome() == Outcome(24 / 8, 7)
 
 
 def outcome(study: Study, method: str, knob: float) -> Outcome:

@@ -2,11 +2,13 @@
 
 import math
 import threading
+from types import SimpleNamespace
 
 import pytest
 
+from game.lab import runner
 from game.lab.runner import StoppedError, measure, measure_present, run_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study, StudyTable
+from game.lab.study import Knob, Method, Outcome, Row, Setting, Study, StudyTable
 
 
 class Halving:
@@ -78,6 +80,21 @@ def test_progress_is_told_before_each_point_and_at_the_end():
     assert told[-1] == (5, 5, "done", 0.0)
     assert math.isnan(told[0][3])
     assert all(news[3] >= 0.0 for news in told[1:])
+
+
+def test_what_is_left_is_guessed_by_the_weights_of_the_points(monkeypatch):
+    """Points that take as long as they weigh: what is told to be left is what comes."""
+    clock = SimpleNamespace(now=0.0)
+    monkeypatch.setattr(runner, "time", SimpleNamespace(perf_counter=lambda: clock.now))
+
+    def measured(study, setting, *others):
+        clock.now += 0.5 * setting.weight
+        return Row(setting.method, setting.knob, 1.0, 1.0, 1, "", {}, {})
+
+    monkeypatch.setattr(runner, "measure", measured)
+    told = []
+    run_study(make_study([], (1, 2, 3, 4)), lambda *news: told.append(news[3]))
+    assert math.isnan(told[0]) and told[1:] == [4.5, 3.5, 2.0, 0.0]
 
 
 def test_a_study_stopped_can_be_gone_on_with():

@@ -9,15 +9,32 @@ import pytest
 from game.lab import run_study
 from game.lab.studies.dominoes import LONGEST_S, STEP_S, DominoTrial
 from game.lab.studies.loops import EXACT, SMOOTH, comes_round
-from game.lab.studies.solids.laws import LAWS
-from game.lab.studies.solids.race import STUDIES, USES, law_study, present_solver, race_study
-from game.lab.study import Setting
-from game.physics.solids import SOLVERS
+from game.lab.studies.solids.laws import FRAME, LAWS
+from game.lab.studies.solids.race import STUDIES, USES, LawTrial, law_study, present_solver, race_study
+from game.lab.study import Outcome, Setting
+from game.physics.solids import SOLVERS, SolidSettings
 
 
 def of(study, methods):
     """The study with some of its methods' points."""
     return replace(study, settings=lambda: [s for s in study.settings() if s.method in methods])
+
+
+def test_a_trial_counts_the_sweeps_of_all_frames_and_names_its_failure():
+    law = LAWS["slope"]._replace(seconds=2.5, measure=lambda settings: 0.125)
+    trial = LawTrial(law, SolidSettings(), 8)
+    assert trial.simulated_s == 2.5
+    trial.run()
+    assert trial.outcome() == Outcome(0.125, round(2.5 * 8 / FRAME), "")
+
+    def refuse(settings):
+        raise ValueError("no")
+
+    for measure, failure in ((refuse, "refused"), (lambda settings: 1e9, "diverged")):
+        trial = LawTrial(law._replace(measure=measure), SolidSettings(), 8)
+        trial.run()
+        assert trial.outcome().failure == failure
+    assert LawTrial(law, SolidSettings(), 8).outcome().failure == "diverged"  # it has not run
 
 
 @pytest.mark.parametrize("law", ["slope", "slide-to-roll", "rolling"])

@@ -59,6 +59,11 @@ class Costs:
             row["tests"][test] = passed, seconds, sorted(calls)
         self.kept.write_text(json.dumps({"functions": self._names, "files": rows}))
 
+    def new_of(self, files: Iterable[str]) -> list[str]:
+        """Those files of which no test has run since they were changed."""
+        run = {test.split("::")[0] for test in self._tests}
+        return [file for file in files if file in self.files and file not in run]
+
     def known(self, test: str) -> Ran | None:
         """What is known of a test that passes without the compiler; None: it is not known to."""
         passed, seconds, calls = self._tests.get(test, (False, 0.0, frozenset()))

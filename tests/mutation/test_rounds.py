@@ -62,6 +62,15 @@ def test_what_calls_the_function_comes_first_and_what_fails_anyway_is_left_out(c
     assert costs.known(TESTS[2]) is None and costs.known(TESTS[3]) is None
 
 
+def test_a_file_is_new_until_one_of_its_tests_has_run(costs):
+    files = ["tests/a.py", "tests/b.py", "tests/gone.py"]
+    assert costs.new_of(files) == files[:2]
+    costs.learn([Ran(TESTS[3], True, 0.1, [])])
+    assert costs.new_of(files) == ["tests/a.py"]
+    learn(costs)
+    assert costs.new_of(files) == []
+
+
 def test_costs_are_kept_as_long_as_the_file_of_tests_is_the_same(costs, tmp_path):
     learn(costs)
     costs.save()

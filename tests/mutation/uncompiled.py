@@ -4,7 +4,8 @@
 
 is started by `python -m tests.mutation` in a copy of the checkout. A fork costs milliseconds where a new
 process costs seconds. Every run tells what a test costs and which functions it calls: with time the tests
-that call the changed function run first, the quickest foremost. What fails must pass without the fault.
+that call the changed function run first, the quickest foremost; those nearby that never ran are run once
+without the fault before. What fails must pass without the fault.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from tests.paths import ROOT
 # Seconds of processor time, but for those of a clock on the wall
 NEAR_S = 15.0  # for the tests nearby
 WIDE_S = 8.0  # for all others that call the function
+FILE_S, LEARN_S = 10.0, 60.0  # for the tests of a file that is new, and of all that are
 MORE_FILES = 2  # of the mirrored folder and of what stands on the module
 WAIT_S = 25  # on the wall for a test, which may wait for something
 WALL_S = 200.0  # on the wall for a fork, on a busy machine
@@ -73,6 +75,18 @@ class Judge:
                 self.costs.save()
         return True
 
+    def learn(self, files: list[str]) -> None:
+        """Run what is new among some files once without a fault: what a test costs and calls decides when it
+        is asked.
+        """
+        rest_s = LEARN_S
+        for file in self.costs.new_of(files):
+            left, limit_s = self.costs.files[file], min(FILE_S, rest_s)
+            while left and limit_s > 0.0 and (told := self._run(left, limit_s, None)):
+                self.costs.learn(told)
+                spent = sum(one.seconds for one in told)
+                limit_s, rest_s, left = limit_s - spent, rest_s - spent, left[len(told) :]
+
     def judge(self, sown: Sown) -> tuple[bool, str]:
         """Whether a fault is noticed, and by what."""
         path = ROOT / sown.path
@@ -85,6 +99,7 @@ class Judge:
             return False, "compiles to the same code"
         near = self.watchers.near(sown.module)
         folder = [file for file in self.watchers.folder(sown.module) if file not in near]
+        self.learn([*near, *folder[:MORE_FILES]])
         function = f"{sown.path}:{change.function}"
         ran: set[str] = set()
         for tests, limit_s in (

@@ -108,9 +108,10 @@ def test_points_that_come_to_stand_above_each_other(kind):
     ):
         for turn in range(4):
             points = np.array(places) @ np.linalg.matrix_power([[0.0, 1.0], [-1.0, 0.0]], turn)
-            build_tree(points, kind, 4).check()
-            for fit in FITS:
-                build_tree(points, kind, 1, fit=fit).check()
+            plain = build_tree(points, kind, 4)
+            for tree in (plain, *(build_tree(points, kind, 1, fit=fit) for fit in FITS)):
+                tree.check()
+                assert tree.segments == len(points) - 1
 
 
 @pytest.mark.parametrize("kind", ["obb", "capsule", "aabb"])

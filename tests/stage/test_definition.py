@@ -36,8 +36,8 @@ class Right(Scene):
 
 def test_a_scene_without_a_fault_is_opened():
     stage = Stage(Right)
-    stage.run(3)
-    stage.scene.check_strips()
+    assert stage.run(3) == 3 and stage.fault is None
+    assert stage.scene.check_strips() is None  # and nothing is raised
 
 
 def test_what_each_scene_defines_is_named():

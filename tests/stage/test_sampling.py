@@ -20,8 +20,8 @@ def test_a_run_that_was_stopped_is_sampled_from_its_next_step_on() -> None:
     stage = Stage(BouncingBall)
     made = stage.run(1_000_000, progress=lambda done, total: False)
     assert made < 1_000_000 and stage.series.times[-1] < stage.time_s
-    stage.run(4)
-    assert stage.series.times[-1] > stage.time_s - 4.0 * stage.dt
+    stage.run(1)
+    assert stage.series.times[-1] == stage.time_s
 
 
 def test_a_step_back_forgets_the_samples_since() -> None:

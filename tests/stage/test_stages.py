@@ -138,6 +138,12 @@ class TestStepLength:
         stage.advance(0.1)
         assert stage.step_number - before in (2, 3)
 
+    @pytest.mark.parametrize("speed", [0.25, 1.0, 4.0])
+    def test_so_many_seconds_go_by_for_one_that_passes(self, speed: float) -> None:
+        stage = Stage(BouncingBall)
+        stage.speed = speed
+        assert stage.advance(8.5 * stage.dt / speed) == 8
+
     def test_time_goes_on_from_where_it_was(self) -> None:
         stage = Stage(Cloud)
         stage.run(100)

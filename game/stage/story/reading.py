@@ -53,12 +53,6 @@ def stories_of(scene_type: type[Scene]) -> list[Story]:
     return own + [load_story(path, scene_type) for path in story_files(scene_type.name)]
 
 
-def story_names(scene_type: type[Scene]) -> list[str]:
-    """Names of all stories of a scene, without reading their files."""
-    files = [path.stem.removeprefix(PREFIX) for path in story_files(scene_type.name)]
-    return [story.name for story in scene_type.stories] + files
-
-
 def load_story(path: Path | str, scene_type: type[Scene]) -> Story:
     """The story in a file; LevelError."""
     path = Path(path)

@@ -105,6 +105,20 @@ class TestTheProcess:
         assert prepared == []
 
 
+def test_a_scene_is_ready_once_it_is_marked_and_notes_of_older_sources_go(monkeypatch, tmp_path):
+    monkeypatch.setenv("CAROM_CACHE_DIR", str(tmp_path))
+    entry, other = CATALOGUE["lecture-balls"], CATALOGUE["c04"]
+    notes = tmp_path / "ready"
+    notes.mkdir()
+    for name in (f"{entry.name}-older-sources", f"{other.name}-older-sources"):
+        (notes / name).touch()
+    assert not is_ready(entry) and not is_ready(other)
+    readiness.mark_ready(entry)
+    assert is_ready(entry) and not is_ready(other)
+    kept = sorted(note.name for note in notes.iterdir())
+    assert len(kept) == 2 and kept[0] == f"{other.name}-older-sources"
+
+
 def test_notes_name_the_sources_alone(shipped):
     """So that code for this processor, compiled in the background, makes a scene ready as ever."""
     entry = CATALOGUE["lecture-balls"]

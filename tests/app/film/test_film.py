@@ -16,8 +16,10 @@ from game.app.film.match_acts import (
     CUE_SHOWN,
     LEAST_S,
     LOOK_AHEAD_S,
+    LOOK_BACK_S,
     MARGIN,
     TITLE_S,
+    Act,
     acts_of,
     potted_at,
     what_matters,
@@ -28,6 +30,7 @@ from game.app.film.story_film import StoryFilm
 from game.app.film.video import VideoError, VideoWriter, check_video
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
 from game.billiards.game.summary import summarize
+from game.billiards.laws.state import BALL_POCKET
 from game.billiards.players.match import Match, Round
 from game.billiards.shot.physics import Physics
 from game.billiards.simulation import simulate
@@ -83,7 +86,28 @@ def test_what_matters_is_the_balls_of_the_chain_the_cue_before_the_hit_and_then_
             assert holds(falls - early, pocket)
         row = shot.ids.index(str(fallen.ball))
         for time in np.arange(act.hits, falls, 0.1).tolist():
-            assert holds(time, act.round.trajectory.state_at(time - act.hits).positions[row])
+            for ahead in (0.0, LOOK_AHEAD_S):
+                assert holds(time, act.round.trajectory.state_at(time + ahead - act.hits).positions[row])
+
+
+def test_the_picture_reaches_from_a_little_before_to_a_little_ahead():
+    """A ball that rolls evenly for 9 s: the box ends where it was and where it will be."""
+
+    def places(time):
+        return np.array([(0.5, 0.95), (0.3 + 0.02 * time, 0.4 + 0.2 * time)])
+
+    shot = SimpleNamespace(ids=("0", "5"), table=Table.pool(), positions=places(0.0))
+    trajectory = SimpleNamespace(
+        shot=shot, rows=np.array([(9.0, BALL_POCKET, 1, 2)]), end_time=9.0,
+        state_at=lambda time: SimpleNamespace(positions=places(time)),
+    )  # fmt: skip
+    fallen = SimpleNamespace(chain=(5,), ball=5, pocket=2)
+    act = Act(SimpleNamespace(trajectory=trajectory, fallen=fallen), 0.0, 1.0, 12.0, None)
+    now = 3.0
+    low, high = what_matters(act, act.hits + now)
+    assert high[1] == pytest.approx(places(now + LOOK_AHEAD_S)[1, 1] + MARGIN)
+    assert low == pytest.approx(places(now - LOOK_BACK_S).min(axis=0) - MARGIN)
+    assert high[0] == pytest.approx(0.5 + MARGIN)
 
 
 def test_the_story_of_a_match_says_what_fell_and_holds():

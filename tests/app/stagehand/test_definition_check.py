@@ -12,7 +12,7 @@ from tests.stage.example_scene import BouncingBall
 
 
 def test_a_scene_without_a_fault():
-    check_definition(BouncingBall)
+    assert check_definition(BouncingBall) is None  # and nothing is raised
 
 
 def test_a_key_that_is_taken():

@@ -101,6 +101,59 @@ def test_ball_ball_keeps_momentum_and_never_gains_energy(model, v, w, mass_ratio
         assert parting == pytest.approx(wanted, rel=1e-12, abs=1e-13)
 
 
+def _slip(state, n3):
+    """Slip (3,) m/s of the surface of ball 0 on that of ball 1, and spins times radii."""
+    v = np.array([[*state[VX : VY + 1, k], 0.0] for k in range(2)])
+    turning = np.array([state[RADIUS, k] * state[WX : WZ + 1, k] for k in range(2)])
+    slip = v[0] - v[1] + np.cross(turning.sum(axis=0), n3)
+    return slip - (slip @ n3) * n3, turning
+
+
+@pytest.mark.parametrize("radii", [(BALL_RADIUS, BALL_RADIUS), (BALL_RADIUS, 0.8 * BALL_RADIUS)])
+@settings(max_examples=25)
+@given(
+    st.floats(0.1, 8.0), st.floats(-1.4, 1.4), st.tuples(*[spins] * 6), st.floats(0.2, 5.0),
+    st.floats(0.0, 6.3),
+)  # fmt: skip
+def test_friction_is_an_impulse_against_the_slip_and_its_moment_turns_both_balls(
+    radii, speed, cut, w, mass_ratio, angle
+):
+    """Vectors in space, written anew: after Newton's law along n, P against the slip that is left, and
+    I_k dw_k = r_k n x P of both balls; n is tilted where one is larger.
+    """
+    masses = (BALL_MASS, BALL_MASS * mass_ratio)
+    v = (speed * math.cos(angle + cut), speed * math.sin(angle + cut))
+    before, after, n = _collide(
+        "frictional", [v, (0.0, 0.0)], [w[:3], w[3:]], masses, radii, angle, ball_friction=0.3,
+        ball_restitution=0.9,
+    )  # fmt: skip
+    pushed = before.copy()
+    impulse = 1.9 * (np.array(v) @ n) / (1.0 / masses[0] + 1.0 / masses[1])
+    pushed[VX : VY + 1] += impulse * n[:, None] * (-1.0 / masses[0], 1.0 / masses[1])
+    sine = (radii[1] - radii[0]) / (radii[0] + radii[1])
+    n3 = np.array([*(math.sqrt(1.0 - sine * sine) * n), sine])
+    slip, turning = _slip(pushed, n3)
+    moments = 0.4 * np.array(masses)[:, None] * (_slip(after, n3)[1] - turning)
+    assert moments[0] == pytest.approx(moments[1], rel=1e-9, abs=1e-13)
+    across = np.array([-n[1], n[0], 0.0])
+    assume(abs(slip @ across) > 1e-3)
+    given_to_0 = masses[0] * (after[VX : VY + 1, 0] - pushed[VX : VY + 1, 0])
+    share = (given_to_0 @ across[:2]) / (slip @ across)
+    assert share <= 0.0
+    assert moments[0] == pytest.approx(np.cross(n3, share * slip), rel=1e-6, abs=1e-9)
+
+
+@pytest.mark.parametrize("model", [name for name in BALL_MODELS if name != "elastic"])
+def test_balls_that_do_not_slip_are_not_rubbed(model):
+    """Head on and without spin: Newton's law of restitution alone, and not a number that is none."""
+    _, after, _ = _collide(
+        model, [(2.0, 0.0), (0.0, 0.0)], np.zeros((2, 3)), [BALL_MASS] * 2, [BALL_RADIUS] * 2, 0.0,
+        ball_restitution=0.8,
+    )  # fmt: skip
+    assert after[VX] == pytest.approx((0.2, 1.8), rel=1e-14)
+    assert np.array_equal(after[VY], (0.0, 0.0)) and not after[WX : WZ + 1].any()
+
+
 def test_half_ball_hit():
     """30 degrees, e = 0.95: speeds, angle between the balls, share of the energy kept."""
     n = np.array([math.cos(math.pi / 6), math.sin(math.pi / 6)])

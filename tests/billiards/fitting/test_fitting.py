@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ from game.billiards.fitting.fitting import (
     split,
 )
 from game.billiards.fitting.made import MadeShot, as_fitted, make_tracks
-from game.billiards.fitting.strokes import EVERYTHING, Bench, root_mean_squares
+from game.billiards.fitting.strokes import EVERYTHING, Bench, first_guess, root_mean_squares
 from game.billiards.fitting.tables import START_OF_CAROM, FittedTable, TableSearch, resting_places, target_of
 from game.billiards.fitting.tracks import TableSize, Track, TrackedShot, TrackFile
 from game.billiards.laws.contacts import CUSHION_MODELS
@@ -67,6 +68,17 @@ def test_the_true_stroke_explains_a_track_without_noise() -> None:
         assert max(root_mean_squares(sums[0])) < 1e-9
         assert costs[0] < 1e-12
         assert sums[0, :, 2].tolist() == [len(track.times) for track in one.tracked.tracks]
+
+
+@pytest.mark.parametrize(("way", "before"), [(0.0, 0.0), (0.06, 0.03), (0.3, 0.04)])
+def test_the_first_guess_begins_when_the_ball_began_to_roll(way: float, before: float) -> None:
+    """At its second sample it has come so far, at 2 m/s: it set out before that, but at most 40 ms."""
+    times = 0.2 + np.array([-0.2, 0.0, 0.05, 0.1])
+    gone = np.array([0.0, way, way + 0.1, way + 0.2])
+    samples = np.column_stack([times, 0.5 + 0.6 * gone, 0.5 + 0.8 * gone])
+    guess = first_guess(SimpleNamespace(ranges=np.array([[0, 4]]), samples=samples))
+    assert guess[:2] == pytest.approx((math.atan2(0.8, 0.6), 2.0))
+    assert guess[4] == pytest.approx(0.2 - before)
 
 
 def test_errors_are_those_of_a_trajectory_asked_at_each_sample(made: list[MadeShot]) -> None:

@@ -27,6 +27,7 @@ from game.billiards.game.games import CombinationMatch, Drill, EightBall, NineBa
 from game.billiards.game.goals import Goal, Pot
 from game.billiards.game.rules import Call
 from game.billiards.table.rack import BALL_RADIUS as R
+from game.billiards.table.table import checked_table
 
 POOL = Table.pool()
 SPOT = (0.5 * POOL.width, 0.75 * POOL.length)
@@ -40,6 +41,14 @@ def overlap(layout):
             reach = 2.0 * math.sqrt(layout.radii[a] * layout.radii[b])
             worst = max(worst, reach - math.dist(layout.positions[a], layout.positions[b]))
     return worst
+
+
+def test_the_bed_lies_within_the_innermost_straight_rails():
+    x0, y0, x1, y1 = 0.1, 0.2, 0.9, 1.7  # of a table of 1 m by 2 m
+    rails = [(x0, y0, x0, y1, 1, 0), (x1, y1, x1, y0, -1, 0), (x1, y0, x0, y0, 0, 1), (x0, y1, x1, y1, 0, -1)]
+    nothing = np.empty((0, 3))
+    table = checked_table(1.0, 2.0, 0.04, np.array(rails, dtype=float), nothing, nothing)
+    assert bed_for(table, 0.03) == pytest.approx((x0 + 0.03, x1 - 0.03, y0 + 0.03, y1 - 0.03))
 
 
 def test_balls_by_number():

@@ -14,10 +14,12 @@ from game.billiards.laws.contacts import chatter
 from game.billiards.laws.state import (
     BALL_CUSHION,
     MASS,
+    MET,
     NORMAL_Y,
     PHYSICS_COLUMNS,
     RADIUS,
     RAIL_COUNT,
+    REPEATS,
     VX,
     VY,
     WX,
@@ -72,6 +74,18 @@ def test_two_balls_separate_at_the_cost_of_their_spin(first, second, spin, other
         assert energy(state) == pytest.approx(energy_before, rel=1e-9) or was < 0.0
     across = np.array((-ny, nx))
     assert across @ state[VX : VY + 1] == pytest.approx(across @ before[VX : VY + 1], abs=1e-15)
+
+
+def test_a_contact_is_counted_whichever_ball_is_named_first():
+    end_chatter = getattr(impacts.end_chatter, "py_func", impacts.end_chatter)
+    state, pairs = np.zeros((ROWS, 3)), np.full((3, 3, 3), -1.0)
+    soon = 0.5 * impacts.CHATTER_TIME
+    for count, (i, j, now) in enumerate([(0, 2, 1.0), (2, 0, 1.0 + soon), (0, 2, 1.0 + 2.0 * soon)]):
+        assert not end_chatter(state, pairs, i, j, 1.0, 0.0, now)
+        assert pairs[REPEATS, 0, 2] == pairs[REPEATS, 2, 0] == count
+        assert pairs[MET, 0, 2] == pairs[MET, 2, 0] == now
+    end_chatter(state, pairs, 2, 0, 1.0, 0.0, 1.0 + 4.0 * impacts.CHATTER_TIME)
+    assert pairs[REPEATS, 0, 2] == pairs[REPEATS, 2, 0] == 0.0
 
 
 def test_a_ball_parts_from_a_rail():

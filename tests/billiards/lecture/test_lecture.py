@@ -27,13 +27,17 @@ from game.billiards.lecture.settings import (
 from game.billiards.lecture.state import (
     BALL_COLLISIONS,
     EVENT_CAPACITY,
+    EVENTS,
+    EVENTS_LOST,
     LECTURE_EFFECTS,
     POCKETS,
     ROLLING,
     WALLS,
+    Journal,
     geometry_of,
 )
 from game.billiards.lecture.table import LectureTable, warm_ups
+from game.billiards.lecture.walls import report
 from game.billiards.table.rack import BALL_MASS, eight_ball_rack
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.billiards.table.table import Table
@@ -332,6 +336,15 @@ def test_a_step_allocates_nothing():
             balls.step(FRAME)
         counts.append(rtsys.get_allocation_stats().alloc - before)
     assert counts[0] == counts[1]
+
+
+def test_what_the_list_has_no_room_for_is_counted():
+    journal = Journal(np.zeros((2, 8)), np.zeros(8, np.int64))
+    for number in range(5):
+        report(journal, np.int64(1), number, -1, 0.5 * number, 1.0, 2.0, 3.0, 4.0)
+    assert journal.counters[EVENTS] == 2
+    assert journal.counters[EVENTS_LOST] == 3
+    assert journal.events[:, 1].tolist() == [0.0, 1.0]
 
 
 def test_counters_and_bounded_events():

@@ -7,7 +7,7 @@ import pytest
 
 from game.billiards.rhythm.candidates import EXTRA, FARTHEST_MISS, STROKE, Candidates, are_apart
 from game.billiards.rhythm.hearing import clicks_of
-from game.billiards.rhythm.search import MOST_BEATS, RhythmSearch, check_beats, rhythm_of
+from game.billiards.rhythm.search import MOST_BEATS, Rhythm, RhythmSearch, check_beats, rhythm_of
 from game.billiards.shot.physics import Physics
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
@@ -25,6 +25,15 @@ def test_every_beat_has_its_impact_to_rounding(found):
     assert found is not None and found.extras == 0
     assert max(map(abs, found.misses)) < 1e-9
     assert len(found.impacts) == len(BEATS)
+
+
+@pytest.mark.parametrize(("impacts", "extras"), [(1, 0), (2, 0), (5, 3)])
+def test_the_cost_is_the_mean_miss_capped_and_what_every_extra_impact_costs(impacts, extras):
+    misses = (0.01, -0.02, 10.0 * FARTHEST_MISS)
+    made = Rhythm(None, (0.0, 0.5), tuple(0.1 * k for k in range(impacts)), misses, (), 1.0)
+    mean = math.sqrt((0.01**2 + 0.02**2 + FARTHEST_MISS**2) / 3.0)
+    assert made.extras == extras
+    assert made.cost == pytest.approx(mean + extras * EXTRA, rel=1e-12)
 
 
 def test_the_shot_played_again_is_heard_the_same(found):

@@ -48,7 +48,7 @@ def bits(rows):
 
 
 def check_against_referee(layout, strokes, outcomes):
-    """Every outcome says what `summarize` says of the same stroke played alone."""
+    """Every outcome says what `summarize` says of the same stroke played alone; how many were compared."""
     row_of = {number: row for row, number in enumerate(layout.numbers)}
     for s, stroke in enumerate(strokes.tolist()):
         trajectory = simulate(layout.shot(POOL, PHYSICS, Stroke(*stroke)))
@@ -75,19 +75,20 @@ def check_against_referee(layout, strokes, outcomes):
         assert (outcomes.places[s, down] == NOWHERE).all() and (histories[:, POCKET] >= 0).sum() == len(
             down
         ) + summary.cue_pocketed
+    return len(strokes)
 
 
 @pytest.mark.parametrize("count", [2, 16])
 def test_outcomes_are_those_of_the_referee(count):
     layout = scattered(count, count)
     strokes = random_strokes(count, 60)
-    check_against_referee(layout, strokes, Board(layout, POOL).play(strokes))
+    assert check_against_referee(layout, strokes, Board(layout, POOL).play(strokes)) == 60
 
 
 def test_outcomes_with_unlike_balls_some_of_which_are_down():
     layout = scattered(5, 16, unlike_balls(1)).without(2, 3, 9)
     strokes = random_strokes(3, 40)
-    check_against_referee(layout, strokes, Board(layout, POOL).play(strokes))
+    assert check_against_referee(layout, strokes, Board(layout, POOL).play(strokes)) == 40
 
 
 def test_outcomes_of_breaks():

@@ -209,6 +209,11 @@ def test_catmull_rom_with_points_in_one_place():
         assert CatmullRom([(1, 1)] * 3, kind).length == 0.0
 
 
+def test_one_point_is_no_curve():
+    with pytest.raises(ValueError, match=r"^points: expected two or more, not"):
+        CatmullRom([(0.0, 0.0)])
+
+
 @pytest.mark.parametrize(
     "make",
     [

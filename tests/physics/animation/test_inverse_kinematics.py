@@ -200,3 +200,19 @@ def test_a_joint_at_its_limit_and_pulled_beyond_takes_no_part(side):
         turn = float(j @ e) / ((0.4 * 1.8) ** 2 + float(j @ j))  # the damping is over the reach
         assert skeleton.angles[1] == 0.5 * side
         assert (abs(skeleton.angles[0] - 0.2 * side - turn) < 1e-12) == alone
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_reaching_within_limits_never_ends_farther_away(seed):
+    """Where a limit holds a link back, a pass may lead away from the target: then another way is taken."""
+    rng = np.random.default_rng(seed)
+    for _ in range(12):
+        skeleton = Skeleton(
+            [-1, 0, 1], [1.0, 0.8, 0.6], rng.uniform(-0.4, 0.4, 3), lower=[-0.5] * 3, upper=[0.5] * 3
+        )
+        target = rng.uniform(-2.0, 2.0, 2)
+        for _ in range(3):
+            before = math.dist(skeleton.ends[2], target)
+            solve_ik(skeleton, (0, 2), target, "fabrik", 1e-12, 1)
+            assert math.dist(skeleton.ends[2], target) <= before + 1e-12
+            assert np.abs(skeleton.angles).max() <= 0.5

@@ -46,6 +46,7 @@ def test_volumes_hold_segments_that_are_a_line_but_for_rounding(kind, extent):
             line[-1] * random.normal() + extent * 1e-13, 0.0 if kind == "aabb" else random.normal(0, 1e-12)
         )
         query.check()
+        assert query.volume_tests >= 1
 
 
 def arc(n, radius, start=0.3, sweep=math.pi / 2):

@@ -268,6 +268,19 @@ def test_what_falls_ends_on_the_ground_and_children_keep_the_depth():
     assert system.stars("dust")[steps.VX, 0] == 3.0
 
 
+@pytest.mark.parametrize("height", [0.37, 1.03, 2.9, 7.77, 11.3])
+def test_what_lands_is_on_the_ground_to_the_last_bit(height):
+    kinds = [
+        Kind("star", life_s=99.0, reports=True, births=(Birth("hit", "dust"),)),
+        Kind("dust", life_s=99.0, weight=0.0, grounded=False),
+    ]
+    system = StarSystem(kinds, ground=-3.1)
+    system.launch("star", (0.0, -3.1 + height), (3.0, 0.4))
+    while not len(system.stars("dust")[0]):
+        system.step(0.07)
+    assert system.reports[-1][4] == -3.1
+
+
 def test_an_updraught_carries_smoke_upwards():
     smoke = Kind("smoke", life_s=99.0, linear_drag_per_s=1e6, grounded=False)
     for method in ("split-drag", "rk4"):

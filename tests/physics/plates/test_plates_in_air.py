@@ -356,3 +356,28 @@ def test_what_is_not_finite_is_found_at_the_end_of_the_step():
 def test_columns_of_the_law():
     world = Plates([Plate(0.02, 1.1, 0.05)], [(0.0, 0.0, 0.0)])
     assert world.laws[MASS_Y, 0] == pytest.approx(2.1) and world.laws[WEIGHT, 0] == pytest.approx(1.05)
+
+
+@pytest.mark.parametrize(("effects", "fast"), [(FLIGHT, 0.0), (FLIGHT, 0.5), (EffectSet([GRAVITY]), 2.0)])
+def test_leaves_of_all_kinds_fly_as_each_would_alone(effects, fast):
+    """To the last bit, with as many substeps as each needs: no lane reads another's numbers."""
+    random = np.random.default_rng(8)
+    kinds = [
+        Plate(float(a), float(i), 0.05, curl=0.2, bend_hz=float(f))
+        for a, i, f in zip(
+            10.0 ** random.uniform(-2.3, -1.0, 6), 10.0 ** random.uniform(-1.5, 0.8, 6),
+            random.uniform(1.0, 40.0, 6), strict=True,
+        )
+    ]  # fmt: skip
+    places = random.uniform(-1.0, 1.0, (6, 3))
+    speeds = fast * random.standard_normal((2, 6))
+
+    def flown(chosen):
+        world = Plates([kinds[k] for k in chosen], places[chosen], effects=effects)
+        world.rows[[VX, VY]] = speeds[:, chosen]
+        world.step(1.0 / 60.0)
+        return world.rows
+
+    together = flown(np.arange(6))
+    for k in range(6):
+        assert np.array_equal(together[:, k], flown(np.array([k]))[:, 0]), k

@@ -174,9 +174,9 @@ def test_small_moments_keep_their_digits():
     ("arguments", "words"),
     [
         (([], [], 1.0), "positions"),
-        (([(0, 0)], [0.0], 1.0), "radii"),
-        (([(0, 0)], [-1.0], 1.0), "radii"),
-        (([(0, 0)], [1.0], 0.0), "density"),
+        (([(0, 0)], [0.0], 1.0), "^radii: must"),
+        (([(0, 0)], [-1.0], 1.0), "^radii: must"),
+        (([(0, 0)], [1.0], 0.0), "^density: must"),
         (([(0, 0)], [1.0], math.nan), "density"),
         (([(0, math.inf)], [1.0], 1.0), "positions"),
         (([(0, 0), (1, 1)], [1.0], 1.0), "radii"),

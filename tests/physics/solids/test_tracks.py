@@ -386,3 +386,20 @@ def test_a_ball_of_nonsense_is_refused(options):
     given = {"radius": 0.1, **options}
     with pytest.raises(ValueError, match=next(iter(options))):
         TrackWorld().add_ball((0.0, 0.0), **given)
+
+
+def test_a_ball_rolls_under_an_overhang_and_stays_there():
+    """A slope of 30 degrees and a wall that leans over it by 26: both press, one from above."""
+    slope, wall, r = math.radians(150.0), math.radians(116.0), 0.2  # directions from the corner, up
+    ways = [np.array([math.cos(turn), math.sin(turn)]) for turn in (slope, wall)]
+    world = world_of([3.0 * ways[0], -0.3 * ways[0]], [-0.1 * ways[1], 2.0 * ways[1]])
+    middle = 0.5 * (slope + wall)
+    rest = r / math.sin(0.5 * (slope - wall)) * np.array([math.cos(middle), math.sin(middle)])
+    ball = world.add_ball(rest + 0.2 * ways[0] + (0.0, 0.01), r, friction=0.5)
+    run(world, 0.7)
+    assert world.balls.pieces[ball, WEDGE] != FREE
+    place = world.balls.rows[ball, [X, Y]].copy()
+    assert place == pytest.approx(rest, abs=1e-6)
+    run(world, 0.1)
+    assert np.array_equal(world.balls.rows[ball, [X, Y]], place)
+    assert not world.balls.rows[ball, [VX, VY, SPIN]].any()

@@ -92,6 +92,20 @@ def test_undo_goes_back_before_the_stroke_with_the_same_aim():
     assert any("undo" in text for text in scene.messages())
 
 
+def test_undo_twice_aims_as_the_stroke_before_the_last_did():
+    stage = straight_pot()
+    scene, strokes = stage.scene, []
+    for turn, power in ((0.4, 0.5), (2.0, 0.8)):
+        aim(stage, turn)
+        stage.post(SetParameter("power", power))
+        strokes.append(scene.aiming.stroke)
+        stage.post(Action("strike"))
+        until_aiming(stage)
+    for stroke in reversed(strokes):
+        stage.post(Action("undo"))
+        assert scene.aiming.stroke == pytest.approx(stroke)
+
+
 def test_a_stroke_can_be_skipped_to_its_end():
     stage = straight_pot()
     scene = stage.scene

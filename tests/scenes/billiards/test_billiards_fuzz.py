@@ -93,7 +93,7 @@ def test_random_sequences_lose_no_ball(seed):
 @pytest.mark.parametrize("path", level_files("billiards"), ids=lambda path: path.stem)
 def test_every_level_opens(path):
     stage = open_level(path.stem)
-    stage.run(3)
+    assert stage.run(3) == 3 and stage.fault is None
     check_balls(stage)
 
 

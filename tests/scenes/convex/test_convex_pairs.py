@@ -41,6 +41,14 @@ def draw(stage, points):
     click(stage, points[0])
 
 
+@pytest.mark.parametrize("missing", [(), (0,), (1,), (0, 1)])
+def test_a_pair_is_ready_with_two_polygons_and_not_with_fewer(missing):
+    model = still(VClip).scene.model
+    model.shape = lambda index, whole=model.shape: None if index in missing else whole(index)
+    assert model.ready == (not missing)
+    assert (model.shapes() is None) == bool(missing)
+
+
 @each
 def test_every_level_steps_restores_and_steps_again(scene_type, path):
     stage = stage_of(scene_type, path)

@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 
 from game.levels import format_level, level_files, load_level, parse_level
+from game.physics.effects import EffectSet
 from game.scenes.domino.course import Standing
 from game.scenes.domino.level import DominoContent
+from game.scenes.domino.model import BODY, STRUCK, STRUCK_ANGLE
 from game.scenes.domino.scene import Domino
 from game.scenes.domino.tables import TALL
 from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, Stage
@@ -48,6 +50,19 @@ def read(stage: Stage) -> dict[str, float]:
 def click(stage: Stage, x: float, y: float, button: int = 1, shift: bool = False) -> None:
     stage.post(Pointer("down", x, y, button, shift=shift))
     stage.post(Pointer("up", x, y, button))
+
+
+@pytest.mark.parametrize("spin", [0.7, -1.9])
+def test_a_domino_that_turns_evenly_has_left_its_place_at_the_angle_over_the_rate(spin: float) -> None:
+    """Between two steps: linear interpolation is exact for it."""
+    stage = row_of(2, "")
+    model = stage.scene.model
+    model.world.set(effects=EffectSet([]))
+    model.world.set_velocity(int(model.dominoes[1, BODY]), (0.0, 0.0), spin)
+    for _ in range(8):
+        model.advance(0.01)
+    assert model.dominoes[1, STRUCK] == pytest.approx(STRUCK_ANGLE / abs(spin), rel=1e-6)
+    assert model.dominoes[0, STRUCK] < 0.0
 
 
 def drag(stage: Stage, start: tuple[float, float], end: tuple[float, float]) -> None:

@@ -297,6 +297,15 @@ def test_constant_speed():
     assert np.ptp(scene.model.animation().speeds) > 10.0
 
 
+def test_the_motion_is_eased_as_its_picture_says():
+    """Where the box is at half the time: what the curve says that is drawn, and what CSS says of "ease"."""
+    stage = open_level(KeyFraming, "default")
+    for easing, half in (("linear", 0.5), ("ease", 0.80240339)):
+        stage.post(SetParameter("easing", easing))
+        animation = stage.scene.model.animation()
+        assert float(animation.easing(0.5)) == pytest.approx(half, abs=1e-7)
+
+
 def test_easing_and_a_timing_curve_of_ones_own():
     stage = open_level(KeyFraming, "hard-07-steep-timing", playing=False)
     scene = stage.scene

@@ -143,6 +143,7 @@ def test_a_concession_is_asked_once_and_a_claim_is_not():
     assert stage.scene.model.game.winner is None and stage.scene.hand.buttons()[3][1] == "Sure?"
     press_button(stage, "concede")
     assert stage.scene.model.game.winner == 1
+    assert [button[0] for button in stage.scene.hand.buttons()] == ["undo", "replay", "view", "rack"]
     press_button(stage, "rack")
     state = stage.scene.model.game
     assert state.winner is None and state.won == (0, 1) and state.turn == 1
@@ -157,6 +158,8 @@ def test_the_board_says_what_is_on_what_is_left_and_who_needs_snookers():
     assert board.on == "brown on" and board.left == "22 left" and board.chip == BROWN
     assert "needs 2 snookers" in board.cards[0].status and "needs" not in board.cards[1].status
     assert (board.cards[0].points, board.cards[1].points) == ("38", "68")
+    shown = {readout.name: readout.value for readout in stage.scene.readouts()}
+    assert shown == {"break": 0, "points left": 22, "energy": 0, "cue ball": 0, "events": 0, "shot": 0}
 
 
 def test_match_and_referee_follow_the_parameters():

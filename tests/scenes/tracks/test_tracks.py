@@ -9,7 +9,7 @@ from game.levels import level_files
 from game.physics.solids.tracks.motion import FREE, PIECE, SPEED, VY, X, Y
 from game.scenes.shared.expectations import captions_of
 from game.scenes.tracks.scene import Tracks
-from game.stage import SetParameter, Stage
+from game.stage import Pointer, SetParameter, Stage
 from tests.scenes.particle_stages import move, open_level, press, readouts, release
 
 SECONDS = {"default": 6.5, "hard-01-loop-of-fifty-chords": 6.5, "bowl": 4.0, "cylinder": 3.0, "race": 2.0,
@@ -72,6 +72,17 @@ def test_a_track_is_drawn_and_carries_a_ball():
     assert len(model.world.curves) == before + 1
     assert model.world.track_of(1) == before
     assert model.world.balls.rows[1, SPEED] != 0.0
+
+
+def test_a_drawing_that_is_cancelled_is_no_track():
+    stage = open_level(Tracks, "bowl", tool="draw")
+    before = len(stage.scene.model.world.curves)
+    press(stage, (-2.0, -0.2))
+    for x in np.linspace(-1.9, 2.0, 20):
+        move(stage, (x, -0.2))
+    stage.post(Pointer("cancel", 0.0, 0.0))
+    release(stage, (2.0, -0.2))
+    assert len(stage.scene.model.world.curves) == before
 
 
 def test_a_ball_in_the_hand_stays_there_and_then_falls():

@@ -67,6 +67,16 @@ def test_a_second_broken_file_does_not_replace_the_first(home):
     assert (home / "practice.broken2.json").read_text() == "broken 1"
 
 
+def test_where_no_name_is_left_the_last_broken_file_is_replaced(home):
+    names = [f"practice.broken{number}.json" for number in ("", *range(2, history.MOST_BROKEN + 1))]
+    for name in names:
+        (home / name).write_text(f"earlier {name}")
+    write("broken at last")
+    assert names[-1] in keep_set(ONE)
+    assert (home / names[-1]).read_text() == "broken at last"
+    assert all((home / name).read_text() == f"earlier {name}" for name in names[:-1])
+
+
 def test_a_file_of_a_later_version_is_left_as_it_is(home):
     later = json.dumps({"format": 2, "sessions": [1, 2, 3]})
     write(later)

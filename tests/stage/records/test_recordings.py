@@ -69,6 +69,13 @@ class TestRoundTrip:
     def test_digests_are_kept_on_the_way(self) -> None:
         assert [check.step for check in played().recording.checks] == [CHECK_INTERVAL, 2 * CHECK_INTERVAL]
 
+    def test_a_digest_belongs_to_the_step_it_was_taken_at(self) -> None:
+        stage = Stage(BouncingBall)
+        stage.run(CHECK_INTERVAL)
+        assert [check.step for check in stage.recording.checks] == [CHECK_INTERVAL]
+        stage.step_back()
+        assert stage.recording.checks == []
+
     def test_the_level_travels_in_it(self, tmp_path: Path) -> None:
         content = CloudContent(points=[(1.0 / 3.0, -2.5e-17), (1e100 * 1e-99, 5.0)], speed=0.1)
         level = Level(scene="cloud", title="Two", seed=12, parameters={"births": 0.25}, content=content)

@@ -118,7 +118,7 @@ class TestHostileTexts:
         begin = text.rfind(".") + 1
         for place in range(begin, len(text) - 1):
             wrong = "A" if text[place] != "A" else "B"
-            self.refused(text[:place] + wrong + text[place + 1 :])
+            assert self.refused(text[:place] + wrong + text[place + 1 :])
 
     def test_one_that_is_cut(self) -> None:
         text = text_of(played().recording)

@@ -196,6 +196,27 @@ def test_grid_spacing_is_round_and_just_large_enough(least):
     assert min(abs(mantissa - m) for m in (1.0, 2.0, 5.0, 10.0)) < 1e-6
 
 
+@pytest.mark.parametrize("labels", ["x", "y"])
+def test_numbers_of_the_grid_keep_clear_of_what_covers_the_edges(monkeypatch, labels):
+    canvas = begun((600, 400), Frame(-3.0, -2.0, 3.0, 2.0))
+    canvas.insets = left, top, right, bottom = 50, 40, 60, 30
+    drawn = []
+    monkeypatch.setattr(type(canvas.fonts), "draw", lambda self, onto, text, at, *rest: drawn.append(text))
+    canvas.grid(0.1, labels)
+    k, places = canvas.k, {}
+    for number in range(-30, 31):
+        x, y = canvas.camera.to_screen(0.1 * number, 0.1 * number)
+        clear = (
+            left + 24 * k < int(x) < 600 - right - 64 * k if labels == "x"
+            else top + 24 * k < int(y) < 400 - bottom - 8 * k
+        )  # fmt: skip
+        places[number] = clear
+    assert [round(10.0 * float(text.split()[0].replace("\N{MINUS SIGN}", "-"))) for text in drawn] == [
+        number for number, clear in places.items() if clear
+    ]
+    assert 5 < len(drawn) < 55
+
+
 def test_what_is_drawn_within_a_box_stays_in_it():
     canvas = begun()
     with canvas.within((-0.5, -0.5), (0.5, 0.2)):
