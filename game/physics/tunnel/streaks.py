@@ -60,10 +60,12 @@ class Rake:
             self.specks[:, 0, 0] = grid.lower[0]
             self.specks[:, 0, 1] = self.heights
 
-    def lines(self) -> tuple[Floats, Floats]:
-        """Starts and ends (n, 2) m of the pieces between neighbours that have not been torn apart."""
-        a, b = self.specks[:, :-1], self.specks[:, 1:]
-        way = b - a
-        near = (way * way).sum(axis=2) < 16.0 * self.spacing * self.spacing
-        whole = near & (a[..., 0] >= 0.0) & (b[..., 0] >= 0.0)
-        return a[whole], b[whole]
+    def lines(self) -> Floats:
+        """(nozzles, length, 2) m: the specks of each nozzle in their order, NaN where a line is torn."""
+        found = self.specks.copy()
+        way = found[:, 1:] - found[:, :-1]
+        torn = (way * way).sum(axis=2) > 16.0 * self.spacing * self.spacing
+        torn |= found[:, 1:, 0] < 0.0
+        found[:, 1:][torn] = np.nan
+        found[found[..., 0] < 0.0] = np.nan
+        return found

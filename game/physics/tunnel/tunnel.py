@@ -22,6 +22,7 @@ Floats = NDArray[np.float64]
 WALLS = ("slip", "open", "no-slip")
 PROFILES = ("even", "parabolic")
 MARGIN = 4.0  # cells from the outline's reach to the box whose momentum is booked
+ROUNDING = 1e-6  # cells: so that the box is as far from the outline below as above
 MOST_CELLS = 1 << 20
 RANGES = {
     "cells": (2.0, 400.0), "width": (0.1, 1e3), "height": (0.1, 1e3), "wind": (0.0, 1e3),
@@ -51,7 +52,7 @@ class TunnelSettings:
     profile: str = "even"
     courant: float = 0.8
     turns: int = 6
-    tolerance: float = 1e-5
+    tolerance: float = 1e-4
     advection: str = "time-centred"
     nudge: float = 0.05
     effects: EffectSet = TUNNEL.known
@@ -184,8 +185,8 @@ class Tunnel:
         h, (x, y) = self.grid.cell, self.settings.place
         far = outline.reach + MARGIN * h
         box = (
-            math.floor((x - far) / h), math.ceil((x + far) / h), math.floor((y - far) / h),
-            math.ceil((y + far) / h),
+            math.floor((x - far) / h + ROUNDING), math.ceil((x + far) / h - ROUNDING),
+            math.floor((y - far) / h + ROUNDING), math.ceil((y + far) / h - ROUNDING),
         )  # fmt: skip
         if not (2 <= box[0] and box[1] <= self.grid.nx - 2 and 2 <= box[2] and box[3] <= self.grid.ny - 2):
             raise ValueError(

@@ -24,9 +24,8 @@ def draw_flights(
 ) -> None:
     """All that fly; what falls out below comes in again above, in the picture only."""
     flights = model.flights
-    down, across = np.linspace(1.0, 0.0, 24), np.linspace(-1.0, 1.0, 16)
-    light = np.exp(-1.8 * (1.0 - down[::-1]))[:, None] * np.exp(-0.9 * across * across)[None]
-    canvas.field(light, (box.left, box.bottom), (box.right, box.top), ((0.0, "stage"), (1.0, "panel")))
+    corners = ((box.left, box.bottom), (box.right, box.bottom), (box.right, box.top), (box.left, box.top))
+    canvas.polygon(np.array(corners), "panel", 0.7)
     scale = (box.right - box.left) / (WIDE * flights.half)
     poses = flights.poses()
     if previous is not None and len(flights.kinds) == previous.flashes.shape[2]:
@@ -48,12 +47,11 @@ def _poses_of(state: FlightsState) -> Floats:
     return np.asarray(found)
 
 
-def _place(pose: Floats, box: Frame, scale: float) -> tuple[float, float]:
-    """Of a pose in the picture, come round at both sides and at the bottom."""
-    wide, tall = box.right - box.left, box.top - box.bottom
-    x = 0.5 * wide + scale * float(pose[0])
-    y = (1.0 - START) * tall + scale * float(pose[1])
-    return box.left + x % wide, box.bottom + y % tall
+def _places(poses: Floats, box: Frame, scale: float) -> Floats:
+    """Of poses (n, 3) in the picture (n, 2), come round at both sides and at the bottom."""
+    size = np.array((box.right - box.left, box.top - box.bottom))
+    start = size * (0.5, 1.0 - START)
+    return np.asarray((box.left, box.bottom) + np.mod(start + scale * poses[:, :2], size))
 
 
 def _outline(model: WindTunnelModel, pose: Floats, box: Frame, scale: float) -> Floats:
@@ -62,7 +60,7 @@ def _outline(model: WindTunnelModel, pose: Floats, box: Frame, scale: float) -> 
     corners = made.corners * (2.0 * model.flights.half * scale / made.chord)
     c, s = math.cos(float(pose[2])), math.sin(float(pose[2]))
     x, y = corners[:, 0], corners[:, 1]
-    at = _place(pose, box, scale)
+    at = _places(pose[None], box, scale)[0]
     return np.stack([at[0] + c * x - s * y, at[1] + s * x + c * y], axis=1)
 
 
@@ -77,7 +75,7 @@ def _draw_flashes(canvas: Canvas, model: WindTunnelModel, box: Frame, scale: flo
             poses = flights.flashes[chosen, :, k]
             if not len(poses):
                 continue
-            at = np.array([_place(pose, box, scale) for pose in poses])
+            at = _places(poses, box, scale)
             way = half * np.stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])], axis=1)
             canvas.segments(at - way, at + way, COLORS[kind], 1.3, 0.16 + 0.16 * part)
 

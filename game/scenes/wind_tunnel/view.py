@@ -19,7 +19,7 @@ SPEED = ((0.0, "violet"), (0.28, "stage"), (0.6, "stage"), (0.8, "body"), (1.0, 
 SIGNED = ((0.0, "vermilion"), (0.5, "stage"), (1.0, "chalk"))
 PRESSURE = ((0.0, "chalk"), (0.5, "stage"), (1.0, "vermilion"))
 FASTEST, STEEPEST = 1.6, 6.0  # of the wind, and of wind over chord: drawn in the last colour
-ARROW = 0.55  # chords that a coefficient of 1 is long
+ARROW = 1.0  # chords that a coefficient of 1 is long
 WORDS = {
     "smoke": "", "speed": "0 to 1.6 of the wind", "vorticity": "−6 to 6 of wind over chord",
     "pressure": "−1 to 1 of the wind's own",
@@ -71,10 +71,9 @@ class WindTunnelView:
             canvas.field(0.5 + 0.5 * gas.pressure / (0.5 * pace * pace), *corners, PRESSURE)
 
     def _draw_smoke(self, canvas: Canvas) -> None:
-        starts, ends = self.model.rake.lines()
         plain = self.model.parameters.view == "smoke"
-        if len(starts):
-            canvas.segments(starts, ends, "text1", 1.5 if plain else 1.1, 0.75 if plain else 0.42)
+        for line in self.model.rake.lines():
+            canvas.polyline(line, "text1", 1.6 if plain else 1.2, alpha=0.8 if plain else 0.45)
 
     def _draw_shape(self, canvas: Canvas) -> None:
         tunnel = self.model.tunnel
