@@ -24,6 +24,7 @@ THIN = 0.08  # of the chord: thickness of plate and leaf
 CAMBER = 0.14  # of the chord: how far a leaf is arched
 MOST_CORNERS = 400
 LEAST_CHORD, MOST_CHORD = 1e-3, 1e3  # m
+ON_IT = 1e-9  # of an edge: how near a point lies on it, and has the edge's normal
 ALIKE = 1e-6  # of the chord: corners that close are one
 
 
@@ -159,7 +160,7 @@ def outline_distances(corners, points, found):
         far = math.sqrt(best)
         sign = -1.0 if inside else 1.0
         found[k, 0] = sign * far
-        if far > 0.0:
+        if far > ON_IT * math.sqrt(ex * ex + ey * ey):
             found[k, 1], found[k, 2] = sign * bx / far, sign * by / far
         else:
             length = math.sqrt(ex * ex + ey * ey)
