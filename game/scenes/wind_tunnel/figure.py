@@ -31,6 +31,8 @@ def draw_forces(pen: Pen) -> None:
     pen.arrow(middle, (238.0, middle[1]), "vermilion", 2.4)
     pen.formula("C_D", 244.0, 96.0, "vermilion")
     pen.arc(middle, 40.0, 200.0, 320.0, "violet", 2.2)
+    end = (middle[0] + 40.0 * math.cos(math.radians(200.0)), middle[1] - 40.0 * math.sin(math.radians(200.0)))
+    dot(pen, end, "violet", 3.4)
     pen.formula("C_M", 134.0, 172.0, "violet")
     dot(pen, middle, "amber", 3.4)
 
@@ -45,5 +47,5 @@ def draw_box(pen: Pen) -> None:
     for y, long in ((52.0, 38.0), (80.0, 22.0), (104.0, 10.0), (128.0, 22.0), (156.0, 38.0)):
         pen.arrow((234.0, y), (238.0 + long, y), "accent", 1.6)
     pen.arrow((134.0, 104.0), (190.0, 104.0), "vermilion", 2.4)
-    pen.formula(r"F = - \dot{P} - \oint (\v{u} u_n + p \v{n} - \tau)", 148.0, 192.0)
+    pen.formula(r"F = - \dot{P} - \int (\v{u} u_n + p \v{n} - \tau)", 148.0, 192.0)
     pen.words("what is held changes by what crosses the sides", 148.0, 18.0, "text2")

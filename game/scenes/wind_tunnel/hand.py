@@ -13,8 +13,9 @@ from game.scenes.wind_tunnel.model import WindTunnelModel
 from game.stage import Part, Pointer
 
 Floats = NDArray[np.float64]
-FINE = 0.006  # of the tunnel's height: a drawn line keeps what is farther off than that
+FINE = 0.0015  # of the tunnel's height: a drawn line keeps what is farther off than that
 MOST_POINTS = 2_000
+BACK = 0.25  # of how far a line went from its beginning: nearer than that it has come back
 
 
 class WindTunnelHand(Part):
@@ -71,8 +72,10 @@ class WindTunnelHand(Part):
 
 
 def closed_path(points: Floats) -> Floats:
-    """A drawn line (n, 2) m up to where, in its second half, it comes nearest to its beginning."""
+    """A drawn line (n, 2) m up to where, in its second half, it comes back to its beginning, if it does."""
     away = points - points[0]
+    squares = (away * away).sum(axis=1)
     middle = len(points) // 2
-    nearest = middle + int(np.argmin((away[middle:] * away[middle:]).sum(axis=1)))
-    return points[: nearest + 1]
+    nearest = middle + int(np.argmin(squares[middle:]))
+    came_back = squares[nearest] < BACK * BACK * float(np.max(squares))
+    return points[: nearest + 1] if came_back else points

@@ -62,8 +62,8 @@ class WindTunnel(ModelScene):
     equations = (
         Equation("Coefficients", r"C_D = \frac{2 F_x}{\rho U^2 c}, C_L = \frac{2 F_y}{\rho U^2 c}, "
                  r"C_M = \frac{2 M}{\rho U^2 c^2}"),  # fmt: skip
-        Equation("Along the wall", r"\v{F} = \oint (\tau - p \v{n})", "pressure and friction"),
-        Equation("Momentum book", r"\v{F} = - \dot{\v{P}} - \oint (\v{u} u_n + p \v{n} - \tau)",
+        Equation("Along the wall", r"\v{F} = \int (\tau - p \v{n})", "pressure and friction"),
+        Equation("Momentum book", r"\v{F} = - \dot{\v{P}} - \int (\v{u} u_n + p \v{n} - \tau)",
                  "over the sides of a box"),  # fmt: skip
         Equation("Series", r"C = a_0 + \sum a_k \cos k \alpha + b_k \sin k \alpha",
                  "as Martin, Umetani and Bickel 2015, in the plane"),  # fmt: skip
