@@ -1,4 +1,4 @@
-"""A wind tunnel on the grid of the gas: forces on any outline, measured twice, and flight by what was measured."""
+"""A wind tunnel on the grid of the gas: forces on any outline, measured twice, and flight by them."""
 
 from game.physics.tunnel.effects import TUNNEL
 from game.physics.tunnel.fit import PlateFit, SeriesFit, fit_plate, fit_series

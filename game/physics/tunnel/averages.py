@@ -1,4 +1,4 @@
-"""Means of measured coefficients over a time, once the flow has settled: spread, drift, and the wake's beat."""
+"""Means of measured coefficients over a time, once the flow has settled: spread, drift, the wake's beat."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STEADY = 0.005  # a spread of the lift below which it does not beat
 
 
 class Mean(NamedTuple):
-    """wall: mean of drag, lift and moment by pressure and friction; spread: their standard deviations in time;
+    """wall: mean of drag, lift and moment by pressure and friction; spread: their deviations in time;
     book: means by the momentum book; drift: half of how far the drag's mean of the first half of the time
     lies from that of the second; strouhal: beats of the lift, times chord over wind, 0 where fewer than two
     whole ones were seen, or it hardly swings; seconds: that were averaged.

@@ -62,7 +62,7 @@ class TunnelOutline(NamedTuple):
 
 
 def outline_of(points: ArrayLike, chord: float = 0.0) -> TunnelOutline:
-    """An outline through points (n, 2) m, whichever way round. chord: m, 0: the longest way between two corners.
+    """An outline through points (n, 2) m, whichever way round. chord: m, 0: the longest way across.
 
     ValueError, in one line, for what encloses no area, crosses itself, has too many corners or no length.
     """
@@ -98,7 +98,9 @@ def shape_named(name: str, chord: float = 1.0) -> TunnelOutline:
     """One of SHAPES; ValueError for others. An aerofoil is NACA's 4412 (Jacobs, Ward and Pinkerton 1933)."""
     if name == "disc":
         turn = 2.0 * math.pi * np.arange(ROUND) / ROUND
-        return outline_of(0.5 * chord * np.stack([elementwise.cos(turn), elementwise.sin(turn)], axis=1), chord)
+        return outline_of(
+            0.5 * chord * np.stack([elementwise.cos(turn), elementwise.sin(turn)], axis=1), chord
+        )
     if name == "square":
         half = 0.5 * chord
         return outline_of([(-half, -half), (half, -half), (half, half), (-half, half)], chord)
@@ -138,7 +140,7 @@ def _arched(count: int = 16) -> Floats:
 
 @kernel
 def outline_distances(corners, points, found):
-    """Write (n, 3): signed distance (m, negative inside) of points (n, 2) m, and the normal there, outwards."""
+    """Write (n, 3): signed distance (m, negative inside) of points (n, 2) m, and the outward normal."""
     count = corners.shape[0]
     for k in range(points.shape[0]):
         x, y = points[k, 0], points[k, 1]

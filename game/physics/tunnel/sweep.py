@@ -43,11 +43,12 @@ class SweepPlan(NamedTuple):
         gaps = last - first
         count = min(self.checks, gaps)
         between = [math.floor((k + 0.5) * gaps / count) + 0.5 for k in range(count)]
-        return step * np.arange(first, last + 1), step * (first + np.array(between).reshape(-1))
+        fitted = step * np.arange(first, last + 1).astype(np.float64)
+        return fitted, step * (first + np.array(between, dtype=np.float64))
 
 
 class Sweep:
-    """``table`` (n, COLUMNS): one row for each angle; ``at`` (2,): the row that is measured, 1 while it runs."""
+    """``table`` (n, COLUMNS): a row for each angle; ``at`` (2,): which is measured, 1 while it runs."""
 
     def __init__(self) -> None:
         self.table: Floats = np.zeros((0, COLUMNS))
@@ -100,7 +101,7 @@ class Sweep:
 
 
 def with_images(rows: Floats, outline: TunnelOutline) -> tuple[Floats, Floats]:
-    """Angles (n,) in (-pi, pi] and coefficients (n, 3) of rows, and of their images by the outline's symmetry.
+    """Angles (n,) in (-pi, pi] and coefficients (n, 3) of rows and of their images by symmetry.
 
     Mirrored, drag is even, lift and moment are odd in the angle; after half a turn all are the same.
     """

@@ -140,7 +140,9 @@ class Tunnel:
         """(ny, 2) m/s of what flows in."""
         tall = self.grid.ny * self.grid.cell
         y = (np.arange(self.grid.ny) + 0.5) * self.grid.cell
-        shape = 6.0 * y * (tall - y) / (tall * tall) if self.settings.profile == "parabolic" else np.ones_like(y)
+        shape = (
+            6.0 * y * (tall - y) / (tall * tall) if self.settings.profile == "parabolic" else np.ones_like(y)
+        )
         return np.stack([self.settings.wind * shape, np.zeros_like(y)], axis=1)
 
     @property
@@ -188,7 +190,7 @@ class Tunnel:
             math.floor((x - far) / h + ROUNDING), math.ceil((x + far) / h - ROUNDING),
             math.floor((y - far) / h + ROUNDING), math.ceil((y + far) / h - ROUNDING),
         )  # fmt: skip
-        if not (2 <= box[0] and box[1] <= self.grid.nx - 2 and 2 <= box[2] and box[3] <= self.grid.ny - 2):
+        if not (box[0] >= 2 and box[1] <= self.grid.nx - 2 and box[2] >= 2 and box[3] <= self.grid.ny - 2):
             raise ValueError(
                 f"shape: it reaches {outline.reach:.3g} m from its middle, too near to the tunnel's walls"
             )
@@ -219,7 +221,7 @@ class Tunnel:
 
     def _fix_near(self) -> None:
         """Viscosity, implicit within a step, takes the faces that stick as given too."""
-        index, drag = self._near.index, self.gas.solids.drag
+        index, drag = self._near.faces, self.gas.solids.drag
         for component, free in enumerate((drag.free_u, drag.free_v)):
             chosen = index[index[:, 0] == component]
             free[chosen[:, 1], chosen[:, 2]] = 0.0
@@ -246,7 +248,7 @@ class Tunnel:
 
     def _stick(self) -> None:
         near = self._near
-        stick(self.gas.u, self.gas.v, near.index, near.rows, near.room)
+        stick(self.gas.u, self.gas.v, near.faces, near.rows, near.room)
 
     def _hold(self, out: Floats) -> None:
         (x, y), h, faces = self.settings.place, self.grid.cell, self.gas.faces
@@ -277,7 +279,7 @@ class Tunnel:
     def forces(self) -> Forces:
         """What was measured in the last step."""
         row = self.reading.tolist()
-        return Forces(tuple(row[0:3]), tuple(row[3:6]), tuple(row[6:9]))  # type: ignore[arg-type]
+        return Forces(tuple(row[0:3]), tuple(row[3:6]), tuple(row[6:9]))
 
     def state(self) -> TunnelState:
         """All that later steps depend on."""

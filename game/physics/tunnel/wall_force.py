@@ -28,7 +28,7 @@ PRESSURE_X, PRESSURE_Y, FRICTION_X, FRICTION_Y, PRESSURE_TURN, FRICTION_TURN = r
 
 
 def wall_points(outline: PlacedOutline, grid: Grid) -> Floats:
-    """(n, 6): place m, outward normal, length m of the outline that it stands for, share of both distances."""
+    """(n, 6): place m, outward normal, length m that it stands for, share of both distances."""
     h = grid.cell
     corners = outline.corners
     following = np.roll(corners, -1, axis=0)

@@ -10,7 +10,7 @@ WIND_TUNNEL = Entry(
     category="Papers",
     module="game.scenes.wind_tunnel.scene",
     class_name="WindTunnel",
-    keywords="aerodynamics drag lift torque moment polar angle of attack omniad aerofoil strouhal vortex street",
+    keywords="aerodynamics drag lift torque moment polar attack omniad aerofoil strouhal vortex street",
     card="draw_tunnel",
 )
 ENTRIES = (WIND_TUNNEL,)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.tunnel.sweep import ANGLE, DRAG, LIFT, MOMENT, SPREAD
+from game.physics.tunnel.sweep import ANGLE, DRAG, SPREAD
 from game.scenes.wind_tunnel.model import WindTunnelModel
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
@@ -36,7 +36,7 @@ def axis_of(values: Floats) -> Axis:
 
 def draw_curves(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
     """Dots that were measured, the series through them, the plates' law dashed, checks as rings."""
-    rows, checks = model._chosen(model.sweep.measured()), model._chosen(model.sweep.measured(True))
+    rows, checks = model.chosen_rows(model.sweep.measured()), model.chosen_rows(model.sweep.measured(True))
     angles, values = model.samples()
     axis = axis_of(values)
     span = 180.0 if not len(angles) or np.max(np.abs(angles)) > 0.51 * math.pi else 90.0
@@ -50,7 +50,10 @@ def draw_curves(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
     with canvas.within((box.left, box.bottom), (box.right, box.top)):
         _draw_fits(canvas, model, placed, math.radians(span))
         for k, color in enumerate(COLORS):
-            for at, dots, strength in ((angles, values[:, k], 0.35), (rows[:, ANGLE], rows[:, DRAG + k], 1.0)):
+            for at, dots, strength in (
+                (angles, values[:, k], 0.35),
+                (rows[:, ANGLE], rows[:, DRAG + k], 1.0),
+            ):
                 for place in placed(at, dots).tolist():
                     canvas.dot(place, 3.0, color, strength)
             spread = rows[:, SPREAD + k]
@@ -148,6 +151,3 @@ def draw_polar(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
             mean = model.mean()
             drag, lift, _ = mean.book if model.parameters.measure == "book" else mean.wall
             canvas.ring(tuple(placed(np.array([drag]), np.array([lift]))[0]), 6.0, "amber", 2.0)
-
-
-__all__ = ["DRAG", "LIFT", "MOMENT", "axis_of", "draw_curves", "draw_polar"]

@@ -51,7 +51,8 @@ def _places(poses: Floats, box: Frame, scale: float) -> Floats:
     """Of poses (n, 3) in the picture (n, 2), come round at both sides and at the bottom."""
     size = np.array((box.right - box.left, box.top - box.bottom))
     start = size * (0.5, 1.0 - START)
-    return np.asarray((box.left, box.bottom) + np.mod(start + scale * poses[:, :2], size))
+    corner = np.array((box.left, box.bottom))
+    return np.asarray(corner + np.mod(start + scale * poses[:, :2], size))
 
 
 def _outline(model: WindTunnelModel, pose: Floats, box: Frame, scale: float) -> Floats:

@@ -1,4 +1,4 @@
-"""Three that fall side by side: by the plates' law as it is, by that law fitted, and by the measured series."""
+"""Three that fall side by side: by the plates' law as it is, by that law fitted, by the measured series."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ DEFAULT, FITTED, SERIES = range(3)
 
 
 class FlightsState(NamedTuple):
-    """plates; coefficients (3, k) and row (6,) of the flight by the series, (3, 0) for none; flashes (FLASHES,
-    3, n) x, y, angle; clock (2,): s, flashes so far.
+    """plates; coefficients (3, k) and row (6,) of the flight by the series, (3, 0) for none; flashes
+    (FLASHES, 3, n) x, y, angle; clock (2,): s, flashes so far.
     """
 
     plates: PlateState

@@ -37,8 +37,8 @@ SPACING = 0.02  # of the tunnel's height, between specks of smoke
 
 
 class WindTunnelState(NamedTuple):
-    """tunnel; mean: the row of `Average`; table and at of `Sweep`; specks and since of `Rake`; flights; counts
-    (2,): shapes that were refused, sweeps that were completed.
+    """tunnel; mean: the row of `Average`; table and at of `Sweep`; specks and since of `Rake`; flights;
+    counts (2,): shapes that were refused, sweeps that were completed.
     """
 
     tunnel: TunnelState
@@ -146,7 +146,7 @@ class WindTunnelModel(Part):
         return True
 
     def draw_outline(self, points: ArrayLike) -> bool:
-        """A drawn shape (n, 2) m, its middle where the tunnel holds it; False, and a message, if it cannot be."""
+        """A drawn shape (n, 2) m, where the tunnel holds it; False, and a message, if it cannot be."""
         try:
             outline = outline_of(points)
         except ValueError as error:
@@ -195,7 +195,7 @@ class WindTunnelModel(Part):
         self.turn(self.parameters.attack)
         self.launch()
 
-    def _chosen(self, rows: Floats) -> Floats:
+    def chosen_rows(self, rows: Floats) -> Floats:
         """Rows of the table with what is to be fitted in the columns of the wall's forces."""
         if self.parameters.measure == "book":
             rows = rows.copy()
@@ -204,7 +204,7 @@ class WindTunnelModel(Part):
 
     def samples(self, checks: bool = False) -> tuple[Floats, Floats]:
         """Angles (n,) rad and coefficients (n, 3) that were measured, images by symmetry among them."""
-        return with_images(self._chosen(self.sweep.measured(checks)), self.tunnel.outline)
+        return with_images(self.chosen_rows(self.sweep.measured(checks)), self.tunnel.outline)
 
     def _fit(self) -> None:
         key = (self.sweep.table.tobytes(), self.parameters.measure, int(self.parameters.order))
@@ -229,8 +229,8 @@ class WindTunnelModel(Part):
         return self._plate_fit
 
     def check_error(self) -> tuple[float, float]:
-        """Root mean square of the series' error in drag and lift where it was given nothing; 0 for no checks."""
-        rows = self._chosen(self.sweep.measured(True))
+        """Root mean square of the series' error in drag and lift at the checks; 0 for none."""
+        rows = self.chosen_rows(self.sweep.measured(True))
         series = self.series
         if series is None or not len(rows):
             return 0.0, 0.0

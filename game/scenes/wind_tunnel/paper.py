@@ -9,7 +9,7 @@ from time import process_time
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.studies.wind_tunnel import CHANNEL_DRAG, channel
+from game.lab.studies.flow.wind_tunnel import CHANNEL_DRAG, channel
 from game.physics.kernels import elementary, elementwise
 from game.physics.plates import Plate
 from game.physics.tunnel import (
@@ -45,8 +45,8 @@ def _law(plate: Plate) -> SeriesFit:
 
 
 def measured_plate() -> tuple[SeriesFit, Floats, Floats]:
-    """A plate on a coarse grid: the series through its angles, errors at the checks (drag, lift) of series and
-    plates' law."""
+    """A plate on a coarse grid: the series through its angles, errors at the checks (drag, lift) of series
+    and plates' law."""
     outline, sweep = shape_named("plate"), Sweep()
     following: float | None = sweep.begin(outline, SweepPlan(ANGLES, CHECKS))
     tunnel, average = Tunnel(outline, COARSE), Average(SETTLE, WINDOW)
@@ -79,8 +79,8 @@ def _measure() -> Iterator[Comparison]:
         steps += 1
     cost, mean = (process_time() - start) / steps, average.mean()
     yield Comparison(
-        f"drag of a cylinder on 8 cells where it is {CHANNEL_DRAG:.2f} (Schäfer and Turek 1996), by the momentum "
-        "book and along the wall", "", f"{mean.book[0]:.2f}, {mean.wall[0]:.2f}",
+        f"drag of a cylinder on 8 cells where it is {CHANNEL_DRAG:.2f} (Schäfer and Turek 1996), by the "
+        "momentum book and along the wall", "", f"{mean.book[0]:.2f}, {mean.wall[0]:.2f}",
     )  # fmt: skip
     series, by_series, by_law = measured_plate()
     yield Comparison(
@@ -195,8 +195,8 @@ OMNIAD = Paper(
     limits=(
         "Ours is a plane, at Reynolds numbers of tens to hundreds, on a grid whose walls stand near; what "
         "flies takes the coefficients of that Reynolds number. What is measured at rest knows nothing of the "
-        "lift and drag on a spin, which are the plates' law's. A force that depends on the wind of this moment "
-        "alone has no memory: vortices that were shed before, and may come back, are left out, here and there.",
+        "lift and drag on a spin, which are the plates' law's. A force that depends on the wind of this "
+        "moment alone has no memory: vortices that were shed before, and may come back, are left out.",
     ),
     after=(
         "Flow and forces about a shape that is still being drawn, learnt from many simulations (Umetani and "

@@ -17,7 +17,9 @@ class WindTunnelParameters(Parameters):
 
     tool = Choice("turn", ("turn", "draw"), labels=("Turn", "Draw"), group="Shape",
                   help="what a drag does; the right button draws in any case")  # fmt: skip
-    shape = Choice("aerofoil", (*SHAPES, "drawn"), group="Shape", help="in the wind; chord 1 m, or as it is drawn")
+    shape = Choice(
+        "aerofoil", (*SHAPES, "drawn"), group="Shape", help="in the wind; chord 1 m, or as it is drawn"
+    )
     attack = Param(15.0, -180.0, 180.0, unit="°", group="Shape", label="Angle of attack",
                    help="how far its nose, at the left, is raised")  # fmt: skip
     reynolds = Param(200.0, 1.0, 2_000.0, log=True, group="Wind", label="Reynolds number",
@@ -33,7 +35,7 @@ class WindTunnelParameters(Parameters):
     pace = Param(2, 1, 16, whole=True, log=True, group="Grid", label="Steps at once",
                  help="of the gas in a step of the scene: how fast the tunnel runs")  # fmt: skip
     measure = Choice("book", ("book", "wall"), labels=("momentum", "wall"), group="Measured", label="Fitted",
-                     help="what the curves are made of: the momentum book, or pressure and friction")  # fmt: skip
+                     help="what the curves are made of: momentum, or pressure and friction")  # fmt: skip
     settle = Param(8.0, 0.0, 200.0, unit="c/U", group="Measured", label="Settling",
                    help="time that is waited for after a turn, in chords that the wind goes")  # fmt: skip
     window = Param(12.0, 0.1, 400.0, unit="c/U", log=True, group="Measured", label="Averaged",
@@ -47,7 +49,7 @@ class WindTunnelParameters(Parameters):
     inertia = Param(1.4, 1.02, 50.0, log=True, group="Flight", label="Inertia",
                     help="mass of what flies, over that of the air in a circle about its chord")  # fmt: skip
     half_chord = Param(0.05, 0.005, 0.5, unit="m", log=True, group="Flight", label="Half chord",
-                       help="of what flies; its coefficients are those of the tunnel's Reynolds number")  # fmt: skip
+                       help="of what flies, by the coefficients of the tunnel's Reynolds number")  # fmt: skip
     view = Choice("speed", VIEWS, group="Shown", label="Air")
     streaks = Toggle(True, group="Shown", help="smoke from nozzles across the inflow")
     forces = Toggle(True, group="Shown", help="drag, lift and moment, as means")

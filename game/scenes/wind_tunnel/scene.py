@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from game.lab.studies.wind_tunnel import drag_study
+from game.lab.studies.flow.wind_tunnel import drag_study
 from game.levels import Level
-from game.physics.tunnel import TUNNEL
+from game.physics.tunnel import SHAPES, TUNNEL
 from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.scenes.shared.model_scene import ModelScene
 from game.scenes.wind_tunnel import WIND_TUNNEL
@@ -60,15 +60,27 @@ class WindTunnel(ModelScene):
         Strip("Fall", "m/s", ("descent, law", "descent, fitted law", "descent, measured")),
     )
     equations = (
-        Equation("Coefficients", r"C_D = \frac{2 F_x}{\rho U^2 c}, C_L = \frac{2 F_y}{\rho U^2 c}, "
-                 r"C_M = \frac{2 M}{\rho U^2 c^2}"),  # fmt: skip
+        Equation(
+            "Coefficients",
+            r"C_D = \frac{2 F_x}{\rho U^2 c}, C_L = \frac{2 F_y}{\rho U^2 c}, "
+            r"C_M = \frac{2 M}{\rho U^2 c^2}",
+        ),
         Equation("Along the wall", r"\v{F} = \int (\tau - p \v{n})", "pressure and friction"),
-        Equation("Momentum book", r"\v{F} = - \dot{\v{P}} - \int (\v{u} u_n + p \v{n} - \tau)",
-                 "over the sides of a box"),  # fmt: skip
-        Equation("Series", r"C = a_0 + \sum a_k \cos k \alpha + b_k \sin k \alpha",
-                 "as Martin, Umetani and Bickel 2015, in the plane"),  # fmt: skip
-        Equation("Plates' law", r"C_D = A - B \cos 2 \alpha, C_L = C_T \sin 2 \alpha",
-                 "Andersen, Pesavento and Wang 2005"),  # fmt: skip
+        Equation(
+            "Momentum book",
+            r"\v{F} = - \dot{\v{P}} - \int (\v{u} u_n + p \v{n} - \tau)",
+            "over the sides of a box",
+        ),
+        Equation(
+            "Series",
+            r"C = a_0 + \sum a_k \cos k \alpha + b_k \sin k \alpha",
+            "as Martin, Umetani and Bickel 2015, in the plane",
+        ),
+        Equation(
+            "Plates' law",
+            r"C_D = A - B \cos 2 \alpha, C_L = C_T \sin 2 \alpha",
+            "Andersen, Pesavento and Wang 2005",
+        ),
     )
     try_this = (
         "Draw a shape with the right button, press S, and watch it fly when the sweep is done.",
@@ -125,9 +137,8 @@ class WindTunnel(ModelScene):
         elif name == "fly":
             model.launch()
         elif name == "next-shape":
-            names = [shape for shape in type(self.parameters).shape.options if shape != "drawn"]
-            at = names.index(self.parameters.shape) if self.parameters.shape in names else -1
-            self.parameters.shape = names[(at + 1) % len(names)]
+            at = SHAPES.index(self.parameters.shape) if self.parameters.shape in SHAPES else -1
+            self.parameters.shape = SHAPES[(at + 1) % len(SHAPES)]
             model.change_parameter("shape")
 
     def messages(self) -> Sequence[str]:

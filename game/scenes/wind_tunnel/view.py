@@ -1,4 +1,4 @@
-"""How the tunnel is drawn: the air, the smoke, the shape, what is measured of it; charts and flights beside."""
+"""How the tunnel is drawn: the air, the smoke, the shape, what is measured; charts and flights beside."""
 
 from __future__ import annotations
 
@@ -83,7 +83,9 @@ class WindTunnelView:
         chord = tunnel.outline.chord
         c, s = math.cos(tunnel.attack), -math.sin(tunnel.attack)
         reach = 0.75 * max(chord, 2.0 * tunnel.outline.reach)
-        canvas.line((x - reach * c, y - reach * s), (x + reach * c, y + reach * s), "text3", 1.0, dash=(5.0, 5.0))
+        canvas.line(
+            (x - reach * c, y - reach * s), (x + reach * c, y + reach * s), "text3", 1.0, dash=(5.0, 5.0)
+        )
         canvas.line((x - 1.1 * reach, y), (x, y), "text3", 1.0, dash=(2.0, 5.0))
         if self.model.parameters.box:
             h = tunnel.grid.cell

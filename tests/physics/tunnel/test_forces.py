@@ -66,11 +66,14 @@ def test_an_even_slope_of_pressure_lifts_by_the_displaced_area(name):
 def test_the_moment_of_pressure_turns_the_right_way():
     """Pressure below the right half of a square's lower side turns it anticlockwise."""
     p, u, v = fields(lambda x, y: np.where((y < AT[1] - 0.45) & (x > AT[0]), 1.0, 0.0), zero, zero)
-    assert summed(shape_named("square"), p, u, v, attack=0.0)[PRESSURE_TURN] == pytest.approx(0.125, abs=0.035)
+    assert summed(shape_named("square"), p, u, v, attack=0.0)[PRESSURE_TURN] == pytest.approx(
+        0.125, abs=0.035
+    )
 
 
 def test_air_that_turns_about_a_disc_drags_it_round():
     """u_t = r - R outside: the shear at the wall is 1, the moment nu 2 pi R²; the disc's corners cost 1 %."""
+
     def away(x, y):
         return np.sqrt((x - AT[0]) ** 2 + (y - AT[1]) ** 2)
 
@@ -88,9 +91,22 @@ def test_air_that_turns_about_a_disc_drags_it_round():
 
 
 def test_a_wall_point_in_a_bay_looks_less_far():
-    made = outline_of([(-.5, -.5), (.5, -.5), (.5, -.1), (-.3, -.1), (-.3, .1), (.5, .1), (.5, .5), (-.5, .5)])
+    made = outline_of(
+        [
+            (-0.5, -0.5),
+            (0.5, -0.5),
+            (0.5, -0.1),
+            (-0.3, -0.1),
+            (-0.3, 0.1),
+            (0.5, 0.1),
+            (0.5, 0.5),
+            (-0.5, 0.5),
+        ]
+    )
     points = wall_points(PlacedOutline(made.placed(0.0, AT)), GRID)
-    assert points[:, LENGTH].sum() == pytest.approx(1.0 + 1.0 + 1.0 + 4 * 0.4 - 0.2 - 0.2 + 1.8 - 1.2 + 0.2, abs=1.0)
+    assert points[:, LENGTH].sum() == pytest.approx(
+        1.0 + 1.0 + 1.0 + 4 * 0.4 - 0.2 - 0.2 + 1.8 - 1.2 + 0.2, abs=1.0
+    )
     assert points[:, SHARE].min() < 0.5 and points[:, SHARE].max() == 1.0
     inner = np.abs(points[:, 1] - AT[1]) < 0.11
     assert (points[inner & (np.abs(points[:, NORMAL_X]) < 0.5), SHARE] < 1.0).all()
@@ -104,9 +120,9 @@ def book(p, u, v, box, viscosity=0.0, at=AT, grid=GRID):
 
 def test_an_even_wind_and_an_even_shear_leave_nothing_in_a_box():
     box = (5, 41, 7, 39)
-    assert book(*fields(zero, lambda x, y: 1.5 + zero(x, y), lambda x, y: 0.5 + zero(x, y)), box) == pytest.approx(
-        np.zeros(3), abs=1e-12
-    )
+    assert book(
+        *fields(zero, lambda x, y: 1.5 + zero(x, y), lambda x, y: 0.5 + zero(x, y)), box
+    ) == pytest.approx(np.zeros(3), abs=1e-12)
     steady = book(*fields(zero, lambda x, y: y, zero), box, viscosity=0.7)
     assert steady[:2] == pytest.approx(np.zeros(2), abs=1e-12)
     # tau is symmetric: no moment either
@@ -118,8 +134,10 @@ def test_a_flow_towards_a_stagnation_point_balances_in_the_second_order():
     errors = []
     for n in (1, 2):
         grid = Grid(40 * n, 40 * n, 0.1 / n)
+
         def pressure(x, y):
             return -0.5 * ((x - 1.3) ** 2 + (y - 1.7) ** 2)
+
         made = fields(pressure, lambda x, y: x - 1.3, lambda x, y: -(y - 1.7), grid)
         found = book(*made, (8 * n, 33 * n, 6 * n, 30 * n), 0.4, (2.0, 2.0), grid)
         errors.append(float(np.max(np.abs(found))))
@@ -152,7 +170,7 @@ def test_faces_near_a_wall_take_the_parabola_from_it_and_faces_inside_stand_stil
 
     _, u, v = fields(zero, flow, zero)
     wanted = u.copy()
-    stick(u, v, near.index, near.rows, near.room)
+    stick(u, v, near.faces, near.rows, near.room)
     x, y = GRID.u_places()
     over = (np.abs(x - AT[0]) < 0.7) & (y > top) & (y < top + 0.099)
     assert over.any()

@@ -88,7 +88,18 @@ def test_distances_are_signed_and_normals_point_outwards():
 
 
 def test_a_bay_is_outside():
-    made = outline_of([(-.5, -.5), (.5, -.5), (.5, -.3), (-.3, -.3), (-.3, .3), (.5, .3), (.5, .5), (-.5, .5)])
+    made = outline_of(
+        [
+            (-0.5, -0.5),
+            (0.5, -0.5),
+            (0.5, -0.3),
+            (-0.3, -0.3),
+            (-0.3, 0.3),
+            (0.5, 0.3),
+            (0.5, 0.5),
+            (-0.5, 0.5),
+        ]
+    )
     place = PlacedOutline(made.corners)
     bay = made.corners[4] + (0.3, -0.3)
     assert place.distances(bay[None])[0, 0] > 0.0

@@ -57,7 +57,12 @@ def test_before_it_has_settled_nothing_is_told():
 
 @pytest.mark.parametrize(
     ("outline", "first", "last", "count"),
-    [(shape_named("plate"), 0.0, 90.0, 7), (WEDGE, 0.0, 180.0, 13), (ESS, -75.0, 90.0, 12), (ODD, -165.0, 180.0, 24)],
+    [
+        (shape_named("plate"), 0.0, 90.0, 7),
+        (WEDGE, 0.0, 180.0, 13),
+        (ESS, -75.0, 90.0, 12),
+        (ODD, -165.0, 180.0, 24),
+    ],
 )
 def test_a_plan_measures_what_symmetry_leaves_open(outline, first, last, count):
     fitted, checks = SweepPlan(24, 3).measured(outline)
@@ -71,9 +76,11 @@ def test_a_plan_measures_what_symmetry_leaves_open(outline, first, last, count):
     assert len(everything) == 24
 
 
-@pytest.mark.parametrize("plan", [SweepPlan(10), SweepPlan(0), SweepPlan(100), SweepPlan(24, -1), SweepPlan(True)])
+@pytest.mark.parametrize(
+    "plan", [SweepPlan(10), SweepPlan(0), SweepPlan(100), SweepPlan(24, -1), SweepPlan(True)]
+)
 def test_a_plan_that_is_none_is_refused(plan):
-    with pytest.raises(ValueError, match="angles|checks"):
+    with pytest.raises(ValueError, match=r"angles|checks"):
         plan.measured(ODD)
 
 
@@ -84,7 +91,9 @@ def test_a_sweep_goes_from_angle_to_angle_and_ends():
         seen.append(math.degrees(angle))
         assert sweep.running
         a = math.radians(seen[-1])
-        angle = sweep.keep(Mean((1.0 - math.cos(2 * a), math.sin(2 * a), 0.0), (0.1,) * 3, (9.0,) * 3, 0.0, 0.2, 1.0))
+        angle = sweep.keep(
+            Mean((1.0 - math.cos(2 * a), math.sin(2 * a), 0.0), (0.1,) * 3, (9.0,) * 3, 0.0, 0.2, 1.0)
+        )
     assert seen == pytest.approx([0.0, 45.0, 90.0, 67.5])
     assert sweep.complete and not sweep.running
     assert len(sweep.measured()) == 3 and len(sweep.measured(True)) == 1
@@ -117,7 +126,9 @@ def test_images_go_round_the_whole_turn_with_the_right_signs():
 def test_a_series_finds_the_series_that_it_is_given():
     angles = 2.0 * np.pi * np.arange(24) / 24.0
     wanted = np.array([[1.0, 0.2, 0.1, -0.7, 0.05], [0.0, 0.1, 0.4, 0.3, 1.1], [0.0, 0.0, 0.2, 0.0, 0.25]])
-    basis = np.stack([np.ones(24), np.cos(angles), np.sin(angles), np.cos(2 * angles), np.sin(2 * angles)], axis=1)
+    basis = np.stack(
+        [np.ones(24), np.cos(angles), np.sin(angles), np.cos(2 * angles), np.sin(2 * angles)], axis=1
+    )
     values = basis @ wanted.T
     found = fit_series(angles, values, 4)
     assert found.coefficients[:, :5] == pytest.approx(wanted, abs=1e-12)
@@ -136,7 +147,7 @@ def test_a_series_asks_for_no_more_than_there_are_angles():
     angles = 2.0 * np.pi * np.arange(6) / 6.0
     assert fit_series(np.concatenate([angles, angles]), np.ones((12, 3)), 9).order == 2
     for bad, order in ((angles[:2], 1), (angles, -1), (angles, 17), (angles, True)):
-        with pytest.raises(ValueError, match="angles|order"):
+        with pytest.raises(ValueError, match=r"angles|order"):
             fit_series(bad, np.ones((len(bad), 3)), order)
     with pytest.raises(ValueError, match="finite"):
         fit_series(angles, np.full((6, 3), np.nan), 1)

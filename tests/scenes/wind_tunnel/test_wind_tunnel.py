@@ -1,4 +1,4 @@
-"""The wind tunnel as a person meets it: hard levels, a drawn shape, a turn, a sweep to its flights, step back."""
+"""The wind tunnel as a person meets it: hard levels, a drawn shape, a sweep to its flights, step back."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ METHODS = ("book", "wall")
 
 def channel(cells: float, courant: float = 0.5, width: float = 14.0) -> TunnelSettings:
     """Schäfer and Turek's channel (1996), test 2D-1, with the diameter as the metre: 4.1 high, the cylinder 2
-    from inflow and floor, walls that the air sticks to, Reynolds number 20 by the mean wind. Theirs is 22 long.
+    from inflow and floor, walls that the air sticks to, Reynolds number 20 by the mean wind. Theirs: 22 long.
     """
     return TunnelSettings(
         cells=cells, width=width, height=4.1, at=(2.0, 2.0), reynolds=20.0, walls="no-slip",
@@ -131,7 +131,9 @@ class FitTrial:
 
 def _fit_settings() -> list[Setting]:
     return [
-        Setting(name, float(n), {}, {"angles": n}, 1.0 / n) for name in ("series", "plate") for n in (4, 8, 12, 16, 24)
+        Setting(name, float(n), {}, {"angles": n}, 1.0 / n)
+        for name in ("series", "plate")
+        for n in (4, 8, 12, 16, 24)
     ]
 
 
