@@ -104,9 +104,9 @@ def _draw_words(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
     words = "Over the angle of attack"
     if series is not None:
         error = model.check_error()
-        words += f": order {series.order}, off by {series.residual[0]:.2g} in drag"
+        words = f"Order {series.order}: drag off by {series.residual[0]:.2g}"
         if error[0] > 0.0:
-            words += f", {error[0]:.2g} at the checks"
+            words += f", {error[0]:.2g} at checks"
     canvas.label(left, words, "text1", 12, "semibold", anchor="bottomleft", offset=(0.0, -7.0))
     if not len(model.sweep.table):
         middle = (0.5 * (box.left + box.right), 0.5 * (box.bottom + box.top))

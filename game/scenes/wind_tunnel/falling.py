@@ -15,7 +15,7 @@ from game.ui.canvas.canvas import Canvas
 Floats = NDArray[np.float64]
 COLORS = {DEFAULT: "text2", FITTED: "chalk", SERIES: "amber"}
 WORDS = {DEFAULT: "the law as it is", FITTED: "the law, fitted", SERIES: "as measured"}
-WIDE = 22.0  # half chords across the shaft
+WIDE = 26.0  # half chords across the shaft
 START = 0.08  # of the shaft's height, below its top
 
 

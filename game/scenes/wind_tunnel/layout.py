@@ -27,6 +27,6 @@ def layout_of(model: WindTunnelModel) -> Layout:
         Frame(0.0, 0.0, wide, tall),
         Frame(0.55 * unit, low, 8.0 * unit, -0.75 * unit),
         Frame(8.9 * unit, low, wide, -0.75 * unit),
-        Frame(wide + 0.4 * unit, low, wide + 4.6 * unit, tall),
-        Frame(-0.3 * unit, low - 0.55 * unit, wide + 4.8 * unit, tall + 0.25 * unit),
+        Frame(wide + 0.4 * unit, low, wide + 6.4 * unit, tall),
+        Frame(-0.3 * unit, low - 0.55 * unit, wide + 6.6 * unit, tall + 0.25 * unit),
     )

@@ -32,7 +32,7 @@ from game.scenes.wind_tunnel.parameters import OF_MEASURING, WindTunnelParameter
 from game.stage import Part
 
 Floats = NDArray[np.float64]
-NOZZLES, SPECKS = 24, 150
+NOZZLES, SPECKS = 20, 150
 SPACING = 0.02  # of the tunnel's height, between specks of smoke
 
 

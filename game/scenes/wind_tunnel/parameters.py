@@ -20,9 +20,9 @@ class WindTunnelParameters(Parameters):
     shape = Choice(
         "aerofoil", (*SHAPES, "drawn"), group="Shape", help="in the wind; chord 1 m, or as it is drawn"
     )
-    attack = Param(15.0, -180.0, 180.0, unit="°", group="Shape", label="Angle of attack",
+    attack = Param(25.0, -180.0, 180.0, unit="°", group="Shape", label="Angle of attack",
                    help="how far its nose, at the left, is raised")  # fmt: skip
-    reynolds = Param(200.0, 1.0, 2_000.0, log=True, group="Wind", label="Reynolds number",
+    reynolds = Param(300.0, 1.0, 2_000.0, log=True, group="Wind", label="Reynolds number",
                      help="wind times chord over viscosity")  # fmt: skip
     wind = Param(1.0, 0.0, 2.0, unit="m/s", group="Wind", help="from the left")
     cells = Param(12, 4, 48, whole=True, log=True, group="Grid", rebuild=True, help="of the grid, to a metre")
@@ -50,7 +50,7 @@ class WindTunnelParameters(Parameters):
                     help="mass of what flies, over that of the air in a circle about its chord")  # fmt: skip
     half_chord = Param(0.05, 0.005, 0.5, unit="m", log=True, group="Flight", label="Half chord",
                        help="of what flies, by the coefficients of the tunnel's Reynolds number")  # fmt: skip
-    view = Choice("speed", VIEWS, group="Shown", label="Air")
+    view = Choice("vorticity", VIEWS, group="Shown", label="Air")
     streaks = Toggle(True, group="Shown", help="smoke from nozzles across the inflow")
     forces = Toggle(True, group="Shown", help="drag, lift and moment, as means")
     box = Toggle(False, group="Shown", label="Momentum box", help="over whose sides momentum is booked")
