@@ -54,6 +54,7 @@ FOLDERS = {
         "gas",
         "combustion stable_fluids",
         "plates",
+        "tunnel",
     ),
     "billiards": (
         "table",

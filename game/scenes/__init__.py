@@ -38,6 +38,7 @@ from game.scenes import (
     tower,
     tracks,
     two_balls,
+    wind_tunnel,
 )
 from game.stage.catalogue import Catalogue
 
@@ -67,6 +68,7 @@ CATALOGUE = Catalogue(
         *beat.ENTRIES,
         *spacetime.ENTRIES,
         *levitation.ENTRIES,
+        *wind_tunnel.ENTRIES,
         *cavity.ENTRIES,
         *smoke.ENTRIES,
         *depth.ENTRIES,

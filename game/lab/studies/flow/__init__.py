@@ -1,0 +1,1 @@
+"""Studies of air that flows past things."""
