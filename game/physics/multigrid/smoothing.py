@@ -43,17 +43,49 @@ def wrap_ghosts(p, joined_x, joined_y):
 
 
 @lean_kernel
-def relax(p, out, b, cx, cy, inverse, factor):
+def find_plain(cx, cy, plain):
+    """plain (ny, 2): of each row, the longest run [first, last) of cells whose four faces all conduct 1.
+
+    There a product with a conductance changes nothing, and the diagonal is 4: the same bits come from fewer
+    numbers, in half the time.
+    """
+    nx = cy.shape[1]
+    for j in range(plain.shape[0]):
+        across, down, up = cx[j], cy[j], cy[j + 1]
+        first, best, most = 0, 0, 0
+        for i in range(nx + 1):
+            if i < nx and across[i] == 1.0 and across[i + 1] == 1.0 and down[i] == 1.0 and up[i] == 1.0:
+                continue
+            if i - first > most:
+                best, most = first, i - first
+            first = i + 1
+        plain[j, 0], plain[j, 1] = best, best + most
+
+
+@lean_kernel
+def relax(p, out, b, cx, cy, inverse, plain, factor):
     """out = p + factor inverse (b - A p), inside."""
     ny, nx = b.shape
+    quarter = factor * 0.25
     for j in range(ny):
-        middle, below, above, goal = p[j + 1], p[j, 1:], p[j + 2, 1:], out[j + 1, 1:]
-        across, down, up, right, inv = cx[j], cy[j], cy[j + 1], b[j], inverse[j]
-        for i in range(nx):
+        first, last = plain[j, 0], plain[j, 1]
+        for side in range(2):
+            start, end = (last, nx) if side else (0, first)
+            middle, below, above = p[j + 1, start:], p[j, start + 1 :], p[j + 2, start + 1 :]
+            goal, right, inv = out[j + 1, start + 1 :], b[j, start:], inverse[j, start:]
+            across, down, up = cx[j, start:], cy[j, start:], cy[j + 1, start:]
+            for i in range(end - start):
+                here = middle[i + 1]
+                rest = across[i] * (middle[i] - here) + across[i + 1] * (middle[i + 2] - here)
+                rest += down[i] * (below[i] - here) + up[i] * (above[i] - here)
+                goal[i] = here + factor * inv[i] * (right[i] + rest)
+        middle, below, above = p[j + 1, first:], p[j, first + 1 :], p[j + 2, first + 1 :]
+        goal, right = out[j + 1, first + 1 :], b[j, first:]
+        for i in range(last - first):
             here = middle[i + 1]
-            rest = across[i] * (middle[i] - here) + across[i + 1] * (middle[i + 2] - here)
-            rest += down[i] * (below[i] - here) + up[i] * (above[i] - here)
-            goal[i] = here + factor * inv[i] * (right[i] + rest)
+            rest = (middle[i] - here) + (middle[i + 2] - here)
+            rest += (below[i] - here) + (above[i] - here)
+            goal[i] = here + quarter * (right[i] + rest)
 
 
 @lean_kernel
@@ -67,14 +99,25 @@ def begin(out, b, inverse, factor):
 
 
 @lean_kernel
-def residual(p, out, b, cx, cy):
+def residual(p, out, b, cx, cy, plain):
     """out = b - A p, padded by one."""
     ny, nx = b.shape
     for j in range(ny):
-        middle, below, above, goal = p[j + 1], p[j, 1:], p[j + 2, 1:], out[j + 1, 1:]
-        across, down, up, right = cx[j], cy[j], cy[j + 1], b[j]
-        for i in range(nx):
+        first, last = plain[j, 0], plain[j, 1]
+        for side in range(2):
+            start, end = (last, nx) if side else (0, first)
+            middle, below, above = p[j + 1, start:], p[j, start + 1 :], p[j + 2, start + 1 :]
+            goal, right = out[j + 1, start + 1 :], b[j, start:]
+            across, down, up = cx[j, start:], cy[j, start:], cy[j + 1, start:]
+            for i in range(end - start):
+                here = middle[i + 1]
+                rest = across[i] * (middle[i] - here) + across[i + 1] * (middle[i + 2] - here)
+                rest += down[i] * (below[i] - here) + up[i] * (above[i] - here)
+                goal[i] = right[i] + rest
+        middle, below, above = p[j + 1, first:], p[j, first + 1 :], p[j + 2, first + 1 :]
+        goal, right = out[j + 1, first + 1 :], b[j, first:]
+        for i in range(last - first):
             here = middle[i + 1]
-            rest = across[i] * (middle[i] - here) + across[i + 1] * (middle[i + 2] - here)
-            rest += down[i] * (below[i] - here) + up[i] * (above[i] - here)
+            rest = (middle[i] - here) + (middle[i + 2] - here)
+            rest += (below[i] - here) + (above[i] - here)
             goal[i] = right[i] + rest
