@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from game.physics.kernels.elementary.words import from_bits
 from game.physics.kernels.lean import inner_kernel, lean_kernel
-from game.physics.multigrid.smoothing import wrap_ghosts
+from game.physics.multigrid.smoothing import flow_into, mostly_plain, wrap_ghosts
 
 Floats = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -193,23 +193,26 @@ def residual_of(e):
     most = 0
     for j in range(ny):
         first, last = e.plain[j, 0], e.plain[j, 1]
-        for side in range(2):
-            start, end = (last, nx) if side else (0, first)
-            middle, below, above = e.p[j + 1, start:], e.p[j, start + 1 :], e.p[j + 2, start + 1 :]
-            goal, right, inv = e.r[j, start:], e.b[j, start:], e.inverse[j, start:]
-            across, down, up = e.cx[j, start:], e.cy[j, start:], e.cy[j + 1, start:]
-            for i in range(end - start):
+        if not mostly_plain(e.plain, j, nx):
+            middle, below, above, goal = e.p[j + 1], e.p[j, 1:], e.p[j + 2, 1:], e.r[j]
+            across, down, up, right, inv = e.cx[j], e.cy[j], e.cy[j + 1], e.b[j], e.inverse[j]
+            for i in range(nx):
                 here = middle[i + 1]
                 rest = across[i] * (middle[i] - here) + across[i + 1] * (middle[i + 2] - here)
                 rest += down[i] * (below[i] - here) + up[i] * (above[i] - here)
                 goal[i] = right[i] + rest if inv[i] > 0.0 else 0.0
-        middle, below, above = e.p[j + 1, first:], e.p[j, first + 1 :], e.p[j + 2, first + 1 :]
-        goal, right = e.r[j, first:], e.b[j, first:]
-        for i in range(last - first):
-            here = middle[i + 1]
-            rest = (middle[i] - here) + (middle[i + 2] - here)
-            rest += (below[i] - here) + (above[i] - here)
-            goal[i] = right[i] + rest
+        else:
+            middle, below, above = e.p[j + 1, first:], e.p[j, first + 1 :], e.p[j + 2, first + 1 :]
+            goal, right = e.r[j, first:], e.b[j, first:]
+            for i in range(last - first):
+                here = middle[i + 1]
+                rest = (middle[i] - here) + (middle[i + 2] - here)
+                rest += (below[i] - here) + (above[i] - here)
+                goal[i] = right[i] + rest
+            for k in range(first + nx - last):
+                i = k if k < first else k - first + last
+                conducts = e.inverse[j, i] > 0.0
+                e.r[j, i] = e.b[j, i] + flow_into(e.p, e.cx, e.cy, j, i) if conducts else 0.0
         most = largest(e.r[j], most)
     return from_bits(most)
 
@@ -259,21 +262,23 @@ def apply(e):
     ny, nx = e.b.shape
     for j in range(ny):
         first, last = e.plain[j, 0], e.plain[j, 1]
-        for side in range(2):
-            start, end = (last, nx) if side else (0, first)
-            middle, below, above = e.d[j + 1, start:], e.d[j, start + 1 :], e.d[j + 2, start + 1 :]
-            goal, across = e.z[j, start:], e.cx[j, start:]
-            down, up = e.cy[j, start:], e.cy[j + 1, start:]
-            for i in range(end - start):
+        if not mostly_plain(e.plain, j, nx):
+            middle, below, above, goal = e.d[j + 1], e.d[j, 1:], e.d[j + 2, 1:], e.z[j]
+            across, down, up = e.cx[j], e.cy[j], e.cy[j + 1]
+            for i in range(nx):
                 here = middle[i + 1]
                 rest = across[i] * (here - middle[i]) + across[i + 1] * (here - middle[i + 2])
                 goal[i] = rest + (down[i] * (here - below[i]) + up[i] * (here - above[i]))
+            continue
         middle, below, above = e.d[j + 1, first:], e.d[j, first + 1 :], e.d[j + 2, first + 1 :]
         goal = e.z[j, first:]
         for i in range(last - first):
             here = middle[i + 1]
             rest = (here - middle[i]) + (here - middle[i + 2])
             goal[i] = rest + ((here - below[i]) + (here - above[i]))
+        for k in range(first + nx - last):
+            i = k if k < first else k - first + last
+            e.z[j, i] = -flow_into(e.d, e.cx, e.cy, j, i)
     return dot(e.z, e.d[1 : ny + 1, 1 : nx + 1])
 
 
