@@ -6,10 +6,19 @@ and make walls harmless that the coarser levels cannot show.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.multigrid.cycle import cells, padded, v_cycle
 from game.physics.multigrid.equation import advance_conjugate, residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts
+
+
+@inner_kernel
+def _take_residual(e, right):
+    """The residual as the right side of the cycle."""
+    for j in range(right.shape[0]):
+        goal, source = right[j], e.r[j]
+        for i in range(goal.size):
+            goal[i] = source[i]
 
 
 @lean_kernel
@@ -22,10 +31,7 @@ def solve_multigrid(e, h, most, goal):
     now, turns, old = before, 0, 0.0
     right, z = cells(h.b, h.at, 0), padded(h.p, h.at, 0)
     while turns < most and now > goal:
-        for j in range(right.shape[0]):
-            goal_row, source = right[j], e.r[j]
-            for i in range(right.shape[1]):
-                goal_row[i] = source[i]
+        _take_residual(e, right)
         v_cycle(h)
         old, left = advance_conjugate(e, z, old)
         if not old > 0.0:
@@ -43,7 +49,7 @@ def solve_cycles(e, h, most, goal):
     now, turns = before, 0
     right, z = cells(h.b, h.at, 0), padded(h.p, h.at, 0)
     while turns < most and now > goal:
-        right[:, :] = e.r
+        _take_residual(e, right)
         v_cycle(h)
         for j in range(right.shape[0]):
             for i in range(right.shape[1]):
