@@ -13,8 +13,19 @@ from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, OPEN, PERIODIC, RIGH
 from game.physics.grid.sampling import clamped, wrapped
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.kernels.magnitudes import from_bits, largest
 
 STRIDE = 0.5  # cells between two looks for walls along a way
+
+
+@lean_kernel
+def largest_speed(u, v):
+    """The larger of the largest of |u| and of |v|, m/s; nan if there is one."""
+    most = 0
+    for field in (u, v):
+        for j in range(field.shape[0]):
+            most = largest(field[j], most)
+    return from_bits(most)
 
 
 @kernel

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.elementary.words import from_bits
 from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.kernels.magnitudes import from_bits, largest
 from game.physics.multigrid.smoothing import flow_into, mostly_plain, wrap_ghosts
 
 Floats = NDArray[np.float64]
@@ -16,7 +16,6 @@ Whole = NDArray[np.int64]
 
 
 LAST_PLACE = 2.220446049250313e-16
-MAGNITUDE = 0x7FFF_FFFF_FFFF_FFFF  # all bits of a number but its sign
 
 
 class Equation(NamedTuple):
@@ -170,19 +169,6 @@ def _balance_regions(e, field, count, pad):
                 field[j + pad, i + pad] -= e.sums[0, k]
             elif pad == 0:
                 field[j, i] = 0.0
-
-
-@inner_kernel
-def largest(row, most):
-    """The larger of most and the bits of the largest of |row|; nan is larger than all.
-
-    Of numbers without a sign the order is that of their bits, whose largest is found in vector instructions.
-    """
-    words = row.view(np.int64)
-    for i in range(words.size):
-        word = words[i] & MAGNITUDE
-        most = word if word > most else most
-    return most
 
 
 @lean_kernel
