@@ -13,7 +13,7 @@ from game.physics.combustion import Flames
 from game.physics.heat import BurningBodies, HeatGrid
 from game.ui.raster import clip_of, pixels_of
 from game.ui.raster.field import shade_table
-from game.ui.raster.veil import paint_veil
+from game.ui.raster.veil import paint_veil, veil_room
 
 
 @pytest.mark.parametrize("scheme", ["explicit", "alternating", "crank-nicolson"])
@@ -55,8 +55,8 @@ def test_veil(benchmark):
     x = np.tile(np.arange(256) / 128.0, (128, 1))
     veil = np.stack([np.clip(0.5 * np.sin(5.0 * x), 0, 1), np.exp(-(((x - 1.0) / 0.2) ** 2))], axis=2)
     table = shade_table([(0.0, pygame.Color(0, 0, 0)), (1.0, pygame.Color(240, 120, 30))])
-    surface, row = pygame.Surface((1280, 720), 0, 32), np.empty((256, 2), np.float32)
+    surface, room = pygame.Surface((1280, 720), 0, 32), veil_room(1280)
     arguments = (pixels_of(surface), clip_of(surface), veil.astype(np.float32))
     box = np.array((0.0, 0.0, 1280.0, 720.0))
-    benchmark.pedantic(paint_veil, (*arguments, box, 0x808080, table, row, True), rounds=20, warmup_rounds=2)
+    benchmark.pedantic(paint_veil, (*arguments, box, 0x808080, table, room, True), rounds=20, warmup_rounds=2)
     assert surface.get_at((640, 300)) != (0, 0, 0, 255)

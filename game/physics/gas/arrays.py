@@ -46,6 +46,7 @@ class Room(NamedTuple):
     way_s: Floats
     stage_s: Floats
     curl: Floats  # (ny, nx)
+    kept: Floats  # (ny, nx, fields) scalars as the step found them
 
 
 class Drag(NamedTuple):
@@ -79,7 +80,7 @@ def make_room(grid: Grid, fields: int) -> Room:
         _padded(ny, nx + 1), _padded(ny + 1, nx), _padded(ny, nx, fields),
         _padded(ny, nx + 1), _padded(ny + 1, nx), _padded(ny, nx, fields),
         np.zeros((ny, nx + 1)), np.zeros((ny + 1, nx)), np.zeros((ny, nx, fields)),
-        np.zeros((ny, nx, fields)), np.zeros((ny, nx)),
+        np.zeros((ny, nx, fields)), np.zeros((ny, nx)), np.zeros((ny, nx, fields)),
     )  # fmt: skip
 
 

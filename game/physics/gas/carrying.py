@@ -9,19 +9,20 @@ import math
 
 import numpy as np
 
+from game.physics.gas.places import origin
 from game.physics.grid.borders import BOTTOM, LEFT, PERIODIC
+from game.physics.grid.cubic import cubic_pair, cubic_sum, limited_eight, limited_four
 from game.physics.grid.layout import PAD
 from game.physics.grid.sampling import (
     bounds_at,
     clamped,
     corner,
     cubic_at,
-    cubic_weights,
     linear_at,
     wrapped,
 )
 from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 LINEAR, CUBIC, LIMITED = range(3)  # how values between points are found; limited: cubic without new extrema
 INSIDE = 1e-9
@@ -35,7 +36,7 @@ def _place(x, count, period, joined):
     return clamped(x, -1.0, count - INSIDE)
 
 
-@inner_kernel
+@inner_kernel(forceinline=True)
 def _value(flat, width, x, y, how):
     if how == LINEAR:
         return linear_at(flat, width, x, y)
@@ -46,12 +47,28 @@ def _value(flat, width, x, y, how):
     return found
 
 
-@kernel
+@inner_kernel(forceinline=True)
+def _cubic_from(flat, width, moves, one, other, place, half, bounds):
+    """The cubic value at a place less half of two moves: see `origin`."""
+    column, row, f, g = origin(moves, np.uint64(one), np.uint64(other), place, half, bounds)
+    return cubic_sum(flat, corner(row, column, 1, width, 1), np.uint64(width), f, g)
+
+
+@lean_kernel
 def carry_u(padded, shift, way, kinds, how, out):
     """out (ny, nx + 1): padded u where each face comes from, back by way times its shift."""
     ny, nx = shift.shape[0], shift.shape[1]
     joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
     half, flat, width = 0.5 * way, padded.reshape(-1), padded.shape[1]
+    if how == CUBIC and not (joined_x or joined_y):
+        all_moves, bounds = shift.reshape(-1), (-1.0, nx + 1 - INSIDE, -1.0, ny - INSIDE)
+        for j in range(ny):
+            goal, at = out[j], 2 * j * nx
+            for i in range(nx + 1):
+                one, other = at + 2 * max(i - 1, 0), at + 2 * min(i, nx - 1)
+                place = (float(i), float(j))
+                goal[i] = _cubic_from(flat, width, all_moves, one, other, place, half, bounds)
+        return
     for j in range(ny):
         goal, moves = out[j], shift[j]
         for i in range(nx + 1):
@@ -65,12 +82,21 @@ def carry_u(padded, shift, way, kinds, how, out):
             goal[i] = _value(flat, width, x, y, how)
 
 
-@kernel
+@lean_kernel
 def carry_v(padded, shift, way, kinds, how, out):
     """out (ny + 1, nx): the same for v."""
     ny, nx = shift.shape[0], shift.shape[1]
     joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
     half, flat, width = 0.5 * way, padded.reshape(-1), padded.shape[1]
+    if how == CUBIC and not (joined_x or joined_y):
+        all_moves, bounds = shift.reshape(-1), (-1.0, nx - INSIDE, -1.0, ny + 1 - INSIDE)
+        for j in range(ny + 1):
+            goal, below, above = out[j], 2 * nx * max(j - 1, 0), 2 * nx * min(j, ny - 1)
+            for i in range(nx):
+                place = (float(i), float(j))
+                one, other = below + 2 * i, above + 2 * i
+                goal[i] = _cubic_from(flat, width, all_moves, one, other, place, half, bounds)
+        return
     for j in range(ny + 1):
         below, above = j - 1, j
         if j == 0:
@@ -95,14 +121,36 @@ def _linear_fields(flat, at, row, f, g, out):
         out[k] = (a * flat[m] + b * flat[m + step]) + (c * flat[n] + d * flat[n + step])
 
 
+@inner_kernel(forceinline=True)
+def _cubic_fields(flat, at, row, f, g, fields, values, goal):
+    """Bicubic, kept within the four values around; at: the lowest left of the sixteen values; goal: where the
+    cell's fields begin in all values.
+
+    Five to eight fields are eight at once, where there are as many numbers: what is written too far belongs
+    to cells that come later. Else four at once, the last four perhaps once more; below four one by one.
+    """
+    weights, one = cubic_pair(f, g), np.uint64(fields)
+    if fields < 4:
+        _few_fields(flat, at, row, weights, values[goal : goal + fields])
+        return
+    last = at + np.uint64(3) * (row + one) + np.uint64(8)
+    if 4 < fields <= 8 and last <= np.uint64(flat.size) and goal + 8 <= values.size:
+        limited_eight(flat, at, one, row, weights, values, np.uint64(goal))
+        return
+    for k in range(0, fields - 3, 4):
+        limited_four(flat, at + np.uint64(k), one, row, weights, values, np.uint64(goal + k))
+    if fields % 4:
+        k = fields - 4
+        limited_four(flat, at + np.uint64(k), one, row, weights, values, np.uint64(goal + k))
+
+
 @inner_kernel
-def _cubic_fields(flat, at, row, f, g, out):
-    """Bicubic, kept within the four values around; at: the lowest left of the sixteen values."""
+def _few_fields(flat, at, row, weights, out):
+    """The same field by field."""
     one = np.uint64(out.size)
     two = one + one
     three = two + one
-    a, b, c, d = cubic_weights(f)
-    p, q, r, s = cubic_weights(g)
+    a, b, c, d, p, q, r, s = weights
     for k in range(out.size):
         k0 = at + np.uint64(k)
         k1 = k0 + row
@@ -141,12 +189,23 @@ def _beside_walls(padded, ax, ay, x, y, joined, out):
         out[n] = (1.0 - g) * ((1.0 - f) * own + f * one) + g * ((1.0 - f) * two + f * both)
 
 
-@kernel
+@lean_kernel
 def carry_scalars(padded, shift, way, kinds, how, out):
     """out (ny, nx, fields): padded scalars where each cell's gas comes from."""
     ny, nx = shift.shape[0], shift.shape[1]
-    flat, row = padded.reshape(-1), np.uint64(padded.shape[1] * padded.shape[2])
+    flat, row, fields = padded.reshape(-1), np.uint64(padded.shape[1] * padded.shape[2]), padded.shape[2]
+    values = out.reshape(-1)
     joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
+    if how != LINEAR and not (joined_x or joined_y):
+        all_moves, bounds = shift.reshape(-1), (-1.0, nx - INSIDE, -1.0, ny - INSIDE)
+        for j in range(ny):
+            for i in range(nx):
+                k = j * nx + i
+                move, place = np.uint64(2 * k), (float(i), float(j))
+                column, line, f, g = origin(all_moves, move, move, place, 0.5 * way, bounds)
+                at = corner(line, column, 1, padded.shape[1], fields)
+                _cubic_fields(flat, at, row, f, g, fields, values, k * fields)
+        return
     for j in range(ny):
         moves, goals = shift[j], out[j]
         for i in range(nx):
@@ -158,7 +217,7 @@ def carry_scalars(padded, shift, way, kinds, how, out):
             if how == LINEAR:
                 _linear_fields(flat, at, row, x - left, y - low, goals[i])
             else:
-                _cubic_fields(flat, at, row, x - left, y - low, goals[i])
+                _cubic_fields(flat, at, row, x - left, y - low, fields, values, (j * nx + i) * fields)
 
 
 @kernel

@@ -3,32 +3,53 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, NO_SLIP, PERIODIC, RIGHT, TOP, WALL
 from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 CALM = 1e-9  # 1/s per cell: a steepness of the vorticity below this has no direction
 
 
-@kernel
-def cell_forces(scalars, given, weights, gravity, ambient, out):
+class Pushed(NamedTuple):
+    """Velocities, and the forces on them."""
+
+    u: NDArray[np.float64]  # (ny, nx + 1)
+    v: NDArray[np.float64]  # (ny + 1, nx)
+    force_u: NDArray[np.float64]
+    force_v: NDArray[np.float64]
+
+
+@inner_kernel
+def _row_of_cells(scalars, given, weights, gravity, j, out):
+    """Row j of `cell_forces`."""
+    warm, thick = int(weights[0]), int(weights[1])
+    fields, own, ambient = scalars[j], given[j], gravity[3]
+    row, x, y = out[j], gravity[0], gravity[1]
+    for i in range(row.shape[0]):
+        excess = 0.0
+        if warm >= 0:
+            excess -= (fields[i, warm] - ambient) / ambient
+        if thick >= 0:
+            excess += gravity[2] * fields[i, thick]
+        row[i, 0] = own[i, 0] + x * excess
+        row[i, 1] = own[i, 1] + y * excess
+
+
+@lean_kernel
+def cell_forces(scalars, given, weights, gravity, out):
     """out (ny, nx, 2) m/s²: the given force and gravity times the excess of density.
 
-    weights (2,): column of the temperature (-1: none) and of the smoke; gravity (3,): x, y m/s² and how much
-    heavier than air smoke of 1 is. Hot gas is lighter by (T - ambient) / ambient (ideal gas, small changes).
+    weights (2,): column of the temperature (-1: none) and of the smoke; gravity (4,): x, y m/s², how much
+    heavier than air smoke of 1 is, and the ambient temperature K. Hot gas is lighter by (T - ambient) /
+    ambient (ideal gas, small changes).
     """
-    ny, nx = out.shape[0], out.shape[1]
-    warm, thick = int(weights[0]), int(weights[1])
-    for j in range(ny):
-        for i in range(nx):
-            excess = 0.0
-            if warm >= 0:
-                excess -= (scalars[j, i, warm] - ambient) / ambient
-            if thick >= 0:
-                excess += gravity[2] * scalars[j, i, thick]
-            out[j, i, 0] = given[j, i, 0] + gravity[0] * excess
-            out[j, i, 1] = given[j, i, 1] + gravity[1] * excess
+    for j in range(out.shape[0]):
+        _row_of_cells(scalars, given, weights, gravity, j, out)
 
 
 @inner_kernel
@@ -72,25 +93,33 @@ def _holds(kind):
     return kind in (WALL, NO_SLIP, INFLOW)
 
 
-@kernel
-def face_forces(cells, kinds, fu, fv):
-    """Mean of the two cells of each face: fu (ny, nx + 1), fv (ny + 1, nx); 0 where a side holds it."""
-    ny, nx = cells.shape[0], cells.shape[1]
-    for j in range(ny):
-        goal, row = fu[j], cells[j]
-        for i in range(1, nx):
-            goal[i] = 0.5 * (row[i - 1, 0] + row[i, 0])
-        if kinds[LEFT] == PERIODIC:
-            goal[0] = 0.5 * (row[nx - 1, 0] + row[0, 0])
-            goal[nx] = goal[0]
-        else:
-            goal[0] = 0.0 if _holds(kinds[LEFT]) else row[0, 0]
-            goal[nx] = 0.0 if _holds(kinds[RIGHT]) else row[nx - 1, 0]
-    for j in range(1, ny):
-        goal, low, high = fv[j], cells[j - 1], cells[j]
-        for i in range(nx):
-            goal[i] = 0.5 * (low[i, 1] + high[i, 1])
-    for i in range(nx):
+@inner_kernel
+def _row_of_u(cells, kinds, j, goal):
+    """Row j of the forces on u."""
+    row, nx = cells[j], cells.shape[1]
+    for i in range(1, nx):
+        goal[i] = 0.5 * (row[i - 1, 0] + row[i, 0])
+    if kinds[LEFT] == PERIODIC:
+        goal[0] = 0.5 * (row[nx - 1, 0] + row[0, 0])
+        goal[nx] = goal[0]
+    else:
+        goal[0] = 0.0 if _holds(kinds[LEFT]) else row[0, 0]
+        goal[nx] = 0.0 if _holds(kinds[RIGHT]) else row[nx - 1, 0]
+
+
+@inner_kernel
+def _row_of_v(cells, j, goal):
+    """Row j of the forces on v, between two rows of cells."""
+    low, high = cells[j - 1], cells[j]
+    for i in range(goal.size):
+        goal[i] = 0.5 * (low[i, 1] + high[i, 1])
+
+
+@inner_kernel
+def _sides_of_v(cells, kinds, fv):
+    """The forces on v at the bottom and the top."""
+    ny = cells.shape[0]
+    for i in range(cells.shape[1]):
         if kinds[BOTTOM] == PERIODIC:
             fv[0, i] = 0.5 * (cells[ny - 1, i, 1] + cells[0, i, 1])
             fv[ny, i] = fv[0, i]
@@ -99,14 +128,42 @@ def face_forces(cells, kinds, fu, fv):
             fv[ny, i] = 0.0 if _holds(kinds[TOP]) else cells[ny - 1, i, 1]
 
 
-@kernel
+@lean_kernel
+def face_forces(cells, kinds, fu, fv):
+    """Mean of the two cells of each face: fu (ny, nx + 1), fv (ny + 1, nx); 0 where a side holds it."""
+    for j in range(cells.shape[0]):
+        _row_of_u(cells, kinds, j, fu[j])
+        if j > 0:
+            _row_of_v(cells, j, fv[j])
+    _sides_of_v(cells, kinds, fv)
+
+
+@inner_kernel
+def _push_row(goal, force, dt):
+    for i in range(goal.size):
+        goal[i] += dt * force[i]
+
+
+@lean_kernel
+def push_cells(scalars, given, weights, gravity, cells, kinds, moves, dt):
+    """`cell_forces`, `face_forces` and `push` in one, while a row is at hand; moves: `Pushed`."""
+    ny = cells.shape[0]
+    for j in range(ny):
+        _row_of_cells(scalars, given, weights, gravity, j, cells)
+        _row_of_u(cells, kinds, j, moves.force_u[j])
+        _push_row(moves.u[j], moves.force_u[j], dt)
+        if j > 0:
+            _row_of_v(cells, j, moves.force_v[j])
+            _push_row(moves.v[j], moves.force_v[j], dt)
+    _sides_of_v(cells, kinds, moves.force_v)
+    _push_row(moves.v[0], moves.force_v[0], dt)
+    _push_row(moves.v[ny], moves.force_v[ny], dt)
+
+
+@lean_kernel
 def push(u, v, fu, fv, dt):
     """Velocities gain dt times the forces of faces."""
     for j in range(u.shape[0]):
-        goal, force = u[j], fu[j]
-        for i in range(u.shape[1]):
-            goal[i] += dt * force[i]
+        _push_row(u[j], fu[j], dt)
     for j in range(v.shape[0]):
-        goal, force = v[j], fv[j]
-        for i in range(v.shape[1]):
-            goal[i] += dt * force[i]
+        _push_row(v[j], fv[j], dt)

@@ -94,7 +94,6 @@ class Gas:
         self.solver = PressureSolver(grid.nx, grid.ny, self.edges.kinds)
         self._state = make_state(grid, len(self.fields), self.solver.equation.p)
         self._room = make_room(grid, len(self.fields))
-        self._kept: Floats = np.zeros_like(self._state.scalars)
         ny, nx = grid.shape
         self.expansion: Floats = np.zeros((ny, nx))
         self.force: Floats = np.zeros((ny, nx, 2))
@@ -212,7 +211,7 @@ class Gas:
             self._take_faces()
         if abs(dt - clock[LAST]) > 1e-9 * dt or moved:
             clock[SETTLED] = 0.0
-        np.copyto(self._kept, state.scalars)
+        np.copyto(self._room.kept, state.scalars)
         step = Step(
             self.grid.cell, float(dt), self.settings, self.edges, self._held, self._values, self.fields,
             self.ambient,
@@ -244,7 +243,7 @@ class Gas:
         state = self._state
         for goal, source in ((state.u, state.before_u), (state.v, state.before_v)):
             np.copyto(goal, source)
-        np.copyto(state.scalars, self._kept)
+        np.copyto(state.scalars, self._room.kept)
         for array in (state.pressure, state.force_u, state.force_v):
             array[:] = 0.0
         self.jolt()

@@ -44,12 +44,16 @@ def pad_field(field, padded):
 
 @kernel
 def pad_scalars(scalars, rates, dt, padded):
-    """padded = scalars + dt rates inside, both (ny, nx, fields)."""
-    ny, nx, fields = scalars.shape
+    """padded = scalars + dt rates inside, all (ny, nx, fields)."""
+    ny, width = scalars.shape[0], scalars.shape[1] * scalars.shape[2]
+    now, change, goals = scalars.reshape(-1), rates.reshape(-1), padded.reshape(-1)
+    stride, before = padded.shape[1] * padded.shape[2], PAD * padded.shape[2]
     for j in range(ny):
-        for i in range(nx):
-            for k in range(fields):
-                padded[j + PAD, i + PAD, k] = scalars[j, i, k] + dt * rates[j, i, k]
+        start, first = j * width, (j + PAD) * stride + before
+        source, rate = now[start : start + width], change[start : start + width]
+        goal = goals[first : first + width]
+        for i in range(source.size):
+            goal[i] = source[i] + dt * rate[i]
 
 
 @kernel

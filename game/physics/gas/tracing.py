@@ -8,13 +8,24 @@ from __future__ import annotations
 
 import math
 
+from game.physics.gas.places import FARTHEST, midpoint
 from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, OPEN, PERIODIC, RIGHT, TOP
 from game.physics.grid.sampling import clamped, wrapped
 from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.kernels.magnitudes import from_bits, largest
 
-FARTHEST = 1e6  # cells in a step; more, or what is no number, is no displacement at all
 STRIDE = 0.5  # cells between two looks for walls along a way
+
+
+@lean_kernel
+def largest_speed(u, v):
+    """The larger of the largest of |u| and of |v|, m/s; nan if there is one."""
+    most = 0
+    for field in (u, v):
+        for j in range(field.shape[0]):
+            most = largest(field[j], most)
+    return from_bits(most)
 
 
 @kernel
@@ -92,7 +103,7 @@ def free_way(ax, ay, j, i, dx, dy, joined):
     return 1.0
 
 
-@kernel
+@lean_kernel
 def trace(w, scale, kinds, straight, shift):
     """shift (ny, nx, 2): displacement in cells over a step, by the midpoint rule; scale is dt / h.
 
@@ -103,6 +114,12 @@ def trace(w, scale, kinds, straight, shift):
     joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
     low_x, high_x = _side_limit(kinds[LEFT], -0.5, -1.5), _side_limit(kinds[RIGHT], nx - 0.5, nx + 0.5)
     low_y, high_y = _side_limit(kinds[BOTTOM], -0.5, -1.5), _side_limit(kinds[TOP], ny - 0.5, ny + 0.5)
+    if not (straight or joined_x or joined_y):
+        flat, goal, bounds = w.reshape(-1), shift.reshape(-1), (low_x, high_x, low_y, high_y)
+        for j in range(ny):
+            for i in range(nx):
+                midpoint(flat, (ny, nx), j, i, scale, bounds, goal)
+        return
     for j in range(ny):
         for i in range(nx):
             dx, dy = scale * w[j, i, 0], scale * w[j, i, 1]

@@ -15,10 +15,11 @@ import math
 
 import numpy as np
 
+from game.physics.grid.cubic import cubic_sum
 from game.physics.grid.layout import PAD
 from game.physics.kernels.lean import inner_kernel
 
-ONE, TWO, THREE = np.uint64(1), np.uint64(2), np.uint64(3)
+ONE = np.uint64(1)
 
 
 @inner_kernel
@@ -32,14 +33,6 @@ def clamped(x, low, high):
     """x, at least low and at most high; low for what is no number."""
     x = x if x > low else low
     return x if x < high else high
-
-
-@inner_kernel
-def cubic_weights(f):
-    """Of the four points around a place, f behind the second."""
-    g = 1.0 - f
-    a, b = (1.0 + f) * f * g / 6.0, (1.0 + g) * f * g / 6.0
-    return -b, 0.5 * (1.0 + f) * g * (1.0 + g), 0.5 * (1.0 + g) * f * (1.0 + f), -a
 
 
 @inner_kernel
@@ -64,16 +57,8 @@ def linear_at(flat, width, x, y):
 def cubic_at(flat, width, x, y):
     """Bicubic value, not limited."""
     left, low = math.floor(x), math.floor(y)
-    a, b, c, d = cubic_weights(x - left)
-    p, q, r, s = cubic_weights(y - low)
-    k, row = corner(int(low), int(left), 1, width, 1), np.uint64(width)
-    m, n = k + row, k + row + row
-    o = n + row
-    outer = p * ((a * flat[k] + d * flat[k + THREE]) + (b * flat[k + ONE] + c * flat[k + TWO]))
-    inner = q * ((a * flat[m] + d * flat[m + THREE]) + (b * flat[m + ONE] + c * flat[m + TWO]))
-    inner += r * ((a * flat[n] + d * flat[n + THREE]) + (b * flat[n + ONE] + c * flat[n + TWO]))
-    outer += s * ((a * flat[o] + d * flat[o + THREE]) + (b * flat[o + ONE] + c * flat[o + TWO]))
-    return outer + inner
+    k = corner(int(low), int(left), 1, width, 1)
+    return cubic_sum(flat, k, np.uint64(width), x - left, y - low)
 
 
 @inner_kernel

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from game.physics.kernels.lean import lean_kernel
-from game.physics.multigrid.equation import apply, direct, dot, residual_of, walk
+from game.physics.multigrid.equation import advance_conjugate, residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts
 
 MODIFIED, SAFETY = 0.97, 0.25
@@ -56,21 +56,14 @@ def _precondition(e, factor, out):
 @lean_kernel
 def solve_gradients(e, factor, room, most, goal):
     """Improve e.p; room: (ny + 2, nx + 2), 0 at its rim. (turns, largest residual before, after)."""
-    ny, nx = e.b.shape
     before = residual_of(e)
     now, turns, old = before, 0, 0.0
-    inner = room[1 : ny + 1, 1 : nx + 1]
     while turns < most and now > goal:
         _precondition(e, factor, room)
-        new = dot(e.r, inner)
-        if not new > 0.0:
+        old, left = advance_conjugate(e, room, old)
+        if not old > 0.0:
             break
-        direct(e, room, new / old if turns > 0 else 0.0)
-        steep = apply(e)
-        if not steep > 0.0:
-            break
-        now = walk(e, new / steep)
-        old = new
+        now = left
         turns += 1
     wrap_ghosts(e.p, e.joined[0], e.joined[1])
     return turns, before, now

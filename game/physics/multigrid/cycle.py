@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel
 from game.physics.multigrid.levels import JOINED, Axis, axis_tables, levels_of
-from game.physics.multigrid.smoothing import FACTORS, begin, relax, residual, wrap_ghosts
+from game.physics.multigrid.smoothing import FACTORS, begin, find_plain, relax, residual, wrap_ghosts
 from game.physics.multigrid.transfer import invert_diagonal, prolong, restrict
 from game.physics.multigrid.walls import (
     choose_cells,
@@ -34,6 +35,7 @@ class Places(NamedTuple):
     cells: Whole  # in b, inverse, norm
     x: Whole  # in cx
     y: Whole  # in cy
+    row: Whole  # in plain
 
 
 class Hierarchy(NamedTuple):
@@ -51,6 +53,7 @@ class Hierarchy(NamedTuple):
     x: Axis
     y: Axis
     row: Floats  # room for a row
+    plain: Whole  # (rows of all levels, 2) of each row, a run of cells whose faces all conduct 1
     stands: Whole  # as the cells: whether a coarse cell stands for it
     ways: Whole  # of irregular cells, from where each level's cells begin
     listed: Whole
@@ -64,7 +67,7 @@ def make_hierarchy(nx: int, ny: int, ends: tuple[int, int, int, int]) -> Hierarc
     columns, x = axis_tables(nx, count, ends[:2])
     rows, y = axis_tables(ny, count, ends[2:])
     wide, high = np.array(columns), np.array(rows)
-    sizes = [(high + 2) * (wide + 2), high * wide, high * (wide + 1), (high + 1) * wide]
+    sizes = [(high + 2) * (wide + 2), high * wide, high * (wide + 1), (high + 1) * wide, high]
     starts = [np.concatenate([[0], np.cumsum(size)[:-1]]).astype(np.int64) for size in sizes]
     totals = [int(np.sum(size)) for size in sizes]
     return Hierarchy(
@@ -72,52 +75,60 @@ def make_hierarchy(nx: int, ny: int, ends: tuple[int, int, int, int]) -> Hierarc
         np.zeros(totals[0]), np.zeros(totals[0]), np.zeros(totals[0]),
         np.zeros(totals[1]), np.zeros(totals[1]), np.zeros(totals[1]),
         np.zeros(totals[2]), np.zeros(totals[3]), x, y, np.zeros(nx + 2),
+        np.zeros((totals[4], 2), np.int64),
         np.zeros(totals[1], np.int64), np.zeros(totals[1], np.int64), np.zeros(totals[1], np.int64),
         np.zeros(count, np.int64),
         np.array([ends[0] == JOINED, ends[2] == JOINED]),
     )  # fmt: skip
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@kernel(inline="always")
 def padded(array, at, level):
     """A level of p, q or r, (ny + 2, nx + 2)."""
     ny, nx, start = at.rows[level] + 2, at.columns[level] + 2, at.padded[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@kernel(inline="always")
 def cells(array, at, level):
     """A level of b, inverse or norm, (ny, nx)."""
     ny, nx, start = at.rows[level], at.columns[level], at.cells[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@kernel(inline="always")
 def faces_x(array, at, level):
     """A level of cx (ny, nx + 1)."""
     ny, nx, start = at.rows[level], at.columns[level] + 1, at.x[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@kernel(inline="always")
 def faces_y(array, at, level):
     """A level of cy (ny + 1, nx)."""
     ny, nx, start = at.rows[level] + 1, at.columns[level], at.y[level]
     return array[start : start + ny * nx].reshape(ny, nx)
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@kernel(inline="always")
+def plain_rows(h, level):
+    """A level of plain (ny, 2)."""
+    start = h.at.row[level]
+    return h.plain[start : start + h.at.rows[level]]
+
+
+@kernel(inline="always")
 def up_tables(axis, level, fine):
-    """near, far, share of a level with so many fine cells."""
+    """near, far, share, even of a level with so many fine cells."""
     at = axis.fine_at[level]
-    return axis.near[at : at + fine], axis.far[at : at + fine], axis.share[at : at + fine]
+    return axis.near[at : at + fine], axis.far[at : at + fine], axis.share[at : at + fine], axis.even[level]
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@kernel(inline="always")
 def down_tables(axis, level, coarse):
-    """members, gather of a level with so many coarse cells."""
+    """members, gather, even of a level with so many coarse cells."""
     at = axis.coarse_at[level]
-    return axis.members[at : at + coarse], axis.gather[at : at + coarse]
+    return axis.members[at : at + coarse], axis.gather[at : at + coarse], axis.even[level]
 
 
 @kernel
@@ -148,9 +159,11 @@ def coarsen_all(h, cx, cy):
         h.irregular[level] = list_irregular(
             cells(h.norm, h.at, level), h.ways[at:], h.listed[at:], stands, inverse, cx, cy, x, y
         )
+    for level in range(h.at.rows.size):
+        find_plain(faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level), plain_rows(h, level))
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@inner_kernel
 def _smooth(h, level, factor, back):
     """One sweep from p to q, or back."""
     source, goal = (h.q, h.p) if back else (h.p, h.q)
@@ -158,11 +171,11 @@ def _smooth(h, level, factor, back):
     wrap_ghosts(field, h.joined[0], h.joined[1])
     relax(
         field, padded(goal, h.at, level), cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy,
-        h.at, level), cells(h.inverse, h.at, level), factor,
+        h.at, level), cells(h.inverse, h.at, level), plain_rows(h, level), factor,
     )  # fmt: skip
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@inner_kernel
 def _down(h, level):
     """Smooth, and pass the residual on to the next level."""
     begin(padded(h.q, h.at, level), cells(h.b, h.at, level), cells(h.inverse, h.at, level), FACTORS[0])
@@ -170,7 +183,10 @@ def _down(h, level):
         _smooth(h, level, FACTORS[k], k == 1)
     q, r, norm = padded(h.q, h.at, level), padded(h.r, h.at, level), cells(h.norm, h.at, level)
     wrap_ghosts(q, h.joined[0], h.joined[1])
-    residual(q, r, cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level))
+    residual(
+        q, r, cells(h.b, h.at, level), faces_x(h.cx, h.at, level), faces_y(h.cy, h.at, level),
+        plain_rows(h, level),
+    )  # fmt: skip
     at, count = h.at.cells[level], h.irregular[level]
     coarse = cells(h.b, h.at, level + 1)
     if count > 0:
@@ -185,7 +201,7 @@ def _down(h, level):
         restrict_irregular(whole, coarse, h.ways[at : at + count], h.listed[at : at + count], x, y)
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@inner_kernel
 def _keep_regular(r, norm, whole):
     """Copy r (padded by one) to whole, and keep of it only what is regular."""
     for j in range(norm.shape[0]):
@@ -194,7 +210,7 @@ def _keep_regular(r, norm, whole):
             r[j + 1, i + 1] *= norm[j, i]
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@inner_kernel
 def _up(h, level):
     """Add the coarser level's correction, and smooth."""
     coarse, fine = padded(h.p, h.at, level + 1), padded(h.q, h.at, level)
@@ -208,7 +224,7 @@ def _up(h, level):
         _smooth(h, level, FACTORS[2 - k], k != 1)
 
 
-@kernel(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+@inner_kernel
 def v_cycle(h):
     """The finest p from 0, for the finest b."""
     last = h.at.rows.size - 1

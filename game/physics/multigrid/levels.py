@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.multigrid.transfer import FAR, NEAR
+
 Floats = NDArray[np.float64]
 Whole = NDArray[np.int64]
 CLOSED, OPEN_END, JOINED = range(3)  # how an axis ends: no flow, pressure 0 on the side, periodic
@@ -22,7 +24,9 @@ class Axis(NamedTuple):
     From a fine cell i to coarse ones: near (n,), far (n,) their places (-1 and the count are ghosts) and the
     weights share (n, 2). From coarse cell I: members (m, 3) the first, last and middle fine cell, gather
     (m, 5) the weights of the first, last, the ones before and behind, and the middle one. mid (m + 1,) the
-    fine face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one.
+    fine face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one. even
+    (levels, 2): the first and the last (not included) of a run of coarse cells, each made of two fine ones,
+    2 I and 2 I + 1, with the weights 3/4 and 1/4 of equal widths.
     """
 
     near: Whole
@@ -35,6 +39,7 @@ class Axis(NamedTuple):
     fine_at: Whole  # (levels,) where a level's fine rows begin
     coarse_at: Whole  # (levels,) where its coarse rows begin
     face_at: Whole  # (levels,)
+    even: Whole  # (levels, 2)
 
 
 def _merged(count: int) -> list[list[int]]:
@@ -94,6 +99,16 @@ def _down_table(groups: list[list[int]], near: Whole, far: Whole, share: Floats)
     return members, gather
 
 
+def _even_run(members: Whole, gather: Floats) -> tuple[int, int]:
+    """The longest run of coarse cells with the weights of equal widths: `Axis.even`."""
+    k = np.arange(len(members))
+    pairs = (members[:, 0] == 2 * k) & (members[:, 1] == 2 * k + 1)
+    even = pairs & (gather == (NEAR, NEAR, FAR, FAR, 0.0)).all(axis=1)
+    odd = np.flatnonzero(~np.concatenate([[False], even, [False]])) - 1  # with one at either end
+    longest = int(np.argmax(np.diff(odd)))
+    return int(odd[longest]) + 1, int(odd[longest + 1])
+
+
 def _link_table(widths: Floats, groups: list[list[int]], ends: tuple[int, int]) -> tuple[Whole, Floats]:
     """mid and ratio of each coarse face."""
     coarse = np.array([np.sum(widths[group]) for group in groups])
@@ -115,12 +130,13 @@ def axis_tables(count: int, levels: int, ends: tuple[int, int]) -> tuple[list[in
     """Cells of each level, and the tables, for so many levels; ends: how the axis ends, both ways."""
     widths, sizes = np.ones(count), [count]
     rows: list[tuple] = []
-    starts = np.zeros((3, levels), np.int64)
+    starts, even = np.zeros((3, levels), np.int64), np.zeros((levels, 2), np.int64)
     for level in range(levels - 1):
         groups = _merged(len(widths))
         near, far, share = _up_table(widths, groups, ends)
         members, gather = _down_table(groups, near, far, share)
         mid, ratio = _link_table(widths, groups, ends)
+        even[level] = _even_run(members, gather)
         rows.append((near, far, share, members, gather, mid, ratio))
         widths = np.array([np.sum(widths[group]) for group in groups])
         sizes.append(len(widths))
@@ -130,7 +146,7 @@ def axis_tables(count: int, levels: int, ends: tuple[int, int]) -> tuple[list[in
     near, far, members, mid = (np.ascontiguousarray(tables[k], dtype=np.int64) for k in (0, 1, 3, 5))
     share, gather, ratio = (np.ascontiguousarray(tables[k], dtype=np.float64) for k in (2, 4, 6))
     at = [row.copy() for row in starts]
-    return sizes, Axis(near, far, share, members, gather, mid, ratio, at[0], at[1], at[2])
+    return sizes, Axis(near, far, share, members, gather, mid, ratio, at[0], at[1], at[2], even)
 
 
 def levels_of(nx: int, ny: int) -> int:

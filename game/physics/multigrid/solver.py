@@ -16,6 +16,7 @@ from game.physics.multigrid.gauss_seidel import solve_sweeps
 from game.physics.multigrid.jacobi import solve_jacobi
 from game.physics.multigrid.levels import CLOSED, JOINED, OPEN_END
 from game.physics.multigrid.multigrid import solve_cycles, solve_multigrid
+from game.physics.multigrid.smoothing import find_plain
 from game.physics.multigrid.transfer import invert_diagonal
 
 Floats = NDArray[np.float64]
@@ -49,6 +50,7 @@ def _set_faces(e, ax, ay, kinds):
             else:
                 e.cy[j, i] = min(e.cy[0, i], e.cy[ny, i])
     invert_diagonal(e.cx, e.cy, e.inverse)
+    find_plain(e.cx, e.cy, e.plain)
 
 
 class PressureSolver:

@@ -12,7 +12,7 @@ from game.ui.canvas.base import Point, Token
 from game.ui.canvas.lights import LightCanvas
 from game.ui.look.look import Look
 from game.ui.raster.field import paint_field, shade_table
-from game.ui.raster.veil import paint_veil
+from game.ui.raster.veil import paint_veil, veil_room
 
 Stop = tuple[float, Token]
 
@@ -24,7 +24,7 @@ class FieldCanvas(LightCanvas):
         super().__init__(look)
         self._tables: dict[tuple[tuple[float, int], ...], NDArray[np.uint32]] = {}
         self._row = np.empty(0, np.float32)
-        self._veil_row = np.empty((0, 2), np.float32)
+        self._veil_room = veil_room(0)
 
     def field(
         self, values: Any, corner: Point, opposite: Point, stops: Sequence[Stop], alpha: float = 1.0
@@ -53,13 +53,13 @@ class FieldCanvas(LightCanvas):
         (the first stop is black then), or laid over where ``adds`` is false, as on a light ground.
         """
         cells = np.ascontiguousarray(values, dtype=np.float32)
-        if len(self._veil_row) < cells.shape[1]:
-            self._veil_row = np.empty((cells.shape[1], 2), np.float32)
+        if len(self._veil_room.share) < self._pixels.shape[1]:
+            self._veil_room = veil_room(self._pixels.shape[1])
         left, bottom = self._place(corner)
         right, top = self._place(opposite)
         box = np.array((left, top, right, bottom))
         paint_veil(
-            self._pixels, self._clip, cells, box, self.ink(smoke), self._table(stops), self._veil_row, adds
+            self._pixels, self._clip, cells, box, self.ink(smoke), self._table(stops), self._veil_room, adds
         )
 
     def _table(self, stops: Sequence[Stop]) -> NDArray[np.uint32]:

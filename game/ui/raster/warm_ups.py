@@ -21,7 +21,7 @@ from game.ui.raster.discs import (
 from game.ui.raster.glow import Bloom, add_lights, gather_glows, gather_lights, stamps_of
 from game.ui.raster.lines import BUTT, ROUND, stroke_segment, stroke_segments
 from game.ui.raster.scratch import scratch_for
-from game.ui.raster.veil import paint_veil
+from game.ui.raster.veil import paint_veil, veil_room
 from game.ui.raster.water import mirror_rows, wave_table
 
 _PIXELS = np.zeros((8, 8), np.uint32)
@@ -40,9 +40,9 @@ def _lights() -> None:
 
 
 def _veil() -> None:
-    veil, row = np.zeros((2, 2, 2), np.float32), np.zeros((2, 2), np.float32)
+    veil, room = np.zeros((2, 2, 2), np.float32), veil_room(_PIXELS.shape[1])
     box = np.array((0.0, 0.0, 8.0, 8.0))
-    paint_veil(_PIXELS, _CLIP, veil, box, 0, np.zeros(256, np.uint32), row, True)
+    paint_veil(_PIXELS, _CLIP, veil, box, 0, np.zeros(256, np.uint32), room, True)
 
 
 def _chain(kernel: Callable[..., object], *rest: object) -> object:
