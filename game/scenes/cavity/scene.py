@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from game.lab.studies.gas import cavity_study
+from game.lab.studies.gases.flows import cavity_study
 from game.levels import Level
 from game.physics.gas import GAS
 from game.physics.gas.effects import CONFINEMENT

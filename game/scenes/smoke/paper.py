@@ -8,7 +8,7 @@ from time import process_time
 
 import numpy as np
 
-from game.lab.studies.stable_fluids import METHODS, whirl_after
+from game.lab.studies.gases.whirl import METHODS, whirl_after
 from game.physics.stable_fluids import PrintedFluid
 from game.scenes.smoke.figure import draw_projection, draw_trace
 from game.ui.canvas.pen import Pen

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from game.lab.studies.stable_fluids import whirl_study
+from game.lab.studies.gases.smoke import smoke_study
 from game.levels import Level
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import GAS
@@ -40,7 +40,7 @@ class Smoke(ModelScene):
     model: SmokeModel
     effects = GAS.known | COMBUSTION.known
     content_type = SmokeContent
-    study = whirl_study
+    study = smoke_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     figure = staticmethod(draw_projection)
     hints = (Hint(("Drag",), "stir, or what the tool does"), Hint(("Right drag",), "paint"))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
-from game.lab.studies.stable_fluids import whirl_after
+from game.lab.studies.gases.whirl import whirl_after
 from game.levels import level_files, load_level
 from game.scenes.shared.expectations import captions_of
 from game.scenes.smoke.level import SmokeContent
