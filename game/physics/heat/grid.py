@@ -53,7 +53,7 @@ class HeatState(NamedTuple):
 
 
 class MeltingState(NamedTuple):
-    """values, came: as of `HeatState`; open_x (ny, nx + 1), open_y (ny + 1, nx): 0 for faces that were cut."""
+    """values, came: as of `HeatState`; open_x (ny, nx + 1), open_y (ny + 1, nx): 0 for faces that are cut."""
 
     values: Floats
     came: Floats

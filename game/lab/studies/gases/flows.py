@@ -182,8 +182,8 @@ rods_study = Study(
     settings=partial(_settings, (12, 16, 24, 32), ADVECTIONS),
     trial=RodsTrial,
     reference="Kovasznay 1948: an exact steady flow, in at the left and out at the right.",
-    expectation="At few cells linear interpolation is closest, by chance; only the error of the time-centred step "
-    "falls with the square of the cells.",
+    expectation="At few cells linear interpolation is closest, by chance; only the error of the time-centred "
+    "step falls with the square of the cells.",
     present=_present,
     workload=Workload("a stream of 1 m/s behind rods 1 m apart at Re 40, for 2 s"),
 )
