@@ -209,7 +209,9 @@ class Ledger:
 
     # -- what a step tells ------------------------------------------------------------------------------
 
-    def begin(self, u: Floats, v: Floats, scalars: Floats, solids: SolidFaces, kept: NDArray[np.bool_]) -> None:
+    def begin(
+        self, u: Floats, v: Floats, scalars: Floats, solids: SolidFaces, kept: NDArray[np.bool_]
+    ) -> None:
         """A step begins, with these open parts; kept (fields,): which are carried in flux form."""
         self._solids, self._own = solids, ~kept
         self._rows[:], self._field_rows[:] = 0.0, 0.0

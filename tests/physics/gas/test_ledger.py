@@ -125,9 +125,7 @@ def test_a_uniform_wind_carries_as_much_out_as_in():
 def test_momentum_and_smoke_leave_with_the_wind():
     """A quicker stream than the one that comes in: what goes out is its momentum flux, rho u² less u² in."""
     borders = Borders(Border("inflow", (1.0, 0.0)), Border("open"), Border("periodic"), Border("periodic"))
-    gas = Gas(
-        Grid(16, 8, 1 / 8), borders, GasSettings(effects=USUAL, gravity=(0.0, 0.0)), fields=("smoke",)
-    )
+    gas = Gas(Grid(16, 8, 1 / 8), borders, GasSettings(effects=USUAL, gravity=(0.0, 0.0)), fields=("smoke",))
     gas.u[:] = 1.0
     gas.u[:, 1:] = 3.0
     gas.v[:] = 0.5
@@ -159,7 +157,9 @@ def test_plates_drag_the_gas_by_their_shear():
 
 
 def test_what_is_done_between_steps_and_what_sides_hold():
-    gas = Gas(Grid(8, 8, 1 / 8), settings=GasSettings(gravity=(0.0, 0.0), advection="linear"), fields=("smoke",))
+    gas = Gas(
+        Grid(8, 8, 1 / 8), settings=GasSettings(gravity=(0.0, 0.0), advection="linear"), fields=("smoke",)
+    )
     gas.keep_books()
     gas.step(0.01)
     gas.u[:, 1:-1] += 0.1
