@@ -70,6 +70,7 @@ class Smoke(ModelScene):
         "Paint a fire below the disc, and look at it as schlieren.",
         "Drag the disc through the smoke.",
         "Set a long time step: nothing blows up, but all is smeared.",
+        "Open the books: what carrying makes of heat is a row of its own; then choose flux form.",
     )
 
     def build(self, level: Level | None) -> None:
@@ -86,7 +87,7 @@ class Smoke(ModelScene):
 
     def why_idle(self, name: str) -> str:
         printed = self.parameters.method in PRINTED
-        if printed and name in ("pressure", "confinement"):
+        if printed and name in ("pressure", "confinement", "flux", "books"):
             return "A paper as printed has its own."
         if self.parameters.method == "stam-1999" and name == "turns":
             return "The first paper solves to the end."

@@ -33,8 +33,8 @@ FULL = 0.35  # kg/m³ of dust that hides what is behind it
 SLOWS = 0.3  # 1/s
 QUICKEST = 50.0  # m/s: what is squeezed out of a gap far narrower than a cell would have no bound
 STILL = 0.03  # m/s: slower air, without dust, is not computed
-# of a floor: middle m, direction of its length, half its length and thickness m, velocity m/s, spin rad/s, half
-# its extent across and up m
+# of a floor: middle m, direction of its length, half its length and thickness m, velocity m/s, spin rad/s,
+# half its extent across and up m
 FX, FY, FC, FS, FLONG, FTHICK, FVX, FVY, FSPIN, FWIDE, FTALL = range(11)
 FLOOR_WIDTH = 11
 
@@ -167,7 +167,9 @@ class TowerAir(Part):
         return fastest < STILL and float(np.max(self.density)) < 1e-6
 
     def advance(self, floors: Floats, pieces: Floats, gravity: float, dt: float) -> None:
-        """Flow for dt (s) under gravity (m/s²) about floors (k, FLOOR_WIDTH) and pieces (n, 5), see `drag_along`."""
+        """Flow for dt (s) under gravity (m/s²) about floors (k, FLOOR_WIDTH) and pieces (n, 5), see
+        `drag_along`.
+        """
         if not np.array_equal(floors, self.floors.rows):
             self._take_floors(floors)
         weigh(self.density, self.gas.u, self.gas.v, gravity, self.gas.force)

@@ -135,7 +135,7 @@ class RodsTrial:
 
 def behind_rods(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """u, v in units of the stream, lengths in the rods' distance: a steady exact flow (Kovasznay 1948)."""
-    decay = 0.5 * RODS_RE - math.sqrt(0.25 * RODS_RE * RODS_RE + 4.0 * math.pi**2)
+    decay = 0.5 * RODS_RE - math.sqrt(0.25 * RODS_RE * RODS_RE + 4.0 * math.pi * math.pi)
     k = 2.0 * math.pi
     wake = elementwise.exp(decay * x)
     return 1.0 - wake * elementwise.cos(k * y), decay / k * wake * elementwise.sin(k * y)
