@@ -62,7 +62,7 @@ class Smoke(ModelScene):
         Equation(
             "Time-centred", r"\v{u} - (1 - q) \Delta t \nabla p", "what is carried, with the old pressure"
         ),
-        Equation("Lift", r"g \frac{T - T_a}{T + T_a} 2", "hot gas moves what is around it"),
+        Equation("Lift", r"2 g \frac{T - T_a}{T + T_a}", "hot gas moves what is around it"),
     )
     try_this = (
         "Choose Stam 2003 as printed, and look at the divergence; then multigrid.",
