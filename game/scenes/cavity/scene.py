@@ -52,7 +52,7 @@ class Cavity(ModelScene):
         Equation(
             "Flow", r"\frac{d \v{u}}{d t} = - \nabla p + \nu \nabla^2 \v{u}", "Navier 1822, Stokes 1845"
         ),
-        Equation("No divergence", r"\nabla \v{u} = 0", "what flows in flows out"),
+        Equation("No divergence", r"\nabla \cdot \v{u} = 0", "what flows in flows out"),
         Equation("Reynolds number", r"Re = \frac{U L}{\nu}", "Ghia, Ghia and Shin 1982: 100 to 10000"),
         Equation("Rayleigh number", r"Ra = \frac{g \beta \Delta T L^3}{\nu \kappa}", "de Vahl Davis 1983"),
     )

@@ -95,7 +95,7 @@ STABLE = Paper(
             "Any flow is one without sources plus a gradient (Helmholtz and Hodge). Solve for the "
             "pressure, and keep what has no sources.",
             draw_projection,
-            r"\nabla^2 p = \nabla \v{u}_3",
+            r"\nabla^2 p = \nabla \cdot \v{u}_3",
         ),
         Step("Carry dye, heat and smoke along the same way.", _draw_dye),
         Step(

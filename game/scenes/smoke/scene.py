@@ -58,7 +58,7 @@ class Smoke(ModelScene):
     )
     equations = (
         Equation("Carried along", r"\v{u}_2(\v{x}) = \v{u}_1(\v{p}(\v{x}, - \Delta t))", "Stam 1999"),
-        Equation("Pressure", r"\nabla^2 p = \frac{1}{\Delta t} \nabla \v{u}", "Chorin 1968"),
+        Equation("Pressure", r"\nabla^2 p = \frac{1}{\Delta t} \nabla \cdot \v{u}", "Chorin 1968"),
         Equation(
             "Time-centred", r"\v{u} - (1 - q) \Delta t \nabla p", "what is carried, with the old pressure"
         ),
