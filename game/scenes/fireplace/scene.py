@@ -39,7 +39,7 @@ class Fireplace(BuiltScene):
 
     All is in the plane, a metre deep. The wood is very light, so that an hour goes by in a minute; the
     flames go past logs, which are no obstacles: in space they would go around them, before and behind. The
-    gas carries its heat, not its temperature, so that what mixes keeps it; what is still lost is in the books.
+    gas carries its heat, not its temperature, so that what mixes keeps it; the books tell what is still lost.
 
     In the equations: T temperature, T_a that around, b from emissivity, area and heat capacity, Y_F and Y_O
     fuel and oxygen, s oxygen for a kilogram of fuel, k rate, g gravity, u velocity, D width of the fire.

@@ -28,6 +28,7 @@ from tests.physics.grid.shapes import Disc
 EPS = 2.220446049250313e-16
 SEALED = Borders()
 WIND = Borders(Border("inflow", (1.0, 0.0)), Border("open"), Border("wall"), Border("open"))
+OPEN = Borders(*(Border("open") for _ in range(4)))
 KEPT = ("smoke", "temperature")
 
 
@@ -53,7 +54,7 @@ def closes(gas: Gas) -> bool:
     return bool(np.all(np.abs(book.open) <= 4.0 * gas.grid.nx * gas.grid.ny * EPS * terms))
 
 
-@pytest.mark.parametrize("borders", [SEALED, WIND], ids=["sealed", "wind"])
+@pytest.mark.parametrize("borders", [SEALED, WIND, OPEN], ids=["sealed", "wind", "open"])
 @pytest.mark.parametrize("advection", ADVECTIONS)
 def test_the_rows_explain_the_change(borders, advection):
     """All but the scheme's own row are computed from what acts; what is left open is rounding."""
