@@ -86,8 +86,8 @@ def draw_card(
     surface: pygame.Surface, look: Look, rect: pygame.Rect, lines: Sequence[CardLine], opacity: float,
     rise: float = 0.0,
 ) -> None:  # fmt: skip
-    """Lines of words in the middle of a rectangle, on a picture that a veil covers: dark, or light where words
-    are dark. ``rise``: design px downwards.
+    """Lines of words in the middle of a rectangle, on a picture that a veil covers: a dark one, or a light
+    one where words are dark. ``rise``: design px downwards.
     """
     if opacity <= 0.0:
         return

@@ -138,6 +138,18 @@ def test_momentum_and_smoke_leave_with_the_wind():
     assert fields[CARRIED_THROUGH, 0] == pytest.approx(-0.01 * 3.0 * 2.0)
 
 
+def test_momentum_leaves_upwards_as_well():
+    """The same from the bottom to the top: what goes out there takes the velocity along with it, too."""
+    periodic, up = Border("periodic"), Border("inflow", (0.0, 1.0))
+    borders = Borders(periodic, periodic, up, Border("open"))
+    gas = Gas(Grid(8, 16, 1 / 8), borders, GasSettings(gravity=(0.0, 0.0)), fields=("smoke",))
+    gas.v[0], gas.v[1:], gas.u[:] = 1.0, 3.0, 0.5
+    gas.keep_books()
+    gas.step(0.01)
+    rows = gas.ledger.momentum.rows
+    assert rows[THROUGH] == pytest.approx([0.01 * 0.5 * (1.0 - 3.0), 0.01 * (1.0 - 9.0)])
+
+
 def test_plates_drag_the_gas_by_their_shear():
     """Couette: at the steady state one plate gives what the other takes; a moving start gives nu U t / d."""
     borders = Borders(

@@ -280,6 +280,22 @@ def test_a_melting_piece_that_is_cut_in_two_keeps_its_heat():
         assert grid.heat() == pytest.approx(before + float(grid.came[0]) - came, rel=1e-12)
 
 
+def test_a_piece_that_is_cut_off_above_takes_no_more_heat_from_below():
+    """Cut across the flow of heat, where the hottest cell of it is still solid."""
+    grid = MeltingGrid(np.full((12, 4), 325.0), 0.01, WAX, {"lower": 380.0})
+    while float(np.sum(grid.molten[:, 0])) < 5.5:
+        grid.step(20.0)
+    above = np.zeros((12, 4), dtype=bool)
+    above[8:] = True
+    own = grid.values[above].copy()
+    assert grid.temperature[8, 0] > grid.temperature[9, 0] + 0.01
+    grid.cut(above)
+    for _ in range(30):
+        grid.step(20.0)
+    assert float(np.sum(grid.values[above])) == pytest.approx(float(np.sum(own)), rel=1e-13)
+    assert np.ptp(grid.temperature[above]) < np.ptp(own) / WAX.solid
+
+
 def test_a_drop_of_one_cell_stays_as_molten_as_it_was():
     """Neither what melts beside it nor what is solid reaches it; heat that it is given is its own."""
     grid = melting_lump()
