@@ -29,7 +29,7 @@ def largest_outflow(u, v, ax, ay):
 
 
 @inner_kernel
-def _upwind(a, b, c, d, speed):
+def upwind(a, b, c, d, speed):
     """Value on the face between b and c, from where the gas comes."""
     if speed >= 0.0:
         one, two = b - a, c - b
@@ -57,7 +57,7 @@ def flux_stage(padded, u, v, solids, scale, kept, mix, out):
                     speed = solids.ax[j, f] * u[j, f]
                     c = n + side
                     if speed != 0.0:
-                        value = _upwind(
+                        value = upwind(
                             padded[m, c - 2, k],
                             padded[m, c - 1, k],
                             padded[m, c, k],
@@ -70,7 +70,7 @@ def flux_stage(padded, u, v, solids, scale, kept, mix, out):
                     speed = solids.ay[f, i] * v[f, i]
                     c = m + side
                     if speed != 0.0:
-                        value = _upwind(
+                        value = upwind(
                             padded[c - 2, n, k],
                             padded[c - 1, n, k],
                             padded[c, n, k],

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.gas.arrays import LAST, SETTLED, TIME, GasState, make_room, make_state
 from game.physics.gas.effects import VISCOSITY
+from game.physics.gas.ledger import Ledger
 from game.physics.gas.loads import Load, loads_on
 from game.physics.gas.settings import GasSettings
 from game.physics.gas.solids import GasSolids
@@ -104,6 +105,7 @@ class Gas:
         self.solids = GasSolids(grid)
         self.scalars[:] = self.ambient
         self.report = Report(0, 0.0, 0.0, 1.0, 0.0)
+        self.ledger: Ledger | None = None
 
     # -- what it is ---------------------------------------------------------------------------------
 
@@ -214,7 +216,7 @@ class Gas:
         np.copyto(self._room.kept, state.scalars)
         step = Step(
             self.grid.cell, float(dt), self.settings, self.edges, self._held, self._values, self.fields,
-            self.ambient,
+            self.ambient, self.ledger,
         )  # fmt: skip
         sources = (self.expansion, self.force, self.rates)
         found, q = advance(state, self._room, self.solver, self.solids, sources, step)
@@ -314,6 +316,10 @@ class Gas:
             for load in found
         ]
 
+    def keep_books(self, kept: bool = True) -> None:
+        """Write down from now on what changes momentum and fields (``ledger``), or no more."""
+        self.ledger = Ledger(self.grid.cell, self.edges.kinds, len(self.fields)) if kept else None
+
     def state(self) -> GasState:
         """All that later steps depend on: views, not copies."""
         return self._state
@@ -325,6 +331,8 @@ class Gas:
             and np.array_equal(state.solid_y, self._state.solid_y)
         )
         self._copy(state, self._state)
+        if self.ledger is not None:
+            self.ledger.forget()
         if changed:
             self.solids.restore(state.solid_x, state.solid_y)
             self.solver.set_faces(state.solid_x, state.solid_y)

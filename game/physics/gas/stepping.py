@@ -31,6 +31,7 @@ from game.physics.gas.effects import (
     VISCOSITY,
 )
 from game.physics.gas.forces import Pushed, cell_forces, confine, face_forces, push, push_cells
+from game.physics.gas.ledger import CARRIED, DRAGGED, LADEN, PUSHED, STOPPED, Ledger
 from game.physics.gas.maccormack import correct_face, correct_scalars
 from game.physics.gas.padding import extend, pad_field, pad_scalars, pad_u, pad_v
 from game.physics.gas.projection import (
@@ -65,6 +66,7 @@ class Step(NamedTuple):
     values: Floats  # (4, fields)
     fields: tuple[str, ...]
     ambient: Floats  # (fields,)
+    ledger: Ledger | None = None
 
 
 def advance(
@@ -96,7 +98,7 @@ def _centring(s: GasState, step: Step) -> float:
 def _prime(s, room, solver, solids, sources, step):
     """A step whose pressure and forces alone are kept."""
     kept = [array.copy() for array in (s.u, s.v, s.scalars)]
-    _advance(s, room, solver, solids, sources, step, 1.0, 0.0)
+    _advance(s, room, solver, solids, sources, step._replace(ledger=None), 1.0, 0.0)
     for array, old in zip((s.u, s.v, s.scalars), kept, strict=True):
         array[:] = old
     s.before_u[:], s.before_v[:] = s.u, s.v
@@ -104,7 +106,9 @@ def _prime(s, room, solver, solids, sources, step):
 
 def _advance(s, room, solver, solids, sources, step, q, ahead):
     expansion, force, rates = sources
-    effects, dt = step.settings.effects, step.dt
+    effects, dt, book = step.settings.effects, step.dt, step.ledger
+    if book is not None:
+        book.begin(s.u, s.v, s.scalars, solids.faces, _kept(step))
     if ADVECTION in effects:
         _find_ways(s, room, solids, step, ahead)
     keeps = bool(step.settings.conservative) and ADVECTION in effects
@@ -113,20 +117,33 @@ def _advance(s, room, solver, solids, sources, step, q, ahead):
     _carry_scalars(s, room, solids, step, rates, ADVECTION in effects)
     if conserved is not None:
         s.scalars[:, :, _kept(step)] = conserved
+    if book is not None:
+        book.see(CARRIED, s.u, s.v)
+        book.see_fields(CARRIED, s.scalars)
+        book.source(dt, rates)
     if DIFFUSION in effects:
         _diffuse(s, room, solids, step)
     _push(s, room, step, force, q * dt)
+    if book is not None:
+        book.force(q * dt, s.force_u, s.force_v)
+        book.see(PUSHED, s.u, s.v)
     if VISCOSITY in effects and step.settings.viscosity > 0.0:
         _drag(s, room, solids, step, q)
+    if book is not None:
+        book.see(DRAGGED, s.u, s.v)
     set_side_velocities(s.u, s.v, step.edges)
     if solids.present:
         set_closed_faces(s.u, s.v, solids.faces)
+    if book is not None:
+        book.see(STOPPED, s.u, s.v)
     found = Found(0, 0.0, 0.0)
     if PRESSURE in effects:
         grows = expansion if EXPANSION in effects else np.zeros_like(expansion)
         found = _project(s, solver, solids, step, grows, q)
     if VISCOSITY in effects and step.settings.viscosity > 0.0:
         _add_drag(s, room, solids, step)
+    if book is not None:
+        book.close(s.u, s.v, s.scalars)
     return found, q
 
 
@@ -153,6 +170,10 @@ def _carry_velocity(
     pressure_ghosts(s.pressure, edges.kinds, True)
     pad_u(s.u, s.force_u, s.pressure, part, slope, s.before_u, room.pad_u)
     pad_v(s.v, s.force_v, s.pressure, part, slope, s.before_v, room.pad_v)
+    if step.ledger is not None:
+        step.ledger.force(part, s.force_u, s.force_v)
+        step.ledger.press(part, s.pressure)
+        step.ledger.see(LADEN, room.pad_u[2:-2, 2:-2], room.pad_v[2:-2, 2:-2])
     if solids.present:
         _set_padded_solids(room, faces, slip)
     fill_velocity_ghosts(room.pad_u, X, edges)
@@ -192,6 +213,8 @@ def _carry_scalars(
     kinds, faces = step.edges.kinds, solids.faces
     pad_scalars(s.scalars, rates, step.dt, room.pad_s)
     fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
+    if carried and step.ledger is not None:
+        step.ledger.flow(step.dt, s.before_u, s.before_v, room.pad_s)
     if not carried:
         s.scalars[:] = room.pad_s[2:-2, 2:-2]
         return
@@ -219,9 +242,13 @@ def _conserve(s: GasState, room: Room, solids: GasSolids, step: Step, rates: Flo
     for _ in range(count):
         np.copyto(room.way_s, inner)
         fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
+        if step.ledger is not None:
+            step.ledger.flux(0.5 * step.dt / count, s.u, s.v, room.pad_s)
         flux_stage(room.pad_s, s.u, s.v, faces, scale, kept, 0.0, room.stage_s)
         inner[:] = room.stage_s
         fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
+        if step.ledger is not None:
+            step.ledger.flux(0.5 * step.dt / count, s.u, s.v, room.pad_s)
         flux_stage(room.pad_s, s.u, s.v, faces, scale, kept, 0.5, room.way_s)
         inner[:] = room.way_s
     return np.asarray(inner[:, :, kept] + step.dt * rates[:, :, kept])
@@ -245,6 +272,8 @@ def _diffuse(s: GasState, room: Room, solids: GasSolids, step: Step) -> None:
         room.pad_s[2:-2, 2:-2] = s.scalars
         fill_scalar_ghosts(room.pad_s, step.edges.kinds, step.held, step.values)
         strength = each * (step.dt / (step.h * step.h) / substeps)
+        if step.ledger is not None:
+            step.ledger.spread(strength, room.pad_s)
         diffuse(s.scalars, room.pad_s, solids.faces.ax, solids.faces.ay, strength)
 
 
@@ -316,6 +345,8 @@ def _project(
     found = solver.solve(chosen.pressure, chosen.turns, chosen.tolerance * h * h / (q * dt * dt))
     pressure_ghosts(s.pressure, step.edges.kinds, True)
     subtract_gradient(s.u, s.v, s.pressure, q * dt / h)
+    if step.ledger is not None:
+        step.ledger.press(q * dt, s.pressure)
     set_side_velocities(s.u, s.v, step.edges)
     if solids.present:
         set_closed_faces(s.u, s.v, solids.faces)

@@ -3,7 +3,7 @@
 from game.physics.heat.bodies import BurningBodies, Fuel, NodesState
 from game.physics.heat.burning_front import BurningFront
 from game.physics.heat.enthalpy import Phases
-from game.physics.heat.grid import HeatGrid, HeatState, MeltingGrid
+from game.physics.heat.grid import HeatGrid, HeatState, MeltingGrid, MeltingState
 from game.physics.heat.radiation import STEFAN_BOLTZMANN, cooled
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "HeatGrid",
     "HeatState",
     "MeltingGrid",
+    "MeltingState",
     "NodesState",
     "Phases",
     "cooled",

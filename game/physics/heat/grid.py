@@ -52,6 +52,15 @@ class HeatState(NamedTuple):
     came: Floats  # (1,)
 
 
+class MeltingState(NamedTuple):
+    """values, came: as of `HeatState`; open_x (ny, nx + 1), open_y (ny + 1, nx): 0 for faces that are cut."""
+
+    values: Floats
+    came: Floats
+    open_x: Floats
+    open_y: Floats
+
+
 class _Plate:
     """Cells of one size with edges that are insulated or held at a temperature."""
 
@@ -72,14 +81,6 @@ class _Plate:
 
     def _step(self, dt: float) -> float:
         return _positive("dt", dt)
-
-    def state(self) -> HeatState:
-        """All that later steps depend on, not copied."""
-        return HeatState(self.values, self.came)
-
-    def restore(self, state: HeatState) -> None:
-        """Take over a copy of a state."""
-        self.values[:], self.came[:] = state.values, state.came
 
 
 class HeatGrid(_Plate):
@@ -125,6 +126,14 @@ class HeatGrid(_Plate):
         self.explicit_limit = 1.0 / worst if worst > 0.0 else math.inf
         self.fresh = DAMPED
 
+    def state(self) -> HeatState:
+        """All that later steps depend on, not copied."""
+        return HeatState(self.values, self.came)
+
+    def restore(self, state: HeatState) -> None:
+        """Take over a copy of a state."""
+        self.values[:], self.came[:] = state.values, state.came
+
     def jump(self) -> None:
         """Say that temperatures were changed by hand: the next two steps of Crank-Nicolson are damped."""
         self.fresh = DAMPED
@@ -160,7 +169,8 @@ class HeatGrid(_Plate):
 
 class MeltingGrid(_Plate):
     """Cells of a material that melts and boils, as heat (ny, nx) J/m³. An explicit step is cut into as many
-    as are stable, up to ``most_substeps``; beyond that it is refused by a ValueError.
+    as are stable, up to ``most_substeps``; beyond that it is refused by a ValueError. A piece can be cut off
+    (`cut`): it keeps its heat, and no more goes to or fro.
     """
 
     def __init__(
@@ -176,6 +186,7 @@ class MeltingGrid(_Plate):
         self.material, self.most_substeps = material, most_substeps
         super().__init__(heat_at(start, material), cell, held or {})
         self.temperature, self.molten, self.boiled = (np.zeros_like(start) for _ in range(3))
+        self.open_x, self.open_y = np.ones_like(self.gx), np.ones_like(self.gy)
         most_k = max(material.solid_k, material.liquid_k, material.gas_k)
         least_c = min(material.solid, material.liquid, material.gas)
         faces = 8.0 if np.any(self.is_held) else 4.0
@@ -200,6 +211,16 @@ class MeltingGrid(_Plate):
         self.values += added
         self.look()
 
+    def cut(self, piece: ArrayLike) -> None:
+        """Cut off the cells (ny, nx) that are True from all others, even if they are half molten. ValueError
+        for another shape.
+        """
+        off = np.asarray(piece)
+        if off.shape != self.values.shape or off.dtype != np.bool_:
+            raise ValueError(f"piece: expected {self.values.shape} of True and False")
+        self.open_x[:, 1:-1][off[:, 1:] != off[:, :-1]] = 0.0
+        self.open_y[1:-1][off[1:] != off[:-1]] = 0.0
+
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless above 0 and short enough."""
         count = max(1, math.ceil(self._step(dt) / self.explicit_limit - 1e-9))
@@ -210,6 +231,8 @@ class MeltingGrid(_Plate):
         h, part = dt / count, 1.0 / (self.cell * self.cell)
         for _ in range(count):
             join_phases(self.molten, self.boiled, self.material, part, self.is_held, self.gx, self.gy)
+            np.multiply(self.gx, self.open_x, out=self.gx)
+            np.multiply(self.gy, self.open_y, out=self.gy)
             came = flow_into(self.temperature, self.gx, self.gy, self.held, self.flow)
             add_flow(self.values, self.flow, h)
             self.look()
@@ -219,9 +242,14 @@ class MeltingGrid(_Plate):
         """How far the molten part reaches along a row, m, by the shares of its cells."""
         return float(np.sum(self.molten[row])) * self.cell
 
-    def restore(self, state: HeatState) -> None:
+    def state(self) -> MeltingState:
+        """All that later steps depend on, not copied."""
+        return MeltingState(self.values, self.came, self.open_x, self.open_y)
+
+    def restore(self, state: MeltingState) -> None:
         """Take over a copy of a state."""
-        super().restore(state)
+        self.values[:], self.came[:] = state.values, state.came
+        self.open_x[:], self.open_y[:] = state.open_x, state.open_y
         self.look()
 
 

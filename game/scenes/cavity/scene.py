@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from game.lab.studies.gas import cavity_study
+from game.lab.studies.gases.flows import cavity_study
 from game.levels import Level
 from game.physics.gas import GAS
 from game.physics.gas.effects import CONFINEMENT
@@ -52,7 +52,7 @@ class Cavity(ModelScene):
         Equation(
             "Flow", r"\frac{d \v{u}}{d t} = - \nabla p + \nu \nabla^2 \v{u}", "Navier 1822, Stokes 1845"
         ),
-        Equation("No divergence", r"\nabla \v{u} = 0", "what flows in flows out"),
+        Equation("No divergence", r"\nabla \cdot \v{u} = 0", "what flows in flows out"),
         Equation("Reynolds number", r"Re = \frac{U L}{\nu}", "Ghia, Ghia and Shin 1982: 100 to 10000"),
         Equation("Rayleigh number", r"Ra = \frac{g \beta \Delta T L^3}{\nu \kappa}", "de Vahl Davis 1983"),
     )

@@ -51,8 +51,8 @@ EDGE = 2  # cells within the box at which the picture of the gas fades
 
 
 class AirState(NamedTuple):
-    """gas; books (6,) of what burnt; flows (2,) J/m: from the match (less what water took), through the
-    sides.
+    """gas; books (6,) of what burnt; flows (4,) J/m: from the match (less what water took), through the
+    sides, lost in carrying, asked of gas that was too cold to give it.
     """
 
     gas: GasState
@@ -76,7 +76,7 @@ class Air(Part):
             FIELDS, {"oxygen": FRESH},
         )  # fmt: skip
         self.flames = Flames(range(4), self.cell, GasFuel(**VAPOUR, effects=active))
-        self.flows: Floats = np.zeros(2)
+        self.flows: Floats = np.zeros(4)
         self.lifts, self.wind, self.damper = BUOYANCY in gas_effects, 0.0, -1.0
         self._shell = SolidWorld()
         stone = Material(density=2000.0)
@@ -188,11 +188,11 @@ class Air(Part):
         x, y = self.gas.grid.centres()
         near = elementary.square(x - place[0]) + elementary.square(y - place[1]) < reach * reach
         t = self.gas.scalars[..., 0]
-        cooler = np.where(near, 373.15 + 0.3 * (t - 373.15), t)
+        cooler, before = np.where(near, 373.15 + 0.3 * (t - 373.15), t), self.heat()
         taken = np.where(near & (t > 373.15), t - cooler, 0.0)
         t -= taken
         self.gas.scalars[..., 2][near] *= 0.4
-        self.flows[0] -= float(np.sum(taken)) * VAPOUR["capacity"] * (self.cell * self.cell)
+        self.flows[0] -= before - self.heat()
 
     def blow(self, place: tuple[float, float], way: tuple[float, float], reach: float = 0.09) -> None:
         """Push the gas about a place (m) by a way (m/s)."""
@@ -207,8 +207,11 @@ class Air(Part):
 
     def advance(self, dt: float) -> None:
         """Burn, and flow."""
-        gas, t = self.gas, self.gas.scalars[..., 0]
+        gas, t, volume = self.gas, self.gas.scalars[..., 0], self.cell * self.cell
+        books, before, asked = self.flames.books_now(), self.heat(), float(np.sum(self._rise))
         np.maximum(self._rise, COLDEST - t, out=self._rise)
+        given = VAPOUR["capacity"] * volume * float(np.sum(self._rise))
+        self.flows[3] += VAPOUR["capacity"] * volume * asked - given
         if EXPANSION in self.flames.made_of.effects:
             np.divide(self._rise, t * dt, out=gas.expansion)
         else:
@@ -225,15 +228,31 @@ class Air(Part):
         gas.force[..., 1] -= 0.5 * SLOWS * (gas.v[1:] + gas.v[:-1])
         if self.wind != 0.0:
             gas.force[self._outside, 0] += 3.0 * (self.wind - along[self._outside])
-        gas.step(dt)
-        self.flows[1] += self._through_sides() * dt
+        self._carry(dt)
+        out, now = self._through_sides() * dt, self.flames.books_now()
+        self.flows[1] += out
+        made = given + (now.released - books.released) - (now.radiated - books.radiated)
+        self.flows[2] += made - out - (self.heat() - before)
+
+    def _carry(self, dt: float) -> None:
+        """Let the gas flow. Its heat is carried, not its temperature: parcels that mix keep the sum of their
+        heat, and a mean of temperatures would have more of it.
+        """
+        t = self.gas.scalars[..., 0]
+        if EXPANSION not in self.flames.made_of.effects:
+            self.gas.step(dt)
+            return
+        t[:] = ROOM + 0.5 * (t - ROOM) * (t + ROOM) / t
+        self.gas.step(dt)
+        half = t - ROOM
+        t[:] = half + np.sqrt(half * half + ROOM * ROOM)
 
     def _through_sides(self) -> float:
-        """W/m that leave the box."""
+        """W/m that leave the box; air that comes in is as warm as the room."""
         warm = self._heats() * self.cell
         u, v = self.gas.u, self.gas.v
-        sums = (warm[:, -1] * u[:, -1], -warm[:, 0] * u[:, 0], warm[-1] * v[-1], -warm[0] * v[0])
-        return math.fsum(float(np.sum(part)) for part in sums)
+        ways = (warm[:, -1], u[:, -1]), (warm[:, 0], -u[:, 0]), (warm[-1], v[-1]), (warm[0], -v[0])
+        return math.fsum(float(np.sum(rim * np.maximum(out, 0.0))) for rim, out in ways)
 
     @property
     def of_match(self) -> float:
@@ -244,6 +263,16 @@ class Air(Part):
     def gone(self) -> float:
         """J/m that left the box with the gas."""
         return float(self.flows[1])
+
+    @property
+    def lost(self) -> float:
+        """J/m that the gas's way of carrying has lost: it takes temperatures along, not heat."""
+        return float(self.flows[2])
+
+    @property
+    def refused(self) -> float:
+        """J/m (below 0) that wood took from gas which was too cold to give it."""
+        return float(self.flows[3])
 
     def _along(self) -> Floats:
         return np.asarray(0.5 * (self.gas.u[:, 1:] + self.gas.u[:, :-1]))

@@ -33,6 +33,6 @@ def draw_ember(pen: Pen) -> None:
         pen.disc(x, y, 5.0, pygame.Color(255, int(40 + 180 * share), int(20 + 60 * share)))
     pen.words("1100 K", LEFT + 8.0, HIGH - 10.0, "text2", "left")
     pen.words("300 K", LEFT + 8.0, LOW - 10.0, "text2", "left")
-    pen.words("in proportion", 116.0, LOW - 16.0, "text3", "left")
+    pen.words("in proportion", 196.0, LOW - 16.0, "text3", "left")
     pen.formula(r"\dot{T} = -b (T^4 - T_a^4)", 196.0, 70.0)
     pen.words("2 minutes", RIGHT, LOW + 14.0, "text3", "right")

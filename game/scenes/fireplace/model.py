@@ -36,7 +36,7 @@ from game.stage import Part
 
 Floats = NDArray[np.float64]
 GIVES = np.array([(-0.8, 1.0), (0.0, 1.0), (0.8, 1.0), (-0.8, -1.0), (0.0, -1.0), (0.8, -1.0)])
-SEES_FLAMES = 0.3  # most of what a piece sees that flames are
+SEES_FLAMES = 0.5  # most of what a piece sees that flames are
 BRIGHT = 6.0e4  # W/m of flames at which it is so
 FAR = 0.35  # m from the middle of the fire at which it is half of that
 BEAT_S, LEAST_BEATS = 5.0, 4  # s over which the puffs are counted, and how many it takes
@@ -305,13 +305,15 @@ class FireplaceModel(Part):
 
     def books(self) -> dict[str, float]:
         """J/m: made by burning and the match; radiated, gone with steam and through the sides, in gas and
-        wood; and what is missing of it ("open"): what the gas's way of carrying heat has lost or made.
+        wood; "carrying": what the gas's way of carrying temperatures has lost of it, step by step; "refused":
+        see `Air`; "open": what is missing of all that, which is rounding.
         """
         flames, wood, air = self.air.flames.books_now(), self.wood.nodes, self.air
         made = flames.released + float(wood.totals[OF_FUEL]) + air.of_match
         found = {
             "radiated": flames.radiated + float(wood.totals[RADIATED]), "steam": float(wood.totals[STEAM]),
             "flue": air.gone, "gas": air.heat(), "wood": wood.heat() - self.heat_at_first,
+            "carrying": air.lost, "refused": air.refused,
         }  # fmt: skip
         return {"made": made, **found, "open": made - sum(found.values())}
 

@@ -45,6 +45,7 @@ def readouts_of(model: FireplaceModel) -> list[Readout]:
         Readout("radiated", 100.0 * books["radiated"] / made, "%"),
         Readout("up the flue", 100.0 * books["flue"] / made, "%"),
         Readout("heat in the wood", 100.0 * books["wood"] / made, "%"),
+        Readout("lost in carrying", 100.0 * books["carrying"] / made, "%"),
         Readout("open share", 100.0 * books["open"] / made, "%"),
         Readout("divergence left", air.gas.report.after, ""),
         Readout("puffs of a round pool", 1.5 / math.sqrt(0.6), "Hz"),

@@ -38,7 +38,8 @@ class Fireplace(BuiltScene):
     and leaves by the flue. The logs are rigid pieces, welded together: burnt ones are thinner, and break.
 
     All is in the plane, a metre deep. The wood is very light, so that an hour goes by in a minute; the
-    flames go around logs, which would lie before and behind them.
+    flames go past logs, which are no obstacles: in space they would go around them, before and behind. The
+    gas carries its heat, not its temperature, so that what mixes keeps it; the books tell what is still lost.
 
     In the equations: T temperature, T_a that around, b from emissivity, area and heat capacity, Y_F and Y_O
     fuel and oxygen, s oxygen for a kilogram of fuel, k rate, g gravity, u velocity, D width of the fire.
@@ -77,7 +78,7 @@ class Fireplace(BuiltScene):
     equations = (
         Equation("An ember", r"\dot{T} = -b (T^4 - T_a^4)", "Stefan 1879, Boltzmann 1884"),
         Equation("What burns", r"k \text{min}(Y_F, \frac{Y_O}{s})", "the reactant of which there is less"),
-        Equation("What is warmed expands", r"\nabla u = \frac{\dot{T}}{T}", "at constant pressure"),
+        Equation("What is warmed expands", r"\nabla \cdot \v{u} = \frac{\dot{T}}{T}", "at constant pressure"),
         Equation("Puffs of a round fire", r"f = \frac{1.5}{\sqrt{D}}", "Cetegen and Ahmed 1993"),
     )
     try_this = (

@@ -56,4 +56,4 @@ def draw_projection(pen: Pen) -> None:
             pen.words("=" if k == 0 else "+", middle + 47.0, 96.0, "text1")
     pen.words("carried along", 56.0, 158.0, "text2")
     pen.words("kept", 150.0, 158.0, "chalk")
-    pen.words("∇p", 242.0, 158.0, "vermilion")
+    pen.formula(r"\nabla p", 242.0, 158.0, "vermilion")

@@ -97,6 +97,7 @@ class SmokeModel(Part):
         self.scalars[..., WARM], self.scalars[..., OXYGEN] = ROOM, FRESH
         self._begin()
         self.take_solids()
+        self.keep_books()
         self.smoke_at_first = self.total(SMOKE)
         self.energy_at_first = self.energy()
 
@@ -121,6 +122,7 @@ class SmokeModel(Part):
             effects=effects, advection=chosen.method, pressure=chosen.pressure,
             turns=max(int(chosen.turns), self._fewest()),
             viscosity=chosen.viscosity, confinement=chosen.confinement, ambient=ROOM,
+            conservative=FIELDS if chosen.flux else (),
         )  # fmt: skip
 
     def _fewest(self) -> int:
@@ -140,7 +142,13 @@ class SmokeModel(Part):
         elif self.printed is not None:
             self.printed.viscosity, self.printed.most = float(self.parameters.viscosity), self._turns()
         self.flames.made_of = self._burns()
+        self.keep_books()
         self.watch.clear()
+
+    def keep_books(self) -> None:
+        """Begin or end the books of the gas, as chosen."""
+        if self.gas is not None and (self.gas.ledger is not None) != bool(self.parameters.books):
+            self.gas.keep_books(bool(self.parameters.books))
 
     def change_effects(self, active: EffectSet) -> None:
         """Compute these from now on."""

@@ -8,7 +8,7 @@ from time import process_time
 
 import numpy as np
 
-from game.lab.studies.stable_fluids import METHODS, whirl_after
+from game.lab.studies.gases.whirl import METHODS, whirl_after
 from game.physics.stable_fluids import PrintedFluid
 from game.scenes.smoke.figure import draw_projection, draw_trace
 from game.ui.canvas.pen import Pen
@@ -95,7 +95,7 @@ STABLE = Paper(
             "Any flow is one without sources plus a gradient (Helmholtz and Hodge). Solve for the "
             "pressure, and keep what has no sources.",
             draw_projection,
-            r"\nabla^2 p = \nabla \v{u}_3",
+            r"\nabla^2 p = \nabla \cdot \v{u}_3",
         ),
         Step("Carry dye, heat and smoke along the same way.", _draw_dye),
         Step(

@@ -32,5 +32,9 @@ class SmokeParameters(Parameters):
     cells = Param(128, 16, 320, step=16, whole=True, group="Method", rebuild=True, help="across two metres")
     step_length = Param(1.0 / 60.0, 1.0 / 1000.0, 1.0 / 10.0, unit="s", log=True, group="Method",
                         label="Time step")  # fmt: skip
+    flux = Toggle(False, group="Method", label="In flux form", help="smoke, heat and the rest: what leaves a "
+                  "cell enters its neighbour, so that their sums are kept; slower")  # fmt: skip
+    books = Toggle(False, group="Shown", label="Books", help="of momentum and heat, step by step, "
+                   "beside the picture; they take a quarter of a step")  # fmt: skip
     view = Choice("smoke", VIEWS, group="Shown", label="Gas", help="what is shown of the gas")
     arrows = Toggle(False, group="Shown", label="Arrows", help="the velocity, here and there")

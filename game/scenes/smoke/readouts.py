@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.scenes.smoke.books import heat_readouts, momentum_readouts
 from game.scenes.smoke.model import FUEL, OXYGEN, SMOKE, WARM, SmokeModel
 from game.stage import Readout
 
@@ -39,4 +40,6 @@ def readouts_of(model: SmokeModel) -> list[Readout]:
         Readout("oxygen used", 1e3 * books.used, "g/m"),
         Readout("pressure ratio", model.flames.pressure_ratio(np.ascontiguousarray(cells))),
         Readout("a step", model.watch.median("step"), "s"),
+        *momentum_readouts(model),
+        *heat_readouts(model),
     ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from game.lab.studies.stable_fluids import whirl_study
+from game.lab.studies.gases.smoke import smoke_study
 from game.levels import Level
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import GAS
@@ -40,7 +40,7 @@ class Smoke(ModelScene):
     model: SmokeModel
     effects = GAS.known | COMBUSTION.known
     content_type = SmokeContent
-    study = whirl_study
+    study = smoke_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     figure = staticmethod(draw_projection)
     hints = (Hint(("Drag",), "stir, or what the tool does"), Hint(("Right drag",), "paint"))
@@ -58,11 +58,11 @@ class Smoke(ModelScene):
     )
     equations = (
         Equation("Carried along", r"\v{u}_2(\v{x}) = \v{u}_1(\v{p}(\v{x}, - \Delta t))", "Stam 1999"),
-        Equation("Pressure", r"\nabla^2 p = \frac{1}{\Delta t} \nabla \v{u}", "Chorin 1968"),
+        Equation("Pressure", r"\nabla^2 p = \frac{1}{\Delta t} \nabla \cdot \v{u}", "Chorin 1968"),
         Equation(
             "Time-centred", r"\v{u} - (1 - q) \Delta t \nabla p", "what is carried, with the old pressure"
         ),
-        Equation("Lift", r"g \frac{T - T_a}{T + T_a} 2", "hot gas moves what is around it"),
+        Equation("Lift", r"2 g \frac{T - T_a}{T + T_a}", "hot gas moves what is around it"),
     )
     try_this = (
         "Choose Stam 2003 as printed, and look at the divergence; then multigrid.",
@@ -70,6 +70,7 @@ class Smoke(ModelScene):
         "Paint a fire below the disc, and look at it as schlieren.",
         "Drag the disc through the smoke.",
         "Set a long time step: nothing blows up, but all is smeared.",
+        "Open the books: what carrying makes of heat is a row of its own; then choose flux form.",
     )
 
     def build(self, level: Level | None) -> None:
@@ -86,7 +87,7 @@ class Smoke(ModelScene):
 
     def why_idle(self, name: str) -> str:
         printed = self.parameters.method in PRINTED
-        if printed and name in ("pressure", "confinement"):
+        if printed and name in ("pressure", "confinement", "flux", "books"):
             return "A paper as printed has its own."
         if self.parameters.method == "stam-1999" and name == "turns":
             return "The first paper solves to the end."

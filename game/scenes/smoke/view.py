@@ -6,6 +6,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.scenes.smoke.books import draw_books
 from game.scenes.smoke.hand import SmokeHand
 from game.scenes.smoke.model import ROOM, SMOKE, SOOT, TALL, WARM, WIDE, SmokeModel
 from game.ui.canvas.canvas import Canvas
@@ -65,6 +66,8 @@ class SmokeView:
             canvas.circle((x - 0.3 * radius, y + 0.3 * radius), 0.35 * radius, "text1", 0.08)
         if self.model.parameters.arrows:
             self._draw_arrows(canvas)
+        if self.model.parameters.books and canvas.teaching:
+            draw_books(canvas, self.model)
         corners = ((0.0, 0.0), (WIDE, 0.0), (WIDE, TALL), (0.0, TALL))
         canvas.polygon(np.array(corners), outline="line2", width=1.4)
         if self.hand.point is not None:

@@ -1,10 +1,13 @@
 """Dust: puffs that spring up where something strikes, slow down in the air, spread, settle.
 
-Velocity decays in the air at a rate, implicitly; a puff grows as the square root of its age, as what mixes
-does. It is carried, and pushes nothing back: the air itself is not computed.
+Their velocity goes over to that of the air at a rate, implicitly, which is at rest unless it is computed (see
+`air`); a puff grows as the square root of its age, as what mixes does. They show the dust; its mass is in the
+air's cells.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 import numpy as np
 
@@ -29,11 +32,16 @@ def puffs(places: Floats, speeds: Floats, size: float, life: float, random: np.r
     return found
 
 
-def advance_dust(dust: Floats, dt: float) -> Floats:
-    """All of them a step later; those that have settled are gone, and the oldest if there are too many."""
+def advance_dust(dust: Floats, dt: float, wind: Callable[[Floats], Floats] | None = None) -> Floats:
+    """All of them a step later; those that have settled are gone, and the oldest if there are too many.
+
+    wind: velocity (n, 2) m/s of the air at places (n, 2) m.
+    """
     if not len(dust):
         return dust
     now = dust.copy()
+    if wind is not None:
+        now[:, [DVX, DVY]] += DRAG * dt * wind(dust[:, [DX, DY]])
     now[:, [DVX, DVY]] /= 1.0 + DRAG * dt
     now[:, DVY] -= DRAG * SINK * dt
     now[:, [DX, DY]] += dt * now[:, [DVX, DVY]]

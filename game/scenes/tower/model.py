@@ -12,8 +12,10 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.kernels import elementwise, linear
 from game.physics.solids import SolidSettings, SolidState, SolidWorld
+from game.physics.solids.effects import SOLIDS
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.shared.stopwatch import Stopwatch
+from game.scenes.tower.air import AirState, TowerAir
 from game.scenes.tower.breaking import break_up, cuts_of, speed_of_stop
 from game.scenes.tower.building import (
     build,
@@ -25,6 +27,7 @@ from game.scenes.tower.building import (
     slab_mass,
 )
 from game.scenes.tower.dust import advance_dust, puffs
+from game.scenes.tower.effects import AIR
 from game.scenes.tower.hearing import heard_now
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
@@ -53,15 +56,16 @@ from game.scenes.tower.tables import (
 from game.stage import ParameterError, Part
 
 MOST_BODIES = 1_500
-PIECES_OF_COLUMN = 5
+PIECES_OF_COLUMN = 3
 LEAST_LONG = 1.0  # m: shorter shards do not break any more
 NOT_FIRED = -1.0
 SKIN, SLOWEST = 0.02, 0.1  # m; m/s
+OF_COLUMN, OF_STRIKE, ON_FLOOR = 4.0, 0.8, 3.0  # kg of dust of a column, of a hard strike; kg/m² on a floor
 
 
 class ModelState(NamedTuple):
     """world; parts (n, PART_WIDTH), storeys (s, STOREY_WIDTH), dust (d, DUST_WIDTH), heard (k, HEARD_WIDTH):
-    see `tables`; clock (2,): time of the firing s (NOT_FIRED), steps.
+    see `tables`; clock (2,): time of the firing s (NOT_FIRED), steps; air.
     """
 
     world: SolidState
@@ -70,6 +74,7 @@ class ModelState(NamedTuple):
     dust: Floats
     heard: Floats
     clock: Floats
+    air: AirState
 
 
 class TowerModel(Part):
@@ -86,6 +91,7 @@ class TowerModel(Part):
         self.storeys = np.full((content.storeys, STOREY_WIDTH), NOT_YET)
         self.dust, self.heard = none_of(DUST_WIDTH), none_of(HEARD_WIDTH)
         self.built_mass = float(self.parts[:, MASS].sum())
+        self.air = TowerAir(content)
 
     # -- changes --------------------------------------------------------------------------------------
 
@@ -93,7 +99,7 @@ class TowerModel(Part):
         parameters = self.parameters
         try:
             return SolidSettings(
-                effects=self.active,
+                effects=self.active & SOLIDS.known,
                 solver=parameters.solver,
                 substeps=parameters.substeps_now(),
                 gravity=(0.0, -parameters.gravity),
@@ -112,6 +118,8 @@ class TowerModel(Part):
 
     def change_effects(self, active: EffectSet) -> None:
         """Compute these effects from now on."""
+        if AIR in active and AIR not in self.active:
+            self.air = TowerAir(self.content)
         self.active = active
         self.world.settings = self._settings()
         self.watch.clear()
@@ -147,8 +155,9 @@ class TowerModel(Part):
             self.storeys[storey - 1, CUT] = self.time
         spread = linear.uniform(random, -0.5, 0.5, (10, 2)) * (1.0, 2.0)
         self._raise_dust(
-            spread + np.array((x, y)), linear.uniform(random, -3.0, 3.0, (10, 2)), 0.8, 3.5, random
-        )
+            spread + np.array((x, y)), linear.uniform(random, -3.0, 3.0, (10, 2)), 0.8, 3.5, random,
+            OF_COLUMN,
+        )  # fmt: skip
 
     def break_floor(self, row: int) -> None:
         """A floor's bay, or a shard of one, breaks in two or three."""
@@ -177,9 +186,13 @@ class TowerModel(Part):
         self.parts = np.concatenate([self.parts, np.array(rows)])
 
     def _raise_dust(
-        self, places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator
-    ) -> None:
+        self, places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator,
+        kilograms: float,
+    ) -> None:  # fmt: skip
+        """Puffs that show it, and so much dust for the air to carry."""
         self.dust = np.concatenate([self.dust, puffs(places, speeds, size, life, random)])
+        if AIR in self.active:
+            self.air.raise_dust(places, kilograms)
 
     # -- a step ---------------------------------------------------------------------------------------
 
@@ -199,7 +212,39 @@ class TowerModel(Part):
         self.steps += 1
         self.heard = heard_now(self.world, self.heard, self.time - dt)
         self._break_by_impact()
-        self.dust = advance_dust(self.dust, dt)
+        self._blow(dt)
+
+    def _blow(self, dt: float) -> None:
+        """Air and dust, once something moves."""
+        if AIR not in self.active:
+            self.dust = advance_dust(self.dust, dt)
+            return
+        if self.awake() or not self.air.is_still():
+            with self.watch.time("air"):
+                self.air.advance(self.floors(), self.loose_pieces(), self.gravity(), dt)
+        self.dust = advance_dust(self.dust, dt, self.air.gas.sample)
+
+    def floors(self) -> Floats:
+        """(k, FLOOR_WIDTH): bays of floors that are whole, as solids of the air."""
+        parts, rows = self.parts, self.world.bodies
+        whole = parts[(parts[:, KIND] == SLAB) & (parts[:, BODY] >= 0.0)]
+        own = whole[:, BODY].astype(np.int64)
+        long = 0.5 * whole[:, WIDE]
+        thick = 0.5 * np.maximum(whole[:, TALL], self.air.thickness(0.0))
+        c, s = np.abs(rows.rotations[own]).T
+        return np.column_stack([
+            rows.positions[own], rows.rotations[own], long, thick, rows.velocities[own], rows.spins[own],
+            c * long + s * thick, s * long + c * thick,
+        ])  # fmt: skip
+
+    def loose_pieces(self) -> Floats:
+        """(n, 5): place m, velocity m/s, breadth m of what is broken and moves."""
+        parts, rows = self.parts, self.world.bodies
+        loose = parts[(parts[:, BODY] >= 0.0) & ((parts[:, KIND] == SHARD) | (parts[:, KIND] == RUBBLE))]
+        own = loose[:, BODY].astype(np.int64)
+        breadth = 0.5 * (loose[:, WIDE] + loose[:, TALL])
+        found = np.column_stack([rows.positions[own], rows.velocities[own], breadth])
+        return np.ascontiguousarray(found[np.abs(found[:, 2:4]).max(axis=1, initial=0.0) > SLOWEST])
 
     def _cut_on_schedule(self, dt: float) -> None:
         if self.fired == NOT_FIRED:
@@ -236,11 +281,16 @@ class TowerModel(Part):
     def _blow_out(self, storey: int, speed: float) -> None:
         """The air between two floors leaves at both sides, by continuity."""
         half, random = half_width(self.content), self._random(100_000 + storey)
-        fast = min(max(speed, 0.0) * half / self.content.storey, 18.0)
         side = np.where(np.arange(36) % 2 == 0, 1.0, -1.0)
         y = floor_height(self.content, storey) + linear.uniform(random, 0.1, 0.9, 36)
+        kilograms = ON_FLOOR * 2.0 * half
+        if AIR in self.active:  # the air knows how fast, and takes it along from all over the floor
+            x = linear.uniform(random, -half, half, 36)
+            self._raise_dust(np.stack([x, y], axis=1), np.zeros((36, 2)), 1.3, 9.0, random, kilograms)
+            return
+        fast = min(max(speed, 0.0) * half / self.content.storey, 18.0)
         speeds = np.stack([side * fast, linear.uniform(random, -1.0, 2.0, 36)], axis=1)
-        self._raise_dust(np.stack([side * half, y], axis=1), speeds, 1.3, 9.0, random)
+        self._raise_dust(np.stack([side * half, y], axis=1), speeds, 1.3, 9.0, random, kilograms)
 
     def _break_columns(self, before: Floats) -> None:
         """Columns that ride on what falls break where it is stopped."""
@@ -260,7 +310,8 @@ class TowerModel(Part):
         random = self._random(200_000)
         hard = np.flatnonzero(begun[:, 3] > 2.0)[:24]
         if len(hard):
-            self._raise_dust(begun[hard, :2], np.tile((0.0, 0.8), (len(hard), 1)), 1.0, 6.0, random)
+            self._raise_dust(begun[hard, :2], np.tile((0.0, 0.8), (len(hard), 1)), 1.0, 6.0, random,
+                             OF_STRIKE * len(hard))  # fmt: skip
         known = self.parts[order, BODY]
         breaking: set[int] = set()
         for (a, b), (_, _, impulse, _, _) in zip(pairs.tolist(), begun.tolist(), strict=True):
@@ -333,7 +384,9 @@ class TowerModel(Part):
     def state(self) -> ModelState:
         """All that later steps depend on."""
         clock = np.array([self.fired, float(self.steps)])
-        return ModelState(self.world.state(), self.parts, self.storeys, self.dust, self.heard, clock)
+        return ModelState(
+            self.world.state(), self.parts, self.storeys, self.dust, self.heard, clock, self.air.state()
+        )
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
@@ -341,6 +394,7 @@ class TowerModel(Part):
         self.parts, self.storeys = state.parts.copy(), state.storeys.copy()
         self.dust, self.heard = state.dust.copy(), state.heard.copy()
         self.fired, self.steps = float(state.clock[0]), int(state.clock[1])
+        self.air.restore(state.air)
 
 
 def _halves(corners: Floats, random: np.random.Generator) -> list[Floats]:

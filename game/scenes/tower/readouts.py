@@ -31,5 +31,9 @@ def readouts(model: TowerModel) -> list[Readout]:
         Readout("mass", mass / TONNE, "t"),
         Readout("mass lost", abs(mass - model.built_mass) / model.built_mass, ""),
         Readout("awake", model.awake()),
+        Readout("dust in the air", model.air.in_the_air(), "kg"),
+        Readout("dust raised", float(model.air.dust[0]), "kg"),
+        Readout("fastest air", model.air.fastest(), "m/s"),
         Readout("a step", model.watch.median("step"), "s"),
+        Readout("a step of the air", model.watch.median("air"), "s"),
     ]

@@ -12,6 +12,7 @@ from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, 
 from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.tower import A08
+from game.scenes.tower.effects import AIR
 from game.scenes.tower.figure import draw_front
 from game.scenes.tower.hand import TowerHand
 from game.scenes.tower.level import TowerContent
@@ -41,7 +42,11 @@ class Tower(BuiltScene):
 
     Columns become rubble that flies off to both sides; their momenta sum to nothing. Bays of a floor are
     welded: joints part beyond a load, and a bay that is stopped too fast breaks. Pieces together keep mass
-    and motion of what they were. The dust follows what falls, in still air.
+    and motion of what they were. Columns further down are cut by the scene the moment before the falling
+    floor meets theirs: a rigid column would stop the fall for a whole step before its joints part.
+
+    The air flows on a coarse grid around floors that move with their true velocity: it is driven out from
+    under them and carries the dust, whose mass is kept and which weighs on it. The air does not slow floors.
 
     In the equations: M the mass that falls, m that of a floor with its columns, v speed before and v' after
     it is struck, d the way from one to the next, g gravity, z the way of the front.
@@ -52,7 +57,7 @@ class Tower(BuiltScene):
     parameters: TowerParameters
     model: TowerModel
     hand: TowerHand
-    effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
+    effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS | AIR
     content_type = TowerContent
     study = collapse_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))

@@ -13,6 +13,7 @@ from game.physics.solids.state import DYNAMIC
 from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.shared.touching import contact_places
 from game.scenes.tower.building import floor_height, half_width
+from game.scenes.tower.effects import AIR
 from game.scenes.tower.model import ModelState, TowerModel
 from game.scenes.tower.tables import (
     AGE,
@@ -36,6 +37,7 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
 PANES = 3  # windows in a bay
+NO_LIGHT = ((0.0, pygame.Color(0, 0, 0)), (1.0, pygame.Color(0, 0, 0)))
 CHUNK = 160  # puffs that are painted at once, the oldest first
 
 
@@ -224,8 +226,12 @@ class TowerView:
     # -- in front -------------------------------------------------------------------------------------
 
     def _dust(self, canvas: Canvas, hour: Hour) -> None:
-        """Old puffs first, lighter above: discs in discs, thin at the rim."""
-        dust = self.model.dust
+        """What the air carries, then puffs, old ones first, lighter above: discs in discs, thin at the
+        rim.
+        """
+        dust, air = self.model.dust, AIR in self.model.active
+        if air:
+            canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), NO_LIGHT)
         if not len(dust):
             return
         age = dust[:, AGE] / dust[:, LIFE]

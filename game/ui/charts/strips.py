@@ -329,9 +329,12 @@ class Strips:
 def _label(name: str, strip: Strip) -> str:
     """The name of a series at its line, without what the chart's title says; if nothing is left, now."""
     title = strip.title.lower()
-    if len(strip.series) == 1 and name.lower() == title:
+    if len(strip.series) == 1 and f"{title} ".startswith(f"{name.lower()} "):
         return "now"
-    return name.removesuffix(" " + title.split()[0])
+    first = title.split()[0]
+    if name.lower().startswith(first + ", "):
+        return name[len(first) + 2 :]
+    return name.removesuffix(" " + first)
 
 
 def _values(stage: Stage, name: str) -> np.ndarray:

@@ -17,6 +17,7 @@ ROW_SHARE = 0.5  # of a row's width, between what stands at its ends
 SMALLEST = 11
 FADE_S = 0.25
 CARD_FADE_S = 0.6
+LIGHT_VEIL = 178  # of 255, over the picture behind a card of dark words
 
 CardLine = tuple[str, int, str, str]  # words, size in design px, weight, colour
 
@@ -85,12 +86,16 @@ def draw_card(
     surface: pygame.Surface, look: Look, rect: pygame.Rect, lines: Sequence[CardLine], opacity: float,
     rise: float = 0.0,
 ) -> None:  # fmt: skip
-    """Lines of words in the middle of a rectangle, on a darkened picture. ``rise``: design px downwards."""
+    """Lines of words in the middle of a rectangle, on a picture that a veil covers: a dark one, or a light
+    one where words are dark. ``rise``: design px downwards.
+    """
     if opacity <= 0.0:
         return
-    scrim = look.theme.scrim
+    scrim, stage = look.theme.scrim, look.theme.stage
+    dark_words = stage.r + stage.g + stage.b > 384
+    ink, most = (stage, LIGHT_VEIL) if dark_words else (scrim, scrim.a)
     veil = pygame.Surface(rect.size, pygame.SRCALPHA, 32)
-    veil.fill((scrim.r, scrim.g, scrim.b, round(scrim.a * opacity)))
+    veil.fill((ink.r, ink.g, ink.b, round(most * opacity)))
     surface.blit(veil, rect)
     rows = [
         (part, size, weight, color)

@@ -123,9 +123,7 @@ class TimeBar:
         look, state, theme, px = self.look, self.state, self.look.theme, self.look.px
         if self.rect.w < px(SIDE + CLOCK + 60) or self.rect.h < px(HEIGHT) // 2:
             return
-        ground = pygame.Surface(self.rect.size, pygame.SRCALPHA, 32)
-        ground.fill((theme.panel.r, theme.panel.g, theme.panel.b, 214))
-        surface.blit(ground, self.rect)
+        surface.fill(theme.panel, self.rect)  # hints may lie below it
         self._draw_clock(surface)
         track, now = self.track, self._x_of(state.now_s)
         draw_box(surface, track, px(3), theme.inset)

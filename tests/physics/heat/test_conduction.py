@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from game.physics.heat import HeatGrid, MeltingGrid, Phases
+from game.physics.heat import HeatGrid, MeltingGrid, MeltingState, Phases
 from game.physics.heat.exact import flux_rise, ignition_time, neumann_number, slab_centre, stefan_number
 from game.physics.heat.grid import heat_at
 
@@ -237,6 +237,95 @@ def test_melting_boiling_and_freezing_in_one_step_keep_the_heat():
                        (299e3, 3e5, 5e5, 6e5, 1.15e6))  # fmt: skip
     grid.deposit(np.full((6, 6), 2e5 * 0.01))
     assert grid.heat() == pytest.approx(before + 36 * 2e3, rel=1e-12)
+
+
+WAX = Phases(2.0e6, 2.5e6, 2.5e6, 330.0, 900.0, 4e8, 1e9, 0.3, 0.2, 0.1)
+
+
+def melting_lump() -> MeltingGrid:
+    """4 by 12 cells of wax, molten from the left up to the middle of a column, solid at the right."""
+    grid = MeltingGrid(np.full((4, 12), 325.0), 0.01, WAX, {"left": 380.0})
+    while grid.front_across(0) < 0.055:
+        grid.step(20.0)
+    return grid
+
+
+def test_a_melting_piece_that_is_cut_in_two_keeps_its_heat():
+    """Through the cell that is half molten and beside it: each part goes on as if it were alone, bit for
+    bit.
+    """
+    for column in (5, 6):
+        grid = melting_lump()
+        front = int(np.flatnonzero((grid.molten[0] > 0.0) & (grid.molten[0] < 1.0))[0])
+        assert front in (5, 6) and grid.temperature[0, front] == 330.0
+        before, came = grid.heat(), float(grid.came[0])
+        right = np.zeros((4, 12), dtype=bool)
+        right[:, column:] = True
+        alone = [
+            MeltingGrid(np.full((4, column), 325.0), 0.01, WAX, {"left": 380.0}),
+            MeltingGrid(np.full((4, 12 - column), 325.0), 0.01, WAX),
+        ]
+        for part, cells in zip(alone, (~right, right), strict=True):
+            part.values[:] = grid.values[cells].reshape(4, -1)
+            part.look()
+        own = float(np.sum(grid.values[right]))
+        grid.cut(right)
+        assert grid.heat() == before
+        for _ in range(30):
+            for one in (grid, *alone):
+                one.step(20.0)
+        for part, cells in zip(alone, (~right, right), strict=True):
+            assert np.array_equal(grid.values[cells], part.values.ravel())
+        assert float(np.sum(grid.values[right])) == pytest.approx(own, rel=1e-13)
+        assert grid.heat() == pytest.approx(before + float(grid.came[0]) - came, rel=1e-12)
+
+
+def test_a_piece_that_is_cut_off_above_takes_no_more_heat_from_below():
+    """Cut across the flow of heat, where the hottest cell of it is still solid."""
+    grid = MeltingGrid(np.full((12, 4), 325.0), 0.01, WAX, {"lower": 380.0})
+    while float(np.sum(grid.molten[:, 0])) < 5.5:
+        grid.step(20.0)
+    above = np.zeros((12, 4), dtype=bool)
+    above[8:] = True
+    own = grid.values[above].copy()
+    assert grid.temperature[8, 0] > grid.temperature[9, 0] + 0.01
+    grid.cut(above)
+    for _ in range(30):
+        grid.step(20.0)
+    assert float(np.sum(grid.values[above])) == pytest.approx(float(np.sum(own)), rel=1e-13)
+    assert np.ptp(grid.temperature[above]) < np.ptp(own) / WAX.solid
+
+
+def test_a_drop_of_one_cell_stays_as_molten_as_it_was():
+    """Neither what melts beside it nor what is solid reaches it; heat that it is given is its own."""
+    grid = melting_lump()
+    j, front = 2, int(np.flatnonzero((grid.molten[2] > 0.0) & (grid.molten[2] < 1.0))[0])
+    drop = np.zeros((4, 12), dtype=bool)
+    drop[j, front] = True
+    grid.cut(drop)
+    share, heat, reached = float(grid.molten[j, front]), float(grid.values[j, front]), grid.front_across(0)
+    for _ in range(50):
+        grid.step(20.0)
+    assert grid.values[j, front] == heat and grid.molten[j, front] == share
+    assert grid.temperature[j, front] == 330.0 and grid.front_across(0) > reached + 1e-4
+    grid.deposit(np.where(drop, (1.0 - share) * WAX.melting_heat * 1e-4, 0.0))
+    assert grid.molten[j, front] == pytest.approx(1.0) and grid.temperature[j, front] == pytest.approx(330.0)
+
+
+def test_a_cut_piece_goes_on_from_a_state_as_before():
+    grid, other = melting_lump(), MeltingGrid(np.full((4, 12), 325.0), 0.01, WAX, {"left": 380.0})
+    cells = np.zeros((4, 12), dtype=bool)
+    cells[:2] = True
+    cells[:, 8:] = True
+    grid.cut(cells)
+    kept = [array.copy() for array in grid.state()]
+    other.restore(MeltingState(*kept))
+    for _ in range(10):
+        grid.step(20.0)
+        other.step(20.0)
+    assert np.array_equal(grid.values, other.values) and np.array_equal(grid.came, other.came)
+    with pytest.raises(ValueError, match="piece: expected"):
+        grid.cut(np.zeros((4, 4), dtype=bool))
 
 
 def test_a_plate_goes_on_from_a_state_as_before():

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from game.app.stagehand.headless import picture_of_stage
-from game.lab.studies.gas import CavityTrial, EddiesTrial
+from game.lab.studies.gases.flows import CavityTrial, EddiesTrial
 from game.lab.study import Setting
 from game.levels import level_files, load_level
 from game.scenes.cavity.published import EXTREMES, GHIA_U, GHIA_V, HEIGHTS, PLACES

@@ -70,7 +70,7 @@ def test_a_match_lights_the_kindling():
     assert measured(stage, "match") == 0.0 and stage.scene.model.match.place(stage.scene.model.time) is None
 
 
-def test_the_books_close_for_the_wood_and_the_better_for_the_gas_the_finer_it_is():
+def test_the_books_close_and_less_is_lost_in_carrying_the_finer_the_gas_is():
     left = {}
     for cells in (32, 80):
         stage = opened("embers", tier="own", cells=cells)
@@ -91,8 +91,49 @@ def test_the_books_close_for_the_wood_and_the_better_for_the_gas_the_finer_it_is
         change = wood.heat() - model.heat_at_first
         assert abs(change + given + radiated + steam - of_fuel) < 1e-9 * of_fuel
         assert float(wood.fuel.sum()) < fuel and 0.0 < measured(stage, "burnt") < 100.0
-        left[cells] = abs(measured(stage, "open share"))
-    assert left[80] < 0.8 * left[32]
+        assert abs(measured(stage, "open share")) < 1e-9
+        left[cells] = abs(measured(stage, "lost in carrying"))
+    assert left[80] < 0.6 * left[32] and left[80] < 12.0
+
+
+def test_the_books_stay_closed_whatever_the_hand_does():
+    """Match, water on the fire, a log, gusts, wood that cools the gas: each is in a row of its own."""
+    stage = opened("embers", **SMALL)
+    model = stage.scene.model
+    stage.run(20)
+    for tool, at in (("water", (0.0, 0.1)), ("blow", (0.1, 0.2))):
+        stage.post(SetParameter("tool", tool))
+        stage.post(Pointer("down", *at, button=1))
+        stage.post(Pointer("move", at[0] + 0.1, at[1], button=1))
+        stage.post(Pointer("up", at[0] + 0.1, at[1], button=1))
+        stage.run(5)
+        assert abs(measured(stage, "open share")) < 1e-9, tool
+    stage.post(Action("match"))
+    stage.post(Action("log"))
+    stage.run(120)
+    books = model.books()
+    assert abs(books["open"]) < 1e-11 * books["made"] and books["steam"] > 0.0 and model.air.of_match != 0.0
+    assert books["carrying"] != 0.0 and books["flue"] > 0.0
+
+
+def test_gas_that_is_carried_in_a_shut_box_keeps_its_heat():
+    """Temperatures that mix by their mean would make heat: 14 % of what burnt; the heat itself does not."""
+    stage = opened("hard-01-shut-in")
+    stage.run(240)
+    assert abs(measured(stage, "lost in carrying")) < 3.0 and measured(stage, "burnt") > 10.0
+
+
+def test_air_that_comes_in_brings_no_heat():
+    stage = opened("embers", **SMALL)
+    air = stage.scene.model.air
+    air.gas.scalars[..., 0] = 400.0
+    air.gas.u[:], air.gas.v[:] = -1.0, 0.0
+    held = 1212.0 * 0.5 * (400.0 - 293.15) * (400.0 + 293.15) / 400.0
+    before = air.gone
+    air.gas.step = lambda dt: None
+    air.flames.step = lambda *given: None
+    air.advance(0.01)
+    assert air.gone - before == pytest.approx(0.01 * held * 1.6, rel=1e-9)  # all through the left side
 
 
 def test_burnt_wood_is_thinner_breaks_and_falls():

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
-from game.lab.studies.stable_fluids import whirl_after
+from game.lab.studies.gases.whirl import whirl_after
 from game.levels import level_files, load_level
 from game.scenes.shared.expectations import captions_of
+from game.scenes.smoke.books import heat_page, momentum_page
 from game.scenes.smoke.level import SmokeContent
 from game.scenes.smoke.model import FUEL, OXYGEN, SMOKE, WARM
 from game.scenes.smoke.parameters import METHODS, VIEWS
@@ -141,3 +142,48 @@ def test_the_panel_says_what_a_printed_paper_has_of_its_own():
     assert scene.why_idle("pressure") and scene.why_idle("turns") and not scene.why_idle("cells")
     assert not opened("default").scene.why_idle("pressure")
     assert math.isfinite(opened("whirl").scene.model.energy_at_first)
+
+
+def test_the_books_of_a_fire_close_and_flux_form_leaves_carrying_nothing():
+    """Heat given by fire and sources, light, sides and the scheme explain the change; so do the forces."""
+    for flux in (False, True):
+        stage = opened("bonfire", **SMALL, books=True, flux=flux)
+        stage.run(40)
+        page, heat = momentum_page(stage.scene.model), heat_page(stage.scene.model)
+        forces = np.array([numbers for _, numbers in page.rows])
+        assert np.allclose(forces.sum(axis=0), page.change, atol=1e-9) and page.left < 1e-9
+        assert forces[0, 1] > 0.1 and abs(forces[1]).max() > 1e-3
+        rows = {name: numbers[0] for name, numbers in heat.rows}
+        assert rows["given"] > 1e3 and rows["radiated"] < 0.0
+        assert math.fsum(rows.values()) == pytest.approx(heat.change[0], abs=1e-6 * rows["given"])
+        assert (abs(rows["carrying"]) < 1e-7 * rows["given"]) == flux
+        stage.step_back()
+        stage.run(1)
+        assert measured(stage, "lift, up") == pytest.approx(forces[0, 1])
+
+
+def test_the_change_of_heat_is_that_of_what_is_there():
+    stage = opened("bonfire", **SMALL, books=True)
+    model = stage.scene.model
+    stage.run(10)
+    before = model.total(WARM)
+    stage.run(1)
+    change = 1212.0 * (model.total(WARM) - before) / stage.dt
+    assert heat_page(model).change[0] == pytest.approx(change, rel=1e-6)
+
+
+def test_books_are_drawn_only_where_there_are_any():
+    pictures = []
+    for parameters in ({}, {"books": True}, {"books": True, "method": "stam-2003"}):
+        stage = opened("bonfire", **SMALL, **parameters)
+        stage.run(5)
+        pictures.append(picture_of_stage(stage, (640, 360)).get_buffer().raw)
+    assert pictures[0] != pictures[1]
+    assert math.isnan(measured(stage, "heat, given")) and stage.scene.why_idle("books")
+    stage = opened("default", **SMALL)
+    stage.post(SetParameter("books", True))
+    stage.run(2)
+    assert math.isfinite(measured(stage, "momentum left open"))
+    stage.post(SetParameter("books", False))
+    stage.run(1)
+    assert math.isnan(measured(stage, "momentum left open"))

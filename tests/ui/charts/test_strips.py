@@ -78,6 +78,19 @@ def test_a_label_leaves_out_what_the_title_says(series, name, label):
     assert _label(name, strip) == label
 
 
+@pytest.mark.parametrize(
+    ("title", "series", "name", "label"),
+    [
+        ("Divergence that is left", ("divergence",), "divergence", "now"),
+        ("Divergence that is left", ("div",), "div", "div"),
+        ("Descent", ("descent", "descent, reference"), "descent, reference", "reference"),
+        ("Descent", ("descent", "descent, reference"), "descent", "descent"),
+    ],
+)
+def test_a_label_begins_where_the_title_ends(title, series, name, label):
+    assert _label(name, Strip(title, "1/s", series)) == label
+
+
 @pytest.fixture(scope="module")
 def stage():
     made = Stage(Sample)

@@ -1,0 +1,213 @@
+"""The air about the tower on a coarse grid, and the dust in it (A08).
+
+Floors are solids in it that move with their true velocity, at least as thick as a cell: what falls drives the
+air out from under it, and draws it in behind. Pieces of floors, which are smaller than a cell, drag the air
+along (quadratic drag). Dust is carried in flux form, so that its mass is kept but for what goes out at the
+sides, and weighs on the air it is in. What the air does to floors is left out: beside them it weighs nothing.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.gas import Gas, GasSettings, GasState
+from game.physics.gas.effects import ADVECTION, PRESSURE
+from game.physics.grid import Border, Borders, Grid
+from game.physics.kernels import elementary
+from game.physics.kernels.lean import lean_kernel
+from game.physics.surfaces.surface import Sample, empty_sample
+from game.scenes.tower.level import TowerContent
+from game.stage import Part
+
+Floats = NDArray[np.float64]
+AIR = 1.2  # kg/m³
+DRAG = 1.2  # of a piece, by its breadth (a plate across: 2; an edge-on one: less)
+PER_STOREY, MOST_ROWS = 3, 64  # cells in a storey; rows of cells
+THICKER = 1.02  # cells: so thick is a floor at least, so that no air goes through it
+BESIDE, ABOVE = 33.0, 8.0  # m of air beside the tower and above it
+FADES = 6  # cells at the sides over which the picture of the dust fades
+FULL = 0.35  # kg/m³ of dust that hides what is behind it
+SLOWS = 0.3  # 1/s
+QUICKEST = 50.0  # m/s: what is squeezed out of a gap far narrower than a cell would have no bound
+STILL = 0.03  # m/s: slower air, without dust, is not computed
+# of a floor: middle m, direction of its length, half its length and thickness m, velocity m/s, spin rad/s,
+# half its extent across and up m
+FX, FY, FC, FS, FLONG, FTHICK, FVX, FVY, FSPIN, FWIDE, FTALL = range(11)
+FLOOR_WIDTH = 11
+
+
+class AirState(NamedTuple):
+    """gas; dust (1,): kg raised so far, for a metre of depth; floors (k, FLOOR_WIDTH) as the gas knows
+    them.
+    """
+
+    gas: GasState
+    dust: Floats
+    floors: Floats
+
+
+@lean_kernel
+def sample_floors(points, floors, distance, velocity, body):
+    """Write signed distances m, velocities m/s and rows of the nearest of boxes (k, FLOOR_WIDTH)."""
+    for n in range(points.shape[0]):
+        best, nearest = 1e30, -1
+        for k in range(floors.shape[0]):
+            dx, dy = points[n, 0] - floors[k, FX], points[n, 1] - floors[k, FY]
+            if abs(dy) - floors[k, FTALL] > best or abs(dx) - floors[k, FWIDE] > best:
+                continue
+            along = abs(floors[k, FC] * dx + floors[k, FS] * dy) - floors[k, FLONG]
+            across = abs(floors[k, FC] * dy - floors[k, FS] * dx) - floors[k, FTHICK]
+            outside = along > 0.0 and across > 0.0
+            away = elementary.hypot(along, across) if outside else max(along, across)
+            if away < best:
+                best, nearest = away, k
+        distance[n], body[n] = best, nearest
+        if nearest >= 0:
+            dx, dy = points[n, 0] - floors[nearest, FX], points[n, 1] - floors[nearest, FY]
+            velocity[n, 0] = floors[nearest, FVX] - floors[nearest, FSPIN] * dy
+            velocity[n, 1] = floors[nearest, FVY] + floors[nearest, FSPIN] * dx
+
+
+@lean_kernel
+def weigh(density, u, v, gravity, force):
+    """Write force (ny, nx, 2) m/s²: dust (ny, nx) kg/m³ weighs on the air that it makes heavier, and whirls
+    die down: in space they fall apart, in the plane they would last.
+    """
+    for j in range(force.shape[0]):
+        for i in range(force.shape[1]):
+            force[j, i, 0] = -0.5 * SLOWS * (u[j, i] + u[j, i + 1])
+            force[j, i, 1] = -gravity * density[j, i] / (AIR + density[j, i])
+            force[j, i, 1] -= 0.5 * SLOWS * (v[j, i] + v[j + 1, i])
+
+
+@lean_kernel
+def drag_along(pieces, u, v, lower, cell, dt, force):
+    """Add to force (ny, nx, 2) m/s² the drag of pieces (n, 5): place m, velocity m/s, breadth m.
+
+    Each pulls the air of its cell towards its own velocity, by no more than that in a step.
+    """
+    ny, nx = force.shape[0], force.shape[1]
+    for n in range(pieces.shape[0]):
+        i, j = int((pieces[n, 0] - lower[0]) / cell), int((pieces[n, 1] - lower[1]) / cell)
+        if pieces[n, 0] < lower[0] or pieces[n, 1] < lower[1] or i >= nx or j >= ny:
+            continue
+        dx = pieces[n, 2] - 0.5 * (u[j, i] + u[j, i + 1])
+        dy = pieces[n, 3] - 0.5 * (v[j, i] + v[j + 1, i])
+        rate = 0.5 * DRAG * pieces[n, 4] * elementary.hypot(dx, dy) / (cell * cell)
+        rate = rate / (1.0 + rate * dt)
+        force[j, i, 0] += rate * dx
+        force[j, i, 1] += rate * dy
+
+
+class Floors:
+    """Floors (k, FLOOR_WIDTH) as solids of the gas."""
+
+    def __init__(self) -> None:
+        self.rows: Floats = np.zeros((0, FLOOR_WIDTH))
+
+    def sample(self, points: Floats) -> Sample:
+        """Of the nearest floor."""
+        found = empty_sample(len(points))
+        if len(self.rows):
+            sample_floors(np.ascontiguousarray(points), self.rows, found.distance, found.velocity, found.body)
+        return found
+
+
+class TowerAir(Part):
+    """Air and dust about a tower of a level."""
+
+    def __init__(self, content: TowerContent):
+        tall = content.storeys * content.storey + ABOVE
+        half = 0.5 * content.bays * content.bay + BESIDE
+        cell = max(content.storey / PER_STOREY, tall / MOST_ROWS)
+        nx, ny = 2 * round(half / cell), round(tall / cell)
+        self.grid = Grid(nx, ny, cell, (-0.5 * nx * cell, 0.0))
+        away = Border("open")
+        settings = GasSettings(
+            effects=ADVECTION | PRESSURE, advection="cubic", turns=4, tolerance=1e-3, conservative=("smoke",)
+        )  # fmt: skip
+        self.gas = Gas(self.grid, Borders(away, away, Border("wall"), away), settings, ("smoke",))
+        self.floors = Floors()
+        self.dust: Floats = np.zeros(1)
+        self._veil = np.zeros((ny, nx, 2), np.float32)
+        self._lower = np.array(self.grid.lower)
+        away = np.minimum(np.arange(nx), np.arange(nx)[::-1]) / FADES
+        self._edge = np.minimum(away, 1.0)  # the picture has no edge at the sides
+
+    @property
+    def density(self) -> Floats:
+        """(ny, nx) kg/m³ of dust."""
+        return self.gas.field("smoke")
+
+    def thickness(self, true: float) -> float:
+        """m, of a floor in the air."""
+        return max(true, THICKER * self.grid.cell)
+
+    def raise_dust(self, places: Floats, kilograms: float) -> None:
+        """So much dust (for each metre of depth), in equal parts at those of the places (n, 2) m where there
+        is air; none if there is none.
+        """
+        cell, (ny, nx) = self.grid.cell, self.grid.shape
+        i = np.floor((places[:, 0] - self._lower[0]) / cell).astype(np.int64)
+        j = np.floor((places[:, 1] - self._lower[1]) / cell).astype(np.int64)
+        inside = (i >= 0) & (i < nx) & (j >= 0) & (j < ny)
+        i, j = i[inside], j[inside]
+        ax, ay = self.gas.faces.ax, self.gas.faces.ay
+        free = np.maximum(np.maximum(ax[j, i], ax[j, i + 1]), np.maximum(ay[j, i], ay[j + 1, i])) > 0.0
+        if free.any():
+            np.add.at(self.density, (j[free], i[free]), kilograms / (np.count_nonzero(free) * cell * cell))
+            self.dust[0] += kilograms
+
+    def is_still(self) -> bool:
+        """True if nothing moves in it, and no dust is there."""
+        fastest = max(float(np.max(np.abs(self.gas.u))), float(np.max(np.abs(self.gas.v))))
+        return fastest < STILL and float(np.max(self.density)) < 1e-6
+
+    def advance(self, floors: Floats, pieces: Floats, gravity: float, dt: float) -> None:
+        """Flow for dt (s) under gravity (m/s²) about floors (k, FLOOR_WIDTH) and pieces (n, 5), see
+        `drag_along`.
+        """
+        if not np.array_equal(floors, self.floors.rows):
+            self._take_floors(floors)
+        weigh(self.density, self.gas.u, self.gas.v, gravity, self.gas.force)
+        drag_along(pieces, self.gas.u, self.gas.v, self._lower, self.grid.cell, dt, self.gas.force)
+        self.gas.step(dt)
+        for speeds in (self.gas.u, self.gas.v):
+            np.clip(speeds, -QUICKEST, QUICKEST, out=speeds)
+
+    def _take_floors(self, floors: Floats) -> None:
+        self.floors.rows = floors
+        self.gas.set_solids(*((self.floors,) if len(floors) else ()))
+
+    def in_the_air(self) -> float:
+        """kg of dust for each metre of depth."""
+        return self.gas.total("smoke")
+
+    def fastest(self) -> float:
+        """m/s, of the air in the middles of cells."""
+        w = self.gas.velocity()
+        return float(np.sqrt(np.max(w[..., 0] * w[..., 0] + w[..., 1] * w[..., 1])))
+
+    def veil(self) -> NDArray[np.float32]:
+        """(ny, nx, 2): how thick the dust is, 0 to 1, and no light; good until the next call."""
+        share = self.density / FULL
+        self._veil[..., 0] = 0.94 * share / (1.0 + share) * self._edge
+        return self._veil
+
+    def box(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Lower left and upper right corner, m."""
+        (x, y), h = self.grid.lower, self.grid.cell
+        return (x, y), (x + self.grid.nx * h, y + self.grid.ny * h)
+
+    def state(self) -> AirState:
+        """All that later steps depend on."""
+        return AirState(self.gas.state(), self.dust, self.floors.rows)
+
+    def restore(self, state: AirState) -> None:
+        """Take over a copy of a state."""
+        self._take_floors(state.floors.copy())
+        self.gas.restore(state.gas)
+        self.dust[:] = state.dust

@@ -1,0 +1,42 @@
+"""Words of a story over its picture."""
+
+import pygame
+import pytest
+
+from game.ui.look.look import Look
+from game.ui.look.theme import theme_named
+from game.ui.painters.story_words import draw_card
+from game.ui.widgets.timebar import TimeBar
+
+
+def luminance(color: pygame.Color) -> float:
+    """Relative (WCAG 2.1), 0 to 1."""
+    parts = [part / 255.0 for part in (color.r, color.g, color.b)]
+    linear = [p / 12.92 if p <= 0.03928 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_a_card_can_be_read_over_whatever_is_behind_it(theme):
+    """3 : 1, as for large words, over the darkest and the brightest picture."""
+    look = Look(theme_named(theme), 1.0)
+    for ground in (0x10, 0x60, 0xA0):
+        surface = pygame.Surface((320, 180), 0, 32)
+        surface.fill((ground, ground, ground))
+        draw_card(surface, look, surface.get_rect(), [("A", 40, "semibold", "text1")], 1.0)
+        behind, words = luminance(surface.get_at((2, 2))), luminance(look.color("text1", words=True))
+        low, high = min(behind, words), max(behind, words)
+        assert (high + 0.05) / (low + 0.05) > 3.0, ground
+
+
+def test_nothing_shines_through_the_time_bar():
+    look = Look(theme_named("dark"), 1.0)
+    bar = TimeBar(look)
+    pictures = []
+    for ground in ((255, 0, 0), (0, 0, 255)):
+        surface = pygame.Surface((640, 60), 0, 32)
+        surface.fill(ground)
+        bar.place(surface.get_rect(), look)
+        bar.draw(surface)
+        pictures.append(surface.get_at((320, 56)))
+    assert pictures[0] == pictures[1]
