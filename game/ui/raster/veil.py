@@ -39,9 +39,9 @@ class VeilRoom(NamedTuple):
 
 def veil_room(width: int) -> VeilRoom:
     """For pictures that are at most so wide."""
-    singles = [np.zeros(width, np.float32) for _ in range(3)]
     return VeilRoom(
-        np.zeros((4, width), np.float32), *singles, np.zeros(width, np.int32), np.zeros(width, np.uint8),
+        np.zeros((4, width), np.float32), np.zeros(width, np.float32), np.zeros(width, np.float32),
+        np.zeros(width, np.float32), np.zeros(width, np.int32), np.zeros(width, np.uint8),
         np.zeros(width, np.uint32), np.zeros((2, 4), np.int64),
     )  # fmt: skip
 

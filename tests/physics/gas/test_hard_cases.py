@@ -191,6 +191,21 @@ def test_a_constant_force_gives_its_speed_whatever_the_centring(q):
     assert np.allclose(gas.u, 0.2, rtol=1e-9) and np.allclose(gas.v, 0.0, atol=1e-12)
 
 
+def test_a_force_also_moves_what_goes_through_open_sides():
+    """Between open ends nothing hinders it, up to the outermost faces."""
+    for axis, borders in enumerate(
+        (
+            Borders(Border("open"), Border("open"), Border("periodic"), Border("periodic")),
+            Borders(Border("periodic"), Border("periodic"), Border("open"), Border("open")),
+        )
+    ):
+        gas = Gas(Grid(8, 8, 0.1), borders, TIGHT, fields=("smoke",))
+        gas.force[:, :, axis] = 2.0
+        gas.step(0.01)
+        assert np.allclose((gas.u, gas.v)[axis], 0.02, rtol=1e-12)
+        assert np.allclose((gas.v, gas.u)[axis], 0.0, atol=1e-15)
+
+
 @pytest.mark.parametrize("conservative", [(), ("smoke",)])
 def test_sources_bring_what_they_say(conservative):
     gas = Gas(Grid(8, 8, 0.1), settings=replace(STILL, conservative=conservative), fields=("smoke",))
