@@ -80,8 +80,14 @@ def test_costs_are_kept_as_long_as_the_file_of_tests_is_the_same(costs, tmp_path
     assert not Costs(tmp_path / "costs.json", tmp_path, TESTS).calling("game/a.py:g")
 
 
-def test_the_last_line_of_a_fault_counts(tmp_path, capsys):
-    first, second = choose(1, 40, ROOT)[:2]
+@pytest.fixture(scope="module")
+def drawn():
+    """Every file of the game is read for it, which takes seconds."""
+    return choose(1, 40, ROOT)
+
+
+def test_the_last_line_of_a_fault_counts(tmp_path, capsys, drawn):
+    first, second = drawn[:2]
     log = Log(tmp_path / "log.jsonl")
     log.add(first, False, "2 tests", "uncompiled", 1.0)
     log.add(second, True, "a test", "uncompiled", 1.0)
@@ -95,8 +101,8 @@ def test_the_last_line_of_a_fault_counts(tmp_path, capsys):
     assert again.is_open("another", again=False)
 
 
-def test_a_fault_is_found_by_its_name_as_long_as_its_line_stands(tmp_path):
-    first = choose(1, 40, ROOT)[0]
+def test_a_fault_is_found_by_its_name_as_long_as_its_line_stands(tmp_path, drawn):
+    first = drawn[0]
     copied = tmp_path / first.path
     copied.parent.mkdir(parents=True)
     source = (ROOT / first.path).read_text()
@@ -108,7 +114,6 @@ def test_a_fault_is_found_by_its_name_as_long_as_its_line_stands(tmp_path):
     assert find(first.key, first.fault.line, tmp_path) is None
 
 
-def test_draws_repeat_and_reach_every_floor():
-    drawn = choose(3, 40, ROOT)
-    assert [one.key for one in drawn] == [one.key for one in choose(3, 40, ROOT)]
+def test_draws_repeat_and_reach_every_floor(drawn):
+    assert [one.key for one in drawn] == [one.key for one in choose(1, 40, ROOT)]
     assert {one.module.split(".")[1] for one in drawn} >= {"physics", "billiards", "stage", "scenes", "app"}
