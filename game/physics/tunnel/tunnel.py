@@ -301,4 +301,3 @@ class Tunnel:
         if turned_back:
             self._place()
         self.gas.restore(state.gas)
-        self._fix_near()

@@ -11,6 +11,7 @@ import pytest
 from game.lab.studies.flow.wind_tunnel import CHANNEL_DRAG, CHANNEL_LIFT, channel
 from game.physics.tunnel import Tunnel, TunnelSettings, shape_named
 from game.physics.tunnel.averages import Average
+from game.physics.tunnel.balance import held
 
 SMALL = TunnelSettings(cells=6.0, width=7.0, height=5.0, reynolds=40.0, nudge=0.0)
 
@@ -92,6 +93,11 @@ def test_a_turned_shape_is_measured_at_its_new_angle_and_the_books_go_on():
     assert abs(flat[1]) < 0.01
     tunnel.turn(math.radians(90.0))
     assert tunnel.blockage == pytest.approx(0.2)
+    faces, (x, y) = tunnel.gas.faces, tunnel.settings.place
+    now = np.zeros(3)
+    numbers = np.array([tunnel.grid.cell, 0.0, -x, -y])
+    held(tunnel.gas.u, tunnel.gas.v, faces.ax, faces.ay, tunnel.box, numbers, now)
+    assert np.array_equal(tunnel.held, now)
     for _ in range(60):
         tunnel.step()
     upright = tunnel.forces().book

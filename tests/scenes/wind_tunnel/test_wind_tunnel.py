@@ -9,6 +9,7 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
+from game.physics.tunnel.sweep import ANGLE, BOOK, DRAG
 from game.scenes.shared.expectations import captions_of
 from game.scenes.wind_tunnel.hand import closed_path
 from game.scenes.wind_tunnel.scene import WindTunnel
@@ -135,7 +136,11 @@ def test_a_sweep_measures_fits_checks_and_lets_three_fly():
     assert all(fall > 0.02 for fall in falls) and len({round(fall, 6) for fall in falls}) == 3
     # the curves are of what was chosen: the book's drag is another than the wall's
     drag = model.series.at(0.0)[0, 0]
+    flat = model.sweep.table[0]
+    assert flat[ANGLE] == 0.0 and flat[BOOK] != flat[DRAG]
+    assert model.samples()[1][np.argmin(np.abs(model.samples()[0])), 0] == flat[BOOK]
     stage.post(SetParameter("measure", "wall"))
+    assert model.samples()[1][np.argmin(np.abs(model.samples()[0])), 0] == flat[DRAG]
     assert model.series.at(0.0)[0, 0] != pytest.approx(drag, rel=1e-3)
     stage.post(SetParameter("order", 1))
     assert model.series.order == 1
@@ -179,6 +184,18 @@ def test_a_step_back_in_a_sweep_and_in_flight_comes_to_the_same_bits():
     assert stage.digest() == before
     stage.run(7)
     assert stage.digest() == after
+
+
+def test_smoke_is_let_go_at_the_same_moments_after_a_step_back():
+    stage = Stage(WindTunnel, parameters={**QUICK, "courant": 0.17, "pace": 1})
+    for more in (1, 2, 3):  # the nozzles open every third step
+        stage.run(2)
+        number = stage.step_number
+        stage.run(more)
+        after = stage.digest()
+        stage.return_to(number)
+        stage.run(more)
+        assert stage.digest() == after
 
 
 def test_wind_reynolds_number_and_times_act_at_once():

@@ -156,8 +156,8 @@ fit_study = Study(
     settings=_fit_settings,
     trial=FitTrial,
     reference="The same tunnel at 48 angles.",
-    expectation="Three numbers of the plates' law err alike, whatever is measured. A series of a dozen angles "
-    "errs by half of it; what is left is the grid, on which each angle lies in another way.",
+    expectation="Three numbers of the plates' law err alike, whatever is measured. A series of a dozen "
+    "angles errs by half of it; what is left is the grid, on which each angle lies in another way.",
     present=_present_fit,
     workload=Workload("a slab, a quarter as thick as long, at Reynolds number 25, 8 cells to its chord"),
 )
