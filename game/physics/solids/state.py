@@ -172,9 +172,7 @@ class Scratch(NamedTuple):
     touching: Ints  # (2 (p + j),) rows of contacts, then -1 - joint, that a body takes part in
     points: Floats  # (p, POINTS_WIDTH) both points' own numbers of a solver
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
-    begun_places: (
-        # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step (negative:
-        Floats
-        # in the one before, which was cut short)
-    )
+    # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when from the step's beginning
+    # (negative: in the one before, which was cut short; beyond it: in the first substep of the next)
+    begun_places: Floats
     events: Longs  # (4,) contacts begun; joints broken; bodies gone wrong; stopped by continuous collision

@@ -116,8 +116,22 @@ def place_bodies(bodies, scratch):
 
 
 @inner_kernel
-def note_beginning(bodies, contacts, rows, scratch, c, impulse, dt):
-    """Write down a contact that began in this step."""
+def first_touch(rows, c, latest):
+    """When (s, from the step's beginning) the first of the points that pressed closes its gap.
+
+    That may be in the substep after the step: what would close there is slowed down already.
+    """
+    earliest = latest
+    for k in range(rows.ends[c, END_POINTS]):
+        speed, gap = -rows.rare[c, APPROACH_0 + k], rows.rows[c, ROW_POINT + k * ROW_POINT_WIDTH + SEP]
+        if rows.rare[c, MOST_0 + k] > 0.0:
+            earliest = min(earliest, gap / speed if speed > 0.0 and gap > 0.0 else 0.0)
+    return earliest
+
+
+@inner_kernel
+def note_beginning(bodies, contacts, rows, scratch, c, impulse, latest):
+    """Write down a contact that began in this step, before latest (s)."""
     number = scratch.events[BEGUN]
     scratch.events[BEGUN] += 1
     if number >= scratch.begun.shape[0]:
@@ -132,14 +146,12 @@ def note_beginning(bodies, contacts, rows, scratch, c, impulse, dt):
     scratch.begun_places[number, 0] = bodies.positions[a, 0] + dot * x + cross * y
     scratch.begun_places[number, 1] = bodies.positions[a, 1] + dot * y - cross * x
     scratch.begun_places[number, 2] = impulse
-    speed, gap = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1], row[c, at + SEP]
-    when = min(dt, gap / speed) if speed > 0.0 and gap > 0.0 else 0.0
-    scratch.begun_places[number, 3] = speed
-    scratch.begun_places[number, 4] = when - max(bodies.late[a], bodies.late[b])
+    scratch.begun_places[number, 3] = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1]
+    scratch.begun_places[number, 4] = first_touch(rows, c, latest) - max(bodies.late[a], bodies.late[b])
 
 
 @inner_kernel
-def keep_impulses(bodies, contacts, rows, scratch, dt):
+def keep_impulses(bodies, contacts, rows, scratch, numbers):
     """Impulses back to the manifolds; which contacts began. Called while bodies are where the step began."""
     for c in range(rows.count[0]):
         pair, most = rows.ends[c, END_PAIR], 0.0
@@ -149,7 +161,7 @@ def keep_impulses(bodies, contacts, rows, scratch, dt):
             contacts.manifolds[pair, to + TANGENT_IMPULSE] = rows.rows[c, at + JT]
             most += rows.rare[c, MOST_0 + k]
         if most > 0.0 and contacts.marks[pair, TOUCHING] == 0:
-            note_beginning(bodies, contacts, rows, scratch, c, most, dt)
+            note_beginning(bodies, contacts, rows, scratch, c, most, numbers.dt + numbers.h)
         contacts.marks[pair, TOUCHING] = 1 if most > 0.0 else 0
 
 
@@ -171,7 +183,7 @@ def break_joints(joints, scratch, numbers):
 def finish_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
     """After the solver: impulses, events, places, sleep. scratch.events is written."""
     scratch.events[BEGUN], scratch.events[SNAPPED], scratch.events[STOPPED] = 0, 0, 0
-    keep_impulses(bodies, contacts, rows, scratch, numbers.dt)
+    keep_impulses(bodies, contacts, rows, scratch, numbers)
     break_joints(joints, scratch, numbers)
     if mark_touched(bodies, rows):
         wake_islands(bodies, contacts, joints, scratch)
