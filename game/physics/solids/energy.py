@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.physics.kernels import linear
 from game.physics.solids.settings import Numbers
 from game.physics.solids.state import DYNAMIC, Bodies
 
@@ -34,6 +33,6 @@ def energy_of(bodies: Bodies, numbers: Numbers) -> Energy:
         mass * (bodies.velocities[rows] * bodies.velocities[rows]).sum(axis=1)
         + inertia * (bodies.spins[rows] * bodies.spins[rows])
     )
-    pull = np.array([numbers.gravity_x, numbers.gravity_y])
-    height = -(bodies.gravity_scales[rows] * mass * (linear.product(bodies.positions[rows], pull)))
+    x, y = bodies.positions[rows].T
+    height = -(bodies.gravity_scales[rows] * mass * (x * numbers.gravity_x + y * numbers.gravity_y))
     return Energy(float(kinetic.sum()), float(height.sum()))

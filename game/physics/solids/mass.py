@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import elementary, linear
+from game.physics.kernels import elementary
 
 
 class Mass(NamedTuple):
@@ -49,7 +49,9 @@ def polygon_mass(corners: NDArray[np.float64], density: float = 1.0) -> Mass:
         return Mass(0.0, (float(middle[0]), float(middle[1])), 0.0)
     centre = (cross[:, None] * (p + q)).sum(axis=0) / (6.0 * area)
     about_middle = float((cross * ((p * p).sum(1) + (p * q).sum(1) + (q * q).sum(1))).sum()) / 12.0
-    inertia = abs(about_middle) - abs(area) * float(linear.product(centre, centre))
+    inertia = abs(about_middle) - abs(area) * (
+        elementary.square(float(centre[0])) + elementary.square(float(centre[1]))
+    )
     x, y = (middle + centre).tolist()
     return Mass(density * abs(area), (x, y), density * inertia)
 
@@ -84,7 +86,7 @@ def _sector(
     turn = elementary.atan2(
         before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]
     )
-    if turn <= 0.0 and float(linear.product(before, after)) < 0.0:
+    if turn <= 0.0 and before[0] * after[0] + before[1] * after[1] < 0.0:
         turn = math.pi  # the end of a capsule
     half = 0.5 * turn
     if half <= 0.0:

@@ -27,12 +27,12 @@ def test_a_thin_plate_at_100_m_per_s_stays_on_its_side(name):
     angle, spin = PLATES[name]
     world = wall_world()
     body = world.add_body(box(1.0, 0.01), (-5.03, 0.1), angle, velocity=(100.0, 0.0), spin=spin)
-    before = energy(world, 0.0)
+    before = start = energy(world, 0.0)
     for _ in range(60):
         world.step(1.0 / 60.0)
         assert world.bodies.positions[body, 0] < 0.0
         now = energy(world, 0.0)
-        assert now <= before * (1.0 + 1e-9)
+        assert now <= before * (1.0 + 1e-9) + 1e-32 * start  # below that speeds are rounding of the first
         before = now
 
 
