@@ -1,15 +1,16 @@
-"""numba's answers, remembered: the same types and the same flags as without."""
+"""numba's answers, remembered: the same types, flags and variables as without."""
 
 from __future__ import annotations
 
 import operator
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 from numba import types
-from numba.core import utils
-from numba.core.compiler import Flags
+from numba.core import ir, utils
+from numba.core.compiler import Flags, run_frontend
 from numba.core.registry import cpu_target
 
 import game.physics.kernels.jit  # noqa: F401  (takes the short cuts)
@@ -84,3 +85,31 @@ def test_an_operator_on_plain_numbers_is_asked_once(monkeypatch: pytest.MonkeyPa
         given = context.resolve_function_type(operator.xor, (types.int16, types.int64), {})
         assert given.return_type == types.int64
     assert len(asked) == 1
+
+
+def some_function(a, b):
+    total = 0.0
+    for k in range(len(a)):
+        x, y = a[k], (b, total, k)
+        a[k] = max(x, y[0]) + y[1]
+        if a[k] > 3:
+            total += a[k]
+    return {"total": total}, [total, b]
+
+
+def walked(value: Any) -> list[ir.Var]:
+    """Variables in a value, by walking through all that hangs on it."""
+    if isinstance(value, ir.Var):
+        return [value]
+    if isinstance(value, ir.Inst):
+        return list(value.list_vars())
+    if isinstance(value, dict):
+        value = list(value.values())
+    return [found for part in value for found in walked(part)] if isinstance(value, list | tuple) else []
+
+
+def test_the_variables_of_a_statement_are_all_that_hang_on_it() -> None:
+    statements = [one for block in run_frontend(some_function).blocks.values() for one in block.body]
+    for one in statements:
+        assert [id(var) for var in one.list_vars()] == [id(var) for var in walked(one.__dict__)]
+    assert sum(len(one.list_vars()) for one in statements) > 50

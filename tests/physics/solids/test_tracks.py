@@ -403,3 +403,17 @@ def test_a_ball_rolls_under_an_overhang_and_stays_there():
     run(world, 0.1)
     assert np.array_equal(world.balls.rows[ball, [X, Y]], place)
     assert not world.balls.rows[ball, [VX, VY, SPIN]].any()
+
+
+@pytest.mark.parametrize("degrees", [30.0, 34.0, 50.0])
+def test_a_ball_rolls_into_a_corner_of_one_curve_and_not_through_it(degrees):
+    """However sharp: its two places are then further apart along the curve than those of a loop."""
+    angle, r = math.radians(degrees), 0.1
+    world = world_of([(-1.0, 0.0), (2.0, 0.0), (2.0 - 3.0 * math.cos(angle), 3.0 * math.sin(angle))])
+    deepest = 2.0 - r / math.tan(0.5 * angle)  # x of a ball that touches both sides
+    ball = seated(world, (0.3, r), r, velocity=(1.0, 0.0), spin=-1.0 / r, friction=0.5)
+    reached = -1.0
+    for _ in range(400):
+        world.step(DT)
+        reached = max(reached, world.balls.rows[ball, X])
+    assert reached == pytest.approx(deepest, abs=1e-6)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
-from game.physics.solids.tracks.curves import AROUND, TRACK
+from game.physics.solids.tracks.curves import AROUND, FROM, TO, TRACK
 from game.physics.solids.tracks.places import FAR, along, nearest_on, place_on, walk
 
 # columns of a ball: place m, velocity m/s, angle rad, spin rad/s, radius m, mass kg, k = I/(m r²), friction,
@@ -22,6 +22,7 @@ PIECE, WEDGE = 0, 1  # columns of Balls.pieces: that it rolls on, or FREE; a sec
 SLIPLESS = 1e-9  # m/s for each m/s: slower is no slip
 TOUCH = 1e-10  # m, of rounding
 SEEN_BEFORE = 1e-7  # m: what was deeper already is not met
+FACING = -(math.pi**2 - 1.0) / (math.pi**2 + 1.0)  # cosine of the normals' angle from which on places face
 EVENTS = 24  # in a substep
 HALVINGS = 45
 LEAST_REBOUND = 0.02  # m/s; slower impacts do not bounce
@@ -37,6 +38,18 @@ def is_far(rows, i, t, j, tj, radius):
     if rows[i, AROUND] > 0.0:
         apart = min(apart, rows[i, AROUND] - apart)
     return apart > 2.0 * math.pi * radius
+
+
+@inner_kernel
+def _faces(rows, i, t, j, tj):
+    """Whether two places on one side of a curve look at each other as the flanks of a corner do that a ball
+    touches so far apart: of less than 35 degrees, 2 atan(1 / pi).
+    """
+    if (rows[i, TO] - rows[i, FROM]) * (rows[j, TO] - rows[j, FROM]) <= 0.0:
+        return False
+    _, _, ax, ay, _, _ = place_on(rows, i, t, 0.0)
+    _, _, bx, by, _, _ = place_on(rows, j, tj, 0.0)
+    return ax * bx + ay * by < FACING
 
 
 @inner_kernel
@@ -68,7 +81,8 @@ def first_hit(pieces, grid, x0, y0, x1, y1, r, own, t):
                 distance, tj, _, _ = nearest_on(pieces.rows, j, x1, y1)
                 if distance - r >= deepest:
                     continue
-                if own != FREE and is_far(pieces.rows, own, t, j, tj, r):
+                rows = pieces.rows
+                if own != FREE and is_far(rows, own, t, j, tj, r) and not _faces(rows, own, t, j, tj):
                     continue
                 if nearest_on(pieces.rows, j, x0, y0)[0] - r < -SEEN_BEFORE * (1.0 + r):
                     continue
