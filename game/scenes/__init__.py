@@ -8,6 +8,7 @@ from game.scenes import (
     beat,
     billiards,
     bounds,
+    burning_cloth,
     boxes,
     carom,
     cavity,
@@ -76,5 +77,6 @@ CATALOGUE = Catalogue(
         *metal.ENTRIES,
         *leaves.ENTRIES,
         *tower.ENTRIES,
+        *burning_cloth.ENTRIES,
     )
 )
