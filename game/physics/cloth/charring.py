@@ -38,6 +38,7 @@ MADE, TO_GAS, RADIATED, STEAM, MATCH, BURNT, VAPOUR, STEAM_KG, ALIGHT, HOTTEST =
 TOTALS = 10
 BEGUN = 0.25  # of its fuel: then the front is said to be at a patch
 SIDES = 2.0  # a cloth has two
+SHORT = 1e-2  # b T³ dt up to which four terms of the series give how a patch cools, to 1e-7 of T
 ALIKE = 1e-4  # K: what differs less exchanges no heat
 
 
@@ -173,8 +174,10 @@ def conduct(patches, whole, laws, numbers, totals):
                 patches[FLOW, b + 1, a] -= flow
     for b in range(rows):
         for a in range(columns):
-            if patches[FLOW, b, a] != 0.0:
+            if patches[WATER, b, a] > 0.0:
                 warm(patches, b, a, patches[FLOW, b, a], laws, totals, size * size)
+            else:
+                patches[HOT, b, a] += patches[FLOW, b, a] / laws.capacity
 
 
 @inner_kernel
@@ -190,65 +193,101 @@ def place_of(nodes, b, a):
     return x, (1.0 - down) * upper + down * lower
 
 
+@inner_kernel
+def _light(patches, nodes, b, a, laws, flame, h, totals, area):
+    """What a match does to a patch in h (s), as a backward step: however hot, never beyond its flame."""
+    x, y = place_of(nodes, b, a)
+    dx, dy = (x - flame.x) / flame.radius, (y - flame.y) / flame.radius
+    away = dx * dx + dy * dy
+    if away >= 9.0 or patches[HOT, b, a] >= flame.kelvin:
+        return
+    capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
+    share = flame.strength * flame.exchange * elementary.exp(-away) * h / capacity
+    joule = capacity * (flame.kelvin - patches[HOT, b, a]) * share / (1.0 + share)
+    totals[MATCH] += joule * area
+    warm(patches, b, a, joule, laws, totals, area)
+
+
+@inner_kernel
+def _give(patches, b, a, kinds, laws, gas, cells, at, h, now, totals, area):
+    """Burn, and let what leaves be in the cell ``at`` of the gas; vapour that leaves what glows begins to burn."""
+    j, i = at
+    fresh = min(max(cells[j, i, 2] / gas.fresh, 0.0), 1.0)
+    joule, vapour, used = _burn(patches, b, a, kinds, laws, fresh, h, now, totals, area)
+    if joule + vapour <= 0.0:
+        return
+    if patches[HOT, b, a] >= gas.ignites:
+        lit = min(gas.pilot * vapour, max(cells[j, i, 2], 0.0) * gas.volume / (area * gas.needs))
+        vapour -= lit
+        used += lit
+        joule += lit * gas.heat
+        totals[MADE] += lit * gas.heat * area
+        cells[j, i, 3] += gas.soot * lit * area / gas.volume
+    cells[j, i, 0] += joule * area / gas.capacity
+    totals[TO_GAS] += joule * area
+    cells[j, i, 1] += vapour * area / gas.volume
+    cells[j, i, 2] = max(cells[j, i, 2] - gas.needs * used * area / gas.volume, 0.0)
+
+
 @lean_kernel
 def meet_and_burn(patches, whole, nodes, cells, wind, laws, kinds, gas, flame, clock, totals):
     """Gas, match, burning, radiation of all patches for h (s), then what they give is in the gas.
 
     cells (gy, gx, 4): K, kg/m³ of vapour, of oxygen, of soot; wind (gy, gx) m/s, how fast the gas is at the
-    cloth. clock: h, s at its beginning, m of a patch. totals (TOTALS,) are added to.
+    cloth. A mesh meets the cell before its middle. clock: h, s at its beginning, m of a patch. totals
+    (TOTALS,) are added to. Heat goes between gas and cloth as in a backward step, which keeps their sum.
     """
     h, now, size = clock
     area, gy, gx = size * size, cells.shape[0], cells.shape[1]
     totals[ALIGHT], totals[HOTTEST] = 0.0, laws.ambient
-    for b in range(patches.shape[1]):
-        for a in range(patches.shape[2]):
-            if whole[b // PER, a // PER] <= 0.0:
+    reach = 3.0 * flame.radius + 2.0 * PER * size
+    fourth = laws.ambient * laws.ambient * laws.ambient * laws.ambient
+    burns = laws.mask & SMOULDERING_BIT
+    coldest = min(kinds[0].ignition, kinds[1].ignition) if laws.reaction == IGNITES else laws.ambient
+    for row in range(whole.shape[0]):
+        for column in range(whole.shape[1]):
+            if whole[row, column] <= 0.0:
                 continue
-            x, y = place_of(nodes, b, a)
+            x = nodes[X, row, column] + nodes[X, row, column + 1]
+            x = 0.25 * (x + nodes[X, row + 1, column] + nodes[X, row + 1, column + 1])
+            y = nodes[Y, row, column] + nodes[Y, row, column + 1]
+            y = 0.25 * (y + nodes[Y, row + 1, column] + nodes[Y, row + 1, column + 1])
             i = min(max(int((x - gas.lower_x) / gas.cell), 0), gx - 1)
             j = min(max(int((y - gas.lower_y) / gas.cell), 0), gy - 1)
-            if laws.mask & CONVECTION_BIT:
-                capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
-                strong = SIDES * (laws.exchange + laws.stirred * math.sqrt(wind[j, i]))
-                both = 1.0 / capacity + area / gas.capacity  # exact between the two of them
-                difference = cells[j, i, 0] - patches[HOT, b, a]
-                if abs(difference) > ALIKE:
-                    joule = difference * -elementary.expm1(-strong * both * h) / both
-                    cells[j, i, 0] -= joule * area / gas.capacity
-                    totals[TO_GAS] -= joule * area
-                    warm(patches, b, a, joule, laws, totals, area)
-            if flame.strength > 0.0:
-                dx, dy = (x - flame.x) / flame.radius, (y - flame.y) / flame.radius
-                away = dx * dx + dy * dy
-                if away < 9.0 and patches[HOT, b, a] < flame.kelvin:
-                    strong = flame.strength * flame.exchange * elementary.exp(-away)
-                    capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
-                    missing = flame.kelvin - patches[HOT, b, a]
-                    joule = capacity * missing * -elementary.expm1(-strong * h / capacity)
-                    totals[MATCH] += joule * area
-                    warm(patches, b, a, joule, laws, totals, area)
-            if laws.mask & SMOULDERING_BIT and patches[FUEL, b, a] > 0.0:
-                fresh = min(max(cells[j, i, 2] / gas.fresh, 0.0), 1.0)
-                joule, vapour, used = _burn(patches, b, a, kinds, laws, fresh, h, now, totals, area)
-                if joule + vapour > 0.0:
-                    if patches[HOT, b, a] >= gas.ignites:
-                        lit = min(gas.pilot * vapour, cells[j, i, 2] * gas.volume / (area * gas.needs))
-                        vapour -= lit
-                        used += lit
-                        joule += lit * gas.heat
-                        totals[MADE] += lit * gas.heat * area
-                        cells[j, i, 3] += gas.soot * lit * area / gas.volume
-                    cells[j, i, 0] += joule * area / gas.capacity
-                    totals[TO_GAS] += joule * area
-                    cells[j, i, 1] += vapour * area / gas.volume
-                    cells[j, i, 2] = max(cells[j, i, 2] - gas.needs * used * area / gas.volume, 0.0)
-            if laws.mask & RADIATION_BIT and abs(patches[HOT, b, a] - laws.ambient) > ALIKE:
-                capacity, hot = laws.capacity + WATER_HEAT * patches[WATER, b, a], patches[HOT, b, a]
-                rate = SIDES * laws.emissivity * STEFAN_BOLTZMANN / capacity
-                cold = cooled_inside(hot, laws.ambient, rate, h)
-                totals[RADIATED] += area * capacity * (hot - cold)
-                patches[HOT, b, a] = cold
-            totals[HOTTEST] = max(totals[HOTTEST], patches[HOT, b, a])
+            strong = SIDES * (laws.exchange + laws.stirred * math.sqrt(wind[j, i]))
+            near = flame.strength > 0.0 and abs(x - flame.x) < reach and abs(y - flame.y) < reach
+            for b in range(PER * row, PER * row + PER):
+                for a in range(PER * column, PER * column + PER):
+                    difference = cells[j, i, 0] - patches[HOT, b, a]
+                    if laws.mask & CONVECTION_BIT and abs(difference) > ALIKE:
+                        capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
+                        part = strong * h
+                        joule = difference * part / (1.0 + part * (1.0 / capacity + area / gas.capacity))
+                        cells[j, i, 0] -= joule * area / gas.capacity
+                        totals[TO_GAS] -= joule * area
+                        if patches[WATER, b, a] > 0.0:
+                            warm(patches, b, a, joule, laws, totals, area)
+                        else:
+                            patches[HOT, b, a] += joule / capacity
+                    if near:
+                        _light(patches, nodes, b, a, laws, flame, h, totals, area)
+                    if burns and patches[HOT, b, a] >= coldest and patches[FUEL, b, a] > 0.0:
+                        _give(patches, b, a, kinds, laws, gas, cells, (j, i), h, now, totals, area)
+                    hot = patches[HOT, b, a]
+                    if laws.mask & RADIATION_BIT and abs(hot - laws.ambient) > ALIKE:
+                        capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
+                        rate = SIDES * laws.emissivity * STEFAN_BOLTZMANN / capacity
+                        top = max(hot, laws.ambient)
+                        if rate * h * top * top * top < SHORT:
+                            f = rate * (hot * hot * hot * hot - fourth)
+                            slope, bend = 4.0 * rate * hot * hot * hot, 12.0 * rate * hot * hot
+                            third = f * slope * slope + f * f * bend
+                            cold = hot - h * (f - h * (0.5 * f * slope - h * third / 6.0))
+                        else:
+                            cold = cooled_inside(hot, laws.ambient, rate, h)
+                        totals[RADIATED] += area * capacity * (hot - cold)
+                        patches[HOT, b, a] = cold
+                    totals[HOTTEST] = max(totals[HOTTEST], patches[HOT, b, a])
 
 
 @lean_kernel

@@ -73,7 +73,7 @@ class Hanging:
     gravity: float = 9.81
     strength: float = 1.2
     shear: float = 2.0e-2
-    folds: float = 2.0e-2
+    folds: float = 1.0e-3
     press: float = 1.2
     brush: float = 0.12
     calm: float = 0.25

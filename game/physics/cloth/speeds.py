@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 ROUNDS = 200
 
 
+@lru_cache(maxsize=64)
 def creeping_speed(diffusivity: float, rate: float, ignition: float, loss: float = 0.0) -> float:
     """Speed (m/s) of the front of u_t = D u_xx - h u + r f, f_t = -r f, where u >= ignition; else f stays 1.
 

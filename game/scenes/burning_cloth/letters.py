@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Line = tuple[tuple[float, float], ...]
-TALL, WIDE, GAP = 6.0, 4.0, 1.9  # of a letter, and between two, in units of its field
+TALL, WIDE, GAP = 6.0, 4.0, 2.1  # of a letter, and between two, in units of its field
 NARROW = {"I": 0.0, " ": 1.5, "1": 1.6}  # width of those that are not as wide
 MOST = 8  # letters
 _L: dict[str, tuple[Line, ...]] = {
@@ -84,7 +84,7 @@ def _away(x: Floats, y: Floats, line: Line) -> Floats:
 
 
 def lettering(
-    words: str, shape: tuple[int, int], size: float, stroke: float, fills: float = 0.8, tall: float = 0.62
+    words: str, shape: tuple[int, int], size: float, stroke: float, fills: float = 0.8, tall: float = 0.6
 ) -> Lettering:  # fmt: skip
     """Words in the middle of a cloth of patches ``shape`` of ``size`` m, with a brush ``stroke`` m wide.
 

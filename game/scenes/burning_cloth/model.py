@@ -27,7 +27,7 @@ from game.scenes.burning_cloth.tables import HEARD_TIME, HEARD_WIDTH, HEIGHT, SP
 from game.stage import Part
 
 Floats = NDArray[np.float64]
-STROKE = 0.07  # m, of the brush
+STROKE = 0.064  # m, of the brush
 WINDOW_S, FRONT_EVERY = 1.2, 6  # s over which the front's speed is taken; steps from one look to the next
 HEARD_S = 0.25
 POUR_REACH, POUR_MOST = 0.13, 0.22  # m, kg/m² of a splash

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from game.physics.cloth.layout import CHAR, FUEL, HOT, PATCH_ROWS, SALT, WATER
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.ui.raster.pixels import blend
 
@@ -14,6 +15,9 @@ from game.ui.raster.pixels import blend
 PX, PY, RED, GREEN, BLUE, LEFT = range(6)
 COLUMNS = 6
 NOTHING, ALL = 0.14, 0.34  # shares between which it is thinner and thinner to be seen
+LINEN, SALTED = (232.0, 222.0, 200.0), (204.0, 202.0, 196.0)
+BROWN, BLACK = (112.0, 70.0, 36.0), (24.0, 20.0, 19.0)
+GLOW_FROM, GLOW_TO = 620.0, 1050.0  # K between which it begins to glow and is brightest
 FLAT = 1e-6  # px² of a triangle that is not worth painting
 
 
@@ -83,9 +87,64 @@ def paint_sheet(pixels: Any, clip: Any, vertices: Any, drawn: Any) -> None:
                 _triangle(pixels, clip, vertices, (row + step, column + step), lower, upper)
 
 
+@inner_kernel
+def _mean(patches: Any, row: Any, b: Any, a: Any) -> Any:
+    """Of the four patches about a corner."""
+    low, high = max(b - 1, 0), min(b, patches.shape[1] - 1)
+    left, right = max(a - 1, 0), min(a, patches.shape[2] - 1)
+    return 0.25 * (
+        patches[row, low, left] + patches[row, low, right] + patches[row, high, left] + patches[row, high, right]
+    )
+
+
+@inner_kernel
+def _between(values: Any, b: Any, a: Any) -> Any:
+    """At a corner of patches, of values at nodes."""
+    j, i = b // 2, a // 2
+    k, m = (b + 1) // 2, (a + 1) // 2
+    return 0.25 * (values[j, i] + values[k, i] + values[j, m] + values[k, m])
+
+
+@lean_kernel
+def tint_sheet(patches: Any, shade: Any, fire: Any, linen: Any, light: Any, dry: Any, vertices: Any) -> None:
+    """Colours of vertices: linen, what is written on it, scorch, char and embers, in the light of sky and fire.
+
+    patches: see `physics.cloth.layout`; shade, fire (ny + 1, nx + 1): light of the sky by the normal, and of
+    the fire; linen (2 ny + 1, 2 nx + 1): tint of the threads; light (2, 3): colours of sky and fire; dry kg/m².
+    """
+    for b in range(vertices.shape[0]):
+        for a in range(vertices.shape[1]):
+            hot, fuel = _mean(patches, HOT, b, a), _mean(patches, FUEL, b, a) / dry
+            salt, wet = _mean(patches, SALT, b, a), min(_mean(patches, WATER, b, a) / 0.15, 1.0)
+            gone = 1.0 - min(max(fuel, 0.0), 1.0)
+            scorch = 0.55 * min(max((hot - 430.0) / 170.0, 0.0), 1.0)
+            brown = min(4.0 * gone + scorch, 1.0)
+            black = min(max(3.0 * (gone - 0.1), 0.0), 1.0)
+            glow = min(max((hot - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0), 1.0)
+            own, warm = _between(shade, b, a), _between(fire, b, a)
+            vertices[b, a, LEFT] = fuel + _mean(patches, CHAR, b, a) / dry
+            for k in range(3):
+                color = (LINEN[k] + 0.8 * salt * (SALTED[k] - LINEN[k])) * linen[b, a]
+                color += (BROWN[k] - color) * brown
+                color += (BLACK[k] - color) * black
+                color *= (1.0 - 0.3 * wet) * (own * light[0, k] + warm * light[1, k])
+                if glow > 0.0:
+                    lit = 255.0 * min(1.0, 2.2 * glow)
+                    if k == 1:
+                        lit = 190.0 * glow * math.sqrt(math.sqrt(glow))
+                    elif k == 2:
+                        lit = 70.0 * glow * glow * math.sqrt(glow)
+                    color = max(color, lit)
+                vertices[b, a, RED + k] = color
+
+
 def warm_up_sheet() -> None:
     """Compile what paints, on a tiny picture."""
     paint_sheet(
         np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((3, 3, COLUMNS)),
         np.ones((1, 1), np.int64),
+    )  # fmt: skip
+    tint_sheet(
+        np.zeros((PATCH_ROWS, 2, 2)), np.zeros((2, 2)), np.zeros((2, 2)), np.zeros((3, 3)), np.zeros((2, 3)), 1.0,
+        np.zeros((3, 3, COLUMNS)),
     )  # fmt: skip

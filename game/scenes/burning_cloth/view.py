@@ -14,7 +14,7 @@ from game.scenes.burning_cloth.ashes import X as ASH_X
 from game.scenes.burning_cloth.ashes import Y as ASH_Y
 from game.scenes.burning_cloth.hand import BurningClothHand
 from game.scenes.burning_cloth.model import BurningClothModel, BurningClothState
-from game.scenes.burning_cloth.sheet_painter import COLUMNS, LEFT, PX, PY, paint_sheet
+from game.scenes.burning_cloth.sheet_painter import COLUMNS, GLOW_FROM, GLOW_TO, PX, PY, paint_sheet, tint_sheet
 from game.scenes.burning_cloth.tables import HALF, TALL
 from game.scenes.burning_cloth.yard import SOURCES, Yard, light_on_yard
 from game.scenes.shared.polygons import NO_EDGE, paint
@@ -29,11 +29,9 @@ FLAME = (
     (0.6, pygame.Color(250, 130, 20)), (0.82, pygame.Color(255, 206, 92)), (1.0, pygame.Color(255, 246, 206)),
 )  # fmt: skip
 SMOKE = {True: pygame.Color(64, 62, 64), False: pygame.Color(104, 100, 98)}
-LINEN, SALTED, BROWN, BLACK = (232, 222, 200), (206, 204, 196), (112, 70, 36), (24, 20, 19)
 SUN = np.array((-0.42, 0.5, 0.76))  # where the light of the sky comes from
 SKY_LIGHT = {True: (0.44, 0.47, 0.58), False: (1.0, 0.99, 0.95)}
 FIRE = (1.25, 0.72, 0.34)  # of a cloth with fire before and behind it
-GLOW_FROM, GLOW_TO = 620.0, 1050.0  # K between which it begins to glow and is brightest
 COLD, HOTTEST = 293.0, 1200.0  # K, of the views of heat
 HEAT_STOPS = ((0.0, "stage"), (0.25, "violet"), (0.55, "vermilion"), (0.8, "amber"), (1.0, "yellow"))
 SPARSE = 3  # of patches in each direction that throw a soft light
@@ -48,7 +46,7 @@ class BurningClothView:
         ny, nx = model.cloth.whole.shape
         self._vertices = np.zeros((2 * ny + 1, 2 * nx + 1, COLUMNS))
         random = np.random.default_rng(4)
-        self._linen = (1.0 + 0.022 * random.standard_normal((2 * ny + 1, 2 * nx + 1, 1))).astype(np.float64)
+        self._linen = (1.0 + 0.022 * random.standard_normal((2 * ny + 1, 2 * nx + 1))).astype(np.float64)
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What a view other than that of the eye shows."""
@@ -68,14 +66,14 @@ class BurningClothView:
         spread = light_on_yard(light)
         self._yard.draw(canvas, dark, spread)
         nodes = self._between(previous, alpha)
-        self._draw_cloth(canvas, nodes, dark, light, glow)
+        self._draw_cloth(canvas, nodes, dark, light)
         if canvas.teaching and model.parameters.marks:
             self._draw_threads(canvas, nodes)
         self._draw_match(canvas)
         if model.parameters.view == "gas":
             canvas.field((model.air.temperature - COLD) / (HOTTEST - COLD), *BOX, HEAT_STOPS, 0.85)
         elif model.parameters.view == "fire":
-            canvas.veil(veil, *BOX, SMOKE[dark], FLAME)
+            self._draw_veil(canvas, veil, SMOKE[dark])
             self._draw_light(canvas, nodes, veil, glow)
         self._draw_ashes(canvas, dark)
         canvas.bloom(0.8 if dark else 0.45)
@@ -109,6 +107,20 @@ class BurningClothView:
             i0 = min(max(int((x0 + HALF) / (2.0 * HALF) * columns), 0), columns - 1)
             found[min(max(int(y0 / TALL * rows), 0), rows - 1), i0] += 0.16 * match.strength(self.model.time)
         return found.astype(np.float32)
+
+    def _draw_veil(self, canvas: Canvas, veil: NDArray[np.float32], smoke: pygame.Color) -> None:
+        """Flames and smoke, as far as there are any."""
+        seen = np.max(veil, axis=2) > 0.002
+        rows, columns = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
+        if not len(rows):
+            return
+        low, high = max(int(rows[0]) - 1, 0), min(int(rows[-1]) + 2, seen.shape[0])
+        left, right = max(int(columns[0]) - 1, 0), min(int(columns[-1]) + 2, seen.shape[1])
+        cell = self.model.air.cell
+        canvas.veil(
+            veil[low:high, left:right], (-HALF + cell * left, cell * low), (-HALF + cell * right, cell * high),
+            smoke, FLAME,
+        )  # fmt: skip
 
     def _draw_light(self, canvas: Canvas, nodes: Floats, veil: NDArray[np.float32], glow: Floats) -> None:
         """The light about flames and embers."""
@@ -150,7 +162,7 @@ class BurningClothView:
         return np.stack([nodes[0, rows, columns] * near, EYE + (nodes[1, rows, columns] - EYE) * near], axis=-1)
 
     def _draw_cloth(
-        self, canvas: Canvas, nodes: Floats, dark: bool, light: NDArray[np.float32], glow: Floats
+        self, canvas: Canvas, nodes: Floats, dark: bool, light: NDArray[np.float32]
     ) -> None:
         cloth, v = self.model.cloth, self._vertices
         near = 1.0 + nodes[2] / FAR
@@ -159,8 +171,12 @@ class BurningClothView:
         v[..., PX : PY + 1] = _doubled(places)
         patches = cloth.patches
         left = (patches[FUEL] + patches[CHAR]) / cloth.made_of.dry
-        v[..., LEFT] = _corners(left)
-        v[..., 2:5] = self._inks(nodes, dark, light, glow)
+        light_now = np.array((SKY_LIGHT[dark], FIRE))
+        tint_sheet(
+            patches, _lambert(nodes), self._fire_on(nodes, light), self._linen, light_now, cloth.made_of.dry, v
+        )
+        if self.model.parameters.view in ("heat", "saltpetre"):
+            v[..., 2:5] = self._measured()
         whole = cloth.whole > 0.0
         plain = (left > 0.9) & (patches[HOT] < 400.0) & (patches[SALT] < 0.02) & (patches[WATER] < 0.02)
         plain = plain.reshape(*whole.shape[:1], PER, whole.shape[1], PER).all(axis=(1, 3))
@@ -171,34 +187,16 @@ class BurningClothView:
         pixels, clip = canvas.raster_target
         paint_sheet(pixels, clip, v, np.ascontiguousarray(drawn, dtype=np.int64))
 
-    def _inks(self, nodes: Floats, dark: bool, light: NDArray[np.float32], glow: Floats) -> Floats:
-        """(2 ny + 1, 2 nx + 1, 3) 0 to 255: linen, what is written, char, in the light of sky and fire."""
-        cloth, view = self.model.cloth, self.model.parameters.view
-        patches = cloth.patches
-        if view == "heat":
+    def _measured(self) -> Floats:
+        """(2 ny + 1, 2 nx + 1, 3) 0 to 255: how hot the cloth is, or how much saltpetre is on it."""
+        patches = self.model.cloth.patches
+        if self.model.parameters.view == "heat":
             return _by_stops(_corners((patches[HOT] - COLD) / (HOTTEST - COLD)))
         salt = _corners(patches[SALT])[..., None]
-        if view == "saltpetre":
-            return np.asarray(np.array((60.0, 66.0, 74.0)) + salt * np.array((190.0, 130.0, -30.0)))
-        gone = 1.0 - _corners(np.clip(patches[FUEL] / cloth.made_of.dry, 0.0, 1.0))
-        scorch = _corners(np.clip((patches[HOT] - 430.0) / 170.0, 0.0, 1.0)) * 0.55
-        wet = _corners(np.minimum(patches[WATER] / 0.15, 1.0))[..., None]
-        brown = np.clip(gone * 4.0 + scorch, 0.0, 1.0)[..., None]
-        black = np.clip((gone - 0.1) * 3.0, 0.0, 1.0)[..., None]
-        colors = np.array(LINEN) + (np.array(SALTED) - np.array(LINEN)) * (0.8 * salt)
-        colors = colors * self._linen
-        colors += (np.array(BROWN) - colors) * brown
-        colors += (np.array(BLACK) - colors) * black
-        colors *= 1.0 - 0.3 * wet
-        shade = _doubled(_lambert(nodes))[..., None]
-        fire = self._fire_on(nodes, light)[..., None]
-        colors *= shade * np.array(SKY_LIGHT[dark]) + fire * np.array(FIRE)
-        hot = _corners(glow)[..., None]
-        ember = np.concatenate([255.0 * np.minimum(1.0, 2.2 * hot), 190.0 * hot**1.3, 70.0 * hot**2.5], axis=2)
-        return np.asarray(np.maximum(colors, ember))
+        return np.asarray(np.array((60.0, 66.0, 74.0)) + salt * np.array((190.0, 130.0, -30.0)))
 
     def _fire_on(self, nodes: Floats, light: NDArray[np.float32]) -> Floats:
-        """(2 ny + 1, 2 nx + 1) firelight on the cloth, from the blocks about it."""
+        """(ny + 1, nx + 1) firelight on the cloth, from the blocks about it."""
         rows, columns = SOURCES
         soft = light.copy()
         for _ in range(2):
@@ -211,7 +209,7 @@ class BurningClothView:
         f, g = x - i, y - j
         low = soft[j, i] * (1.0 - f) + soft[j, i + 1] * f
         high = soft[j + 1, i] * (1.0 - f) + soft[j + 1, i + 1] * f
-        return _doubled(np.minimum(3.2 * (low * (1.0 - g) + high * g), 1.0))
+        return np.asarray(np.minimum(3.2 * (low * (1.0 - g) + high * g), 1.0))
 
     def _draw_threads(self, canvas: Canvas, nodes: Floats) -> None:
         """Each mesh that holds, as its threads."""

@@ -24,60 +24,69 @@ SOURCES = (12, 18)  # rows, columns of blocks of what shines
 REACH = 0.36  # m at which light is half as strong
 WARM = (430, 235, 100)  # red, green, blue of firelight where it is strongest
 # night, day: sky above, at the horizon, trees, stone, mortar, flags, wood; light of the sky (256: all)
-NIGHT = (0x0C1428, 0x3A3550, 0x10161C, 0x6E675F, 0x3B3733, 0x5C554C, 0x6A4A30, 120)
+NIGHT = (0x070D1C, 0x242440, 0x10161C, 0x6E675F, 0x3B3733, 0x5C554C, 0x6A4A30, 120)
 DAY = (0x8DB7D6, 0xF3E3C4, 0x6F8A66, 0xB9AD9A, 0x8E8474, 0xB3A48C, 0x8E6440, 246)
 
 
 class YardPicture(NamedTuple):
-    """colors (h, w) 0xFFRRGGBB; takes (h, w) 0 to 255: how much firelight shows there; own: light of the
-    sky.
+    """colors (h, w) 0xFFRRGGBB in the light of the sky; takes (h, w) 0 to 255: how much firelight shows there;
+    own: what the sky's light was, 256 being full.
     """
 
     colors: Inks
     takes: NDArray[np.uint8]
-    own: int
+    own: float
 
 
 @lean_kernel
-def paint_yard(pixels, clip, colors, takes, rows, columns, light, own, row_light):
-    """Lay cell (rows[y], columns[x]) at each pixel, times own + firelight / 256.
+def paint_yard(pixels, clip, picture, cells, light, work, gain):
+    """Lay cell (rows[y], columns[x]) at each pixel, and firelight on it.
 
-    light (ROWS, COLUMNS) float32 over the picture, linear between the middles of its cells; row_light
-    (COLUMNS,) float32 to work in. takes says how much of it shows at a cell, whose pixels are alike.
+    picture: colors, takes (h, w); cells: rows, columns (int64). light (ROWS, COLUMNS) float32 over the picture,
+    linear between the middles of its cells: 1 is as bright again as ``gain`` (3,) 256ths of the colour. work:
+    firsts (w,) int64 and parts (w,) float32, where a column of the picture lies in a row of light, and a row
+    of light (COLUMNS,) float32 to work in.
     """
-    left, top = clip[0], clip[1]
-    tall, wide = colors.shape
-    count = light.shape[1]
-    down, across = light.shape[0] / tall, count / wide
+    colors, takes = picture
+    rows, columns = cells
+    firsts, parts, row_light = work
+    left, top, count = clip[0], clip[1], light.shape[1]
+    down = light.shape[0] / colors.shape[0]
+    more_red, more_green, more_blue = gain[0], gain[1], gain[2]
     for y in range(rows.shape[0]):
         row = rows[y]
         at = min(max((row + 0.5) * down - 0.5, 0.0), light.shape[0] - 1.001)
         upper = int(at)
         part = np.float32(at - upper)
+        brightest = np.float32(0.0)
         for k in range(count):
             row_light[k] = light[upper, k] + part * (light[upper + 1, k] - light[upper, k])
+            brightest = max(brightest, row_light[k])
+        dull = brightest < np.float32(0.004)
         for x in range(columns.shape[0]):
             column = columns[x]
             ink = np.int64(colors[row, column])
-            takes_here = np.int64(takes[row, column])
-            red, green, blue = ink >> 16 & 255, ink >> 8 & 255, ink & 255
-            strong = np.int64(0)
-            if takes_here > 0:
-                place = min(max((column + 0.5) * across - 0.5, 0.0), count - 1.001)
-                first = int(place)
-                near = row_light[first] + np.float32(place - first) * (row_light[first + 1] - row_light[first])
-                strong = np.int64(near * takes_here)
-            red = min(red * (own + (430 * strong >> 8)) >> 8, 255)
-            green = min(green * (own + (235 * strong >> 8)) >> 8, 255)
-            blue = min(blue * (own + (100 * strong >> 8)) >> 8, 255)
-            pixels[top + y, left + x] = np.uint32(0xFF000000 | red << 16 | green << 8 | blue)
+            shows = np.int64(takes[row, column])
+            if shows > 0 and not dull:
+                first = firsts[column]
+                near = row_light[first] + parts[column] * (row_light[first + 1] - row_light[first])
+                strong = np.int64(near * np.float32(shows))
+                red, green, blue = ink >> 16 & 255, ink >> 8 & 255, ink & 255
+                red = min(red + (red * more_red * strong >> 16), 255)
+                green = min(green + (green * more_green * strong >> 16), 255)
+                blue = min(blue + (blue * more_blue * strong >> 16), 255)
+                ink = 0xFF000000 | red << 16 | green << 8 | blue
+            pixels[top + y, left + x] = np.uint32(ink)
 
 
 class Yard:
     """Paints all that is behind the cloth."""
 
     def __init__(self) -> None:
-        self._row = np.zeros(COLUMNS, np.float32)
+        wide = round((RIGHT - LEFT) / CELL)
+        at = np.clip((np.arange(wide) + 0.5) * COLUMNS / wide - 0.5, 0.0, COLUMNS - 1.001)
+        firsts = at.astype(np.int64)
+        self._work = (firsts, (at - firsts).astype(np.float32), np.zeros(COLUMNS, np.float32))
 
     def draw(self, canvas: Canvas, dark: bool, light: Floats) -> None:
         """light (ROWS, COLUMNS) float32: see `light_on_yard`."""
@@ -93,15 +102,18 @@ class Yard:
         tall, wide = picture.colors.shape
         columns = np.clip(((x - LEFT) / CELL).astype(np.int64), 0, wide - 1)
         rows = np.clip(((TOP_EDGE - y) / CELL).astype(np.int64), 0, tall - 1)
-        paint_yard(pixels, clip, picture.colors, picture.takes, rows, columns, light, picture.own, self._row)
+        gain = np.array([int(part * 256.0 / picture.own) for part in WARM], dtype=np.int64)
+        paint_yard(pixels, clip, (picture.colors, picture.takes), (rows, columns), light, self._work, gain)
 
 
 def warm_up_yard() -> None:
     """Compile what paints, on a tiny picture."""
+    none = np.zeros(4, np.int64)
     paint_yard(
-        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((2, 2), np.uint32),
-        np.zeros((2, 2), np.uint8), np.zeros(4, np.int64), np.zeros(4, np.int64),
-        np.zeros((ROWS, COLUMNS), np.float32), 256, np.zeros(COLUMNS, np.float32),
+        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64),
+        (np.zeros((2, 2), np.uint32), np.zeros((2, 2), np.uint8)), (none, none),
+        np.zeros((ROWS, COLUMNS), np.float32),
+        (np.zeros(2, np.int64), np.zeros(2, np.float32), np.zeros(COLUMNS, np.float32)), np.zeros(3, np.int64),
     )  # fmt: skip
 
 
@@ -164,10 +176,11 @@ def yard_picture(dark: bool) -> YardPicture:
     _flags(colors, takes, x, y, inks, (cloud, fine, grain), random)
     _frame(colors, takes, x, y, inks, fine)
     _table(colors, takes, x, y, inks, fine)
+    colors *= np.where(takes > 0.0, inks[7] / 256.0, 1.0)[..., None]
     packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
     found = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
     return YardPicture(
-        np.ascontiguousarray(found, dtype=np.uint32), np.clip(255.0 * takes, 0, 255).astype(np.uint8), inks[7]
+        np.ascontiguousarray(found, dtype=np.uint32), np.clip(255.0 * takes, 0, 255).astype(np.uint8), float(inks[7])
     )
 
 
@@ -182,16 +195,14 @@ def _sky(
     tint = np.array((70.0, 62.0, 84.0) if dark else (255.0, 250.0, 240.0), dtype=np.float32)
     colors = colors + (tint - colors) * (0.35 if dark else 0.5) * band[..., None]
     if dark:
-        scale = 256.0 / inks[7]
         for k in range(170):
             row, column = int(random.integers(colors.shape[0] * 6 // 10)), int(random.integers(colors.shape[1]))
-            bright = float(random.uniform(60.0, 190.0))
+            bright = float(random.uniform(30.0, 150.0))
             colors[row : row + 1 + (k % 5 == 0), column : column + 1 + (k % 5 == 0)] += bright
         moon = np.sqrt((x - 1.42) ** 2 + (y - 1.55) ** 2)
         colors += (np.clip((0.075 - moon) / 0.004, 0.0, 1.0) * 190.0 + 46.0 * np.exp(-moon / 0.16))[..., None] * (
             np.array((1.0, 0.97, 0.86), dtype=np.float32)
         )
-        colors *= scale * 0.92
     return colors.astype(np.float32), np.zeros(colors.shape[:2], np.float32)
 
 
@@ -208,7 +219,7 @@ def _trees(
             top = high * float(random.uniform(0.86, 1.06))
             away = np.clip(1.0 - ((x - place - float(random.uniform(-0.1, 0.1))) / radius) ** 2, 0.0, None)
             outline = np.maximum(outline, top - radius * 0.8 + 0.8 * radius * np.sqrt(away))
-        ragged = outline + 0.012 * np.sin(95.0 * x) * np.sin(41.0 * x + 1.0) + 0.008 * np.sin(220.0 * x)
+        ragged = outline + 0.02 * _smooth(random, x.shape, 7) + 0.03 * _smooth(random, x.shape, 22)
         shade = np.clip((ragged - y) / 0.25, 0.0, 1.0)
         ink = (tree + (horizon - tree) * share) * (1.12 - 0.3 * shade)[..., None]
         _lay(colors, takes, (y < ragged) & (y > 0.0), ink, light)
