@@ -61,8 +61,8 @@ class Hanging:
     """How a cloth moves. ValueError, naming the field, for nonsense.
 
     width, height m; span: m between the hooks; top: m, how high these are. strength: strain at which a whole
-    thread parts. shear, folds: compliance m/N of a mesh's diagonals and of folds. press, brush: drag
-    coefficients of air through and along the cloth. calm 1/s: its own friction.
+    thread parts. shear, folds: compliance m/N of a mesh's diagonals and of folds. calm 1/s: its own friction.
+    floor: m, on which it comes to lie.
     """
 
     width: float = 1.6
@@ -74,8 +74,6 @@ class Hanging:
     strength: float = 1.2
     shear: float = 2.0e-2
     folds: float = 1.0e-3
-    press: float = 1.2
-    brush: float = 0.12
     calm: float = 0.25
     floor: float = 0.012
     effects: EffectSet = CLOTH.known
@@ -85,7 +83,7 @@ class Hanging:
         ranges = {
             "width": (1e-3, 1e3), "height": (1e-3, 1e3), "span": (0.0, 1e3), "top": (-1e3, 1e3),
             "gravity": (-1e3, 1e3), "strength": (1e-3, 1e3), "shear": (0.0, 1e6), "folds": (0.0, 1e6),
-            "press": (0.0, 1e3), "brush": (0.0, 1e3), "calm": (0.0, 1e3), "floor": (-1e3, 1e3),
+            "calm": (0.0, 1e3), "floor": (-1e3, 1e3),
         }  # fmt: skip
         for name, (low, high) in ranges.items():
             if not low <= getattr(self, name) <= high:

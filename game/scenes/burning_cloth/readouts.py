@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.physics.cloth.layout import THERE, Z
 from game.scenes.burning_cloth.model import BurningClothModel
 from game.stage import Readout
 
@@ -53,8 +54,7 @@ def readouts_of(model: BurningClothModel) -> list[Readout]:
 
 
 def swing_of(model: BurningClothModel) -> float:
-    """m beside the middle of the hooks: the lower edge of what hangs there; nan if nothing does."""
-    cloth = model.cloth
-    row = cloth.nodes[:, -1]
-    there = row[10] > 0.0
-    return float(np.mean(row[0, there])) if there.any() else math.nan
+    """m: how far the lower edge, where it hangs, is out of the plane of the hooks; nan if nothing is there."""
+    row = model.cloth.nodes[:, -1]
+    there = row[THERE] > 0.0
+    return float(np.mean(row[Z, there])) if there.any() else math.nan
