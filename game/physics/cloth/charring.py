@@ -9,13 +9,14 @@ capacity of the dry cloth (which stays that of the whole thread until the mesh f
     C dT/dt = k lap T + kept q burnt + U (T_gas - T) + eps sigma (T_a^4 - T^4) + match
     df/dt = -R f,   R = r (T >= T_i), or of Fisher's kind R = r (T - T_a) / rise
 
-Of what goes a share leaves as vapour, which burns in the gas, some of it as it leaves a patch that glows; char
-stays; the rest burns in the cloth, and a part of its heat stays there. Water keeps a patch at 373.15 K until it is gone. Everything that leaves a patch
-enters the cell of gas before it, so that
+Of what goes a share leaves as vapour, which burns in the gas, some of it as it leaves a patch that glows;
+char stays; the rest burns in the cloth, and a part of its heat stays there. Water keeps a patch at 373.15 K
+until it is gone. Everything that leaves a patch enters the cell of gas before it, so that
 
     cloth + gas + radiated + steam = burnt in the cloth + burnt in the gas + match
 
-to rounding in each step; heat counts from the surroundings. A layer of gas so deep (m) as the flames is meant.
+to rounding in each step; heat counts from the surroundings. A layer of gas so deep (m) as the flames is
+meant.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ import math
 from typing import NamedTuple
 
 from game.physics.cloth.layout import BEGAN, CHAR, FLOW, FUEL, HOT, PER, SALT, WATER, X, Y
-from game.physics.heat.effects import CONDUCTION_BIT, CONVECTION_BIT, RADIATION_BIT, SMOULDERING_BIT
+from game.physics.heat.effects import CONVECTION_BIT, RADIATION_BIT, SMOULDERING_BIT
 from game.physics.heat.nodes import BOILING, STEAM_HEAT, WATER_HEAT
 from game.physics.heat.radiation import STEFAN_BOLTZMANN, cooled_inside
 from game.physics.kernels import elementary
@@ -114,8 +115,11 @@ def warm(patches, b, a, joule, laws, totals, area):
 
 
 @inner_kernel
-def _burn(patches, b, a, kinds, laws, oxygen, h, now, totals, area):
+def _burn(patches, at, how, oxygen, when, totals):
     """Burn for h (s): what goes to the gas, J/m² and kg/m² of vapour, and kg/m² of oxygen that it takes."""
+    b, a = at
+    laws, kinds = how
+    h, now, area = when
     plain, salted = kinds
     salt = patches[SALT, b, a]
     hot = patches[HOT, b, a]
@@ -194,8 +198,10 @@ def place_of(nodes, b, a):
 
 
 @inner_kernel
-def _light(patches, nodes, b, a, laws, flame, h, totals, area):
+def _light(patches, nodes, at, laws, flame, when, totals):
     """What a match does to a patch in h (s), as a backward step: however hot, never beyond its flame."""
+    b, a = at
+    h, _, area = when
     x, y = place_of(nodes, b, a)
     dx, dy = (x - flame.x) / flame.radius, (y - flame.y) / flame.radius
     away = dx * dx + dy * dy
@@ -209,11 +215,14 @@ def _light(patches, nodes, b, a, laws, flame, h, totals, area):
 
 
 @inner_kernel
-def _give(patches, b, a, kinds, laws, gas, cells, at, h, now, totals, area):
-    """Burn, and let what leaves be in the cell ``at`` of the gas; vapour that leaves what glows begins to burn."""
-    j, i = at
+def _give(patches, at, how, air, cell, when, totals):
+    """Burn, and let what leaves be in a cell of the gas; vapour that leaves what glows begins to burn."""
+    b, a = at
+    j, i = cell
+    cells, gas = air
+    area = when[2]
     fresh = min(max(cells[j, i, 2] / gas.fresh, 0.0), 1.0)
-    joule, vapour, used = _burn(patches, b, a, kinds, laws, fresh, h, now, totals, area)
+    joule, vapour, used = _burn(patches, at, how, fresh, when, totals)
     if joule + vapour <= 0.0:
         return
     if patches[HOT, b, a] >= gas.ignites:
@@ -230,14 +239,19 @@ def _give(patches, b, a, kinds, laws, gas, cells, at, h, now, totals, area):
 
 
 @lean_kernel
-def meet_and_burn(patches, whole, nodes, cells, wind, laws, kinds, gas, flame, clock, totals):
+def meet_and_burn(cloth, air, how, flame, clock, totals):
     """Gas, match, burning, radiation of all patches for h (s), then what they give is in the gas.
 
-    cells (gy, gx, 4): K, kg/m³ of vapour, of oxygen, of soot; wind (gy, gx) m/s, how fast the gas is at the
-    cloth. A mesh meets the cell before its middle. clock: h, s at its beginning, m of a patch. totals
-    (TOTALS,) are added to. Heat goes between gas and cloth as in a backward step, which keeps their sum.
+    cloth: patches, meshes that are whole, nodes. air: cells (gy, gx, 4) K, kg/m³ of vapour, of oxygen, of
+    soot; wind (gy, gx) m/s, how fast the gas is at the cloth; `GasAt`. how: `ClothLaws`, both `Kind`s. A
+    mesh meets the cell before its middle. clock: h, s at its beginning, m of a patch. totals (TOTALS,) are
+    added to. Heat goes between gas and cloth as in a backward step, which keeps their sum.
     """
+    patches, whole, nodes = cloth
+    cells, wind, gas = air
+    laws, kinds = how
     h, now, size = clock
+    when = (h, now, size * size)
     area, gy, gx = size * size, cells.shape[0], cells.shape[1]
     totals[ALIGHT], totals[HOTTEST] = 0.0, laws.ambient
     reach = 3.0 * flame.radius + 2.0 * PER * size
@@ -270,9 +284,9 @@ def meet_and_burn(patches, whole, nodes, cells, wind, laws, kinds, gas, flame, c
                         else:
                             patches[HOT, b, a] += joule / capacity
                     if near:
-                        _light(patches, nodes, b, a, laws, flame, h, totals, area)
+                        _light(patches, nodes, (b, a), laws, flame, when, totals)
                     if burns and patches[HOT, b, a] >= coldest and patches[FUEL, b, a] > 0.0:
-                        _give(patches, b, a, kinds, laws, gas, cells, (j, i), h, now, totals, area)
+                        _give(patches, (b, a), how, (cells, gas), (j, i), when, totals)
                     hot = patches[HOT, b, a]
                     if laws.mask & RADIATION_BIT and abs(hot - laws.ambient) > ALIKE:
                         capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]

@@ -53,6 +53,7 @@ STABLE = 0.45  # of the share of a patch's heat that may flow in a substep, over
 LEAST_LEFT = 0.14  # of its mass: a mesh with less holds nothing
 NOBODY = -1
 WAVES = 4  # in which a cloth that is wider than its hooks are apart lies at first
+FASTEST, LEAST_KNOWN = 0.2, 4  # m/s: faster is no front, but what was heated all at once; patches to go by
 NO_FLAME = Flame(0.0, 0.0, 1.0, 293.15, 0.0, 0.0)
 
 
@@ -116,7 +117,11 @@ class Cloth:
     """
 
     def __init__(self, meshes: int = 80, made_of: Fabric | None = None, hanging: Hanging | None = None):
-        if isinstance(meshes, bool) or not isinstance(meshes, int) or not LEAST_MESHES <= meshes <= MOST_MESHES:
+        if (
+            isinstance(meshes, bool)
+            or not isinstance(meshes, int)
+            or not LEAST_MESHES <= meshes <= MOST_MESHES
+        ):
             raise ValueError(f"meshes = {meshes!r}: expected a whole number, {LEAST_MESHES} to {MOST_MESHES}")
         self.made_of, self.hanging = made_of or Fabric(), hanging or Hanging()
         self.spacing = self.hanging.width / meshes
@@ -138,14 +143,18 @@ class Cloth:
         self._renew()
 
     def _lay(self) -> None:
-        """Flat between the hooks, in slight waves as the span is less than the width; cold, nothing written."""
+        """Flat between the hooks, in slight waves as the span is less than the width; cold, nothing
+        written.
+        """
         rows, columns = self.nodes.shape[1:]
         share = np.arange(columns) / (columns - 1)
         x = self.hanging.span * (share - 0.5)
         down = self.spacing * np.arange(rows)
         slack = max(self.hanging.width / max(self.hanging.span, 1e-9) - 1.0, 0.0)
         turns = 2.0 * math.pi * WAVES * share
-        deep = 2.0 * math.sqrt(slack) * self.hanging.span / (2.0 * math.pi * WAVES)  # so that its way is as long
+        deep = (
+            2.0 * math.sqrt(slack) * self.hanging.span / (2.0 * math.pi * WAVES)
+        )  # so that its way is as long
         self.nodes[X], self.nodes[Y] = x[None, :], self.hanging.top - down[:, None]
         self.nodes[Z] = deep * elementwise.sin(turns)[None, :] * np.ones((rows, 1))
         self.nodes[Z, 0, 0] = self.nodes[Z, 0, -1] = 0.0
@@ -212,7 +221,7 @@ class Cloth:
         self.patches[SALT] = given
 
     def point_on(self, point: tuple[float, float], reach: float = 0.1) -> tuple[float, float] | None:
-        """Where on the cloth, m from its upper left corner, a place (m) of the picture is; None: beside it."""
+        """Where on the cloth, m from its upper left corner, a place (m) of the picture is; None: beside."""
         away = np.where(
             self.nodes[THERE] > 0.0,
             (self.nodes[X] - point[0]) * (self.nodes[X] - point[0])
@@ -243,7 +252,9 @@ class Cloth:
     def pour(self, point: tuple[float, float], radius: float, most: float) -> float:
         """Water, up to ``most`` kg/m² in the middle of a place (m); kg that it took. ValueError."""
         if not all(map(math.isfinite, point)) or not 0.0 < radius < math.inf or not 0.0 <= most <= 1e3:
-            raise ValueError(f"point, radius, most = {point!r}, {radius!r}, {most!r}: expected a place, m, kg/m²")
+            raise ValueError(
+                f"point, radius, most = {point!r}, {radius!r}, {most!r}: expected a place, m, kg/m²"
+            )
         jet = (float(point[0]), float(point[1]), float(radius), float(most), self.size * self.size)
         poured = float(pour_on(self.patches, self.whole, self.nodes, jet, self.made_of.laws()))
         self.poured += poured
@@ -307,9 +318,8 @@ class Cloth:
             for _ in range(substeps):
                 conduct(self.patches, self.whole, laws, (dt / substeps, self.size), self.totals)
         clock = (float(dt), self.time, self.size)
-        meet_and_burn(
-            self.patches, self.whole, self.nodes, cells, speeds, laws, kinds, gas, flame, clock, self.totals
-        )
+        parts = (self.patches, self.whole, self.nodes)
+        meet_and_burn(parts, (cells, speeds, gas), (laws, kinds), flame, clock, self.totals)
 
     def move(self, dt: float, wind: tuple[Floats, Floats, Breeze] | None = None) -> None:
         """Only the motion, for dt (s)."""
@@ -372,7 +382,7 @@ class Cloth:
 
     def front(self, since: float) -> float:
         """m/s at which the front goes along what is written, the median over patches that it came to in the
-        last seconds ``since``: one over the gradient of the times at which it came. nan: none did.
+        last seconds ``since``: one over the gradient of the times at which it came. nan: it came to too few.
         """
         began, salt = self.patches[BEGAN], self.patches[SALT]
         new = (began > self.time - since) & (salt > 0.9)
@@ -381,11 +391,12 @@ class Cloth:
         left, right = began[rows, columns - 1], began[rows, columns + 1]
         above, below = began[rows - 1, columns], began[rows + 1, columns]
         known = (left >= 0.0) & (right >= 0.0) & (above >= 0.0) & (below >= 0.0)
-        if np.count_nonzero(known) < 4:
+        if np.count_nonzero(known) < LEAST_KNOWN:
             return math.nan
         across, along = (right - left)[known], (below - above)[known]
         slow = np.sqrt(across * across + along * along) / (2.0 * self.size)
-        return float(1.0 / max(np.median(slow), 1e-9))
+        slow = slow[slow * FASTEST > 1.0]
+        return float(1.0 / np.median(slow)) if len(slow) >= LEAST_KNOWN else math.nan
 
     def state(self) -> ClothState:
         """All that later steps depend on, not copied."""

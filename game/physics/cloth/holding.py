@@ -61,8 +61,14 @@ def tear_out(nodes, ties, patches, limits):
                     continue
                 # the two meshes beside the thread
                 ja, ia = (j - 1, i) if way == 0 else (j, i - 1)
-                one = solid_share(patches, ja, ia, dry) if ja >= 0 and ia >= 0 and ties.whole[ja, ia] > 0.0 else -1.0
-                two = solid_share(patches, j, i, dry) if j < ny and i < nx and ties.whole[j, i] > 0.0 else -1.0
+                one = (
+                    solid_share(patches, ja, ia, dry)
+                    if ja >= 0 and ia >= 0 and ties.whole[ja, ia] > 0.0
+                    else -1.0
+                )
+                two = (
+                    solid_share(patches, j, i, dry) if j < ny and i < nx and ties.whole[j, i] > 0.0 else -1.0
+                )
                 strong = max(one, 0.0) + max(two, 0.0)
                 parts = (1.0 if one >= 0.0 else 0.0) + (1.0 if two >= 0.0 else 0.0)
                 if parts == 0.0 or strain <= most * max(strong / parts, 0.1):

@@ -1,8 +1,8 @@
 """How a cloth lies in arrays: nodes with threads between them, meshes, and two by two patches in each mesh.
 
-    nodes   (NODE_ROWS, ny + 1, nx + 1)   where the threads cross; row 0 is the upper edge
-    whole   (ny, nx)                      meshes that still hold: 1, or 0 once burnt through or torn out
-    patches (PATCH_ROWS, 2 ny, 2 nx)      what is hot and burns, in the cloth's own coordinates
+nodes   (NODE_ROWS, ny + 1, nx + 1)   where the threads cross; row 0 is the upper edge
+whole   (ny, nx)                      meshes that still hold: 1, or 0 once burnt through or torn out
+patches (PATCH_ROWS, 2 ny, 2 nx)      what is hot and burns, in the cloth's own coordinates
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 """A cloth that hangs and is blown about, in space: position based dynamics in short substeps.
 
-Threads keep their length, meshes their angles (softly), and folds are not flat (a link over four meshes that
-only pushes). Each substep makes one sweep (Macklin and others 2019, "Small steps in physics simulation"), with
-compliance as α / h² (XPBD; Macklin, Müller and Chentanez 2016). Threads are swept row against row, so that no
-node comes twice in an inner loop. One sweep lets a long cloth stretch under its weight; nobody is farther from
-a hook than the way along the cloth, which makes up for it (Kim, Chentanez and Müller-Fischer 2012, "Long range
-attachments").
+Threads keep their length, meshes their angles (softly), and folds are not flat (a link over four meshes
+that only pushes). Each substep makes one sweep (Macklin and others 2019, "Small steps in physics
+simulation"), with compliance as α / h² (XPBD; Macklin, Müller and Chentanez 2016). Threads are swept row
+against row, so that no node comes twice in an inner loop. One sweep lets a long cloth stretch under its
+weight; nobody is farther from a hook than the way along the cloth, which makes up for it (Kim, Chentanez
+and Müller-Fischer 2012, "Long range attachments").
 
 Air drags by the part of its velocity that is normal to the cloth, and less along it.
 """

@@ -10,7 +10,7 @@ A10 = Entry(
     category="Stories",
     module="game.scenes.burning_cloth.scene",
     class_name="BurningCloth",
-    keywords="fire cloth burn letters match saltpetre retardant char ember front fisher kpp wind flame smoke tear",
+    keywords="fire cloth burn letters match saltpetre retardant char ember front fisher wind flame smoke",
     roomy=True,
     card="draw_cloth",
 )

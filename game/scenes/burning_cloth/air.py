@@ -31,7 +31,7 @@ VAPOUR = {
 THICK_SOOT = 2.2e-3  # kg/m³ in a cell of the picture that is all grey
 FLAME_FROM, FLAME_TO = 560.0, 1250.0  # K between which gas begins to glow and is brightest
 SHINING = 1.2e-4  # kg/m³ of soot with which a flame is seen in full
-SLANT, SWELL, WAVE, RUNS = 0.75, 0.45, 3.4, 0.55  # of the wind: across the plane, its swell, 1/m, its speed
+SLANT, SWELL, WAVE, RUNS = 0.55, 0.4, 3.4, 0.55  # of the wind: across the plane, its swell, 1/m, its speed
 PRESS, BRUSH = 0.72, 0.15  # kg/m³, half the density of air times a coefficient of drag, through and along
 GUSTS = ((0.9, 0.22), (2.3, 0.13), (3.7, 0.07))  # rad/s, share of the wind
 MATCH_WIDE = 0.03  # m
@@ -93,7 +93,8 @@ class Air(Part):
         """For the cloth."""
         volume = self.cell * self.cell * DEEP
         return GasAt(
-            -HALF, 0.0, self.cell, VAPOUR["capacity"] * volume, volume, FRESH, VAPOUR["oxygen"], GLOWING, PILOT,
+            -HALF, 0.0, self.cell, VAPOUR["capacity"] * volume, volume, FRESH, VAPOUR["oxygen"], GLOWING,
+            PILOT,
             VAPOUR["heat"], VAPOUR["soot"],
         )  # fmt: skip
 
@@ -104,7 +105,15 @@ class Air(Part):
         now = float(self.flows[2])
         slow = 0.75 + 0.25 * elementary.sin(0.7 * time)
         return Breeze(
-            -HALF, 0.0, self.cell, SLANT * now * slow, SWELL * abs(now), WAVE, float(self.flows[3]), PRESS, BRUSH
+            -HALF,
+            0.0,
+            self.cell,
+            SLANT * now * slow,
+            SWELL * abs(now),
+            WAVE,
+            float(self.flows[3]),
+            PRESS,
+            BRUSH,
         )
 
     def heat_match(self, head: tuple[float, float], watt: float, dt: float) -> None:
@@ -164,9 +173,10 @@ class Air(Part):
         if self.lifts:
             lift_cells(gas.scalars, 0, ROOM, GRAVITY_NOW, gas.force)
         gas.force[..., 1] -= MIXES * upward
-        before = self.through_sides()
+        out = (np.maximum(-gas.u[:, 0], 0.0), np.maximum(gas.u[:, -1], 0.0), np.maximum(gas.v[-1], 0.0))
+        before = self._through_sides(out)  # heat is carried by the velocities that a step begins with
         gas.step(dt)
-        self.flows[1] += 0.5 * (before + self.through_sides()) * dt
+        self.flows[1] += 0.5 * (before + self._through_sides(out)) * dt
 
     def _velocities(self) -> tuple[Floats, Floats]:
         u, v = self.gas.u, self.gas.v
@@ -189,15 +199,20 @@ class Air(Part):
         t = self.gas.scalars[..., 0]
         return float(np.sum(t - ROOM)) * VAPOUR["capacity"] * (self.cell * self.cell) * DEEP
 
-    def through_sides(self) -> float:
-        """W that leave the box with the gas now, as its speeds and the temperatures at the sides have it."""
-        warm = (self.gas.scalars[..., 0] - ROOM) * (VAPOUR["capacity"] * self.cell * DEEP)
-        u, v = self.gas.u, self.gas.v
-        sums = (
-            warm[:, -1] * np.maximum(u[:, -1], 0.0), warm[:, 0] * np.maximum(-u[:, 0], 0.0),
-            warm[-1] * np.maximum(v[-1], 0.0),
-        )  # fmt: skip
-        return math.fsum(float(np.sum(part)) for part in sums)
+    def _through_sides(self, out: tuple[Floats, Floats, Floats]) -> float:
+        """W that leave the box to the left, the right and above with these speeds, in m/s: the temperature on
+        a side is that of its cells with the limited slope by which the gas carries it (van Leer 1974).
+        """
+        warm = self.gas.scalars[..., 0] - ROOM
+        total = []
+        for speed, cell, within in zip(
+            out, (warm[:, 0], warm[:, -1], warm[-1]), (warm[:, 1], warm[:, -2], warm[-2]), strict=True
+        ):
+            one, two = cell - within, -cell  # beyond the side it is as in the surroundings
+            both = one * two
+            slope = np.where(both > 0.0, both / np.where(both > 0.0, one + two, 1.0), 0.0)
+            total.append(float(np.sum(speed * (cell + slope))))
+        return math.fsum(total) * VAPOUR["capacity"] * self.cell * DEEP
 
     def veil(self) -> NDArray[np.float32]:
         """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""

@@ -26,7 +26,10 @@ def draw_cloth(pen: Pen) -> None:
     left = LEFT
     for sign in "FIRE":
         for line in _L[sign]:
-            places = [(left + UNIT * x, LOW - UNIT * y + 4.0 * math.sin(math.pi * (left - 20.0) / 120.0)) for x, y in line]
+            places = [
+                (left + UNIT * x, LOW - UNIT * y + 4.0 * math.sin(math.pi * (left - 20.0) / 120.0))
+                for x, y in line
+            ]
             pen.line(places, pygame.Color(70, 36, 20), 8.5)
             pen.line(places, pygame.Color(226, 92, 18), 5.5)
             pen.line(places, pygame.Color(255, 206, 96), 2.2)

@@ -1,4 +1,4 @@
-"""The help figure: a front of embers in cloth that is written on, its warmth and what is left of the cloth."""
+"""The help figure: a front of embers in cloth that is written on, its warmth and what fuel is left."""
 
 from __future__ import annotations
 

@@ -27,8 +27,8 @@ LAST_S = 60.0
 
 
 class Match(Part):
-    """began: s at which it was taken up, or -1; feet (n, 2) m: what it was to be held to then; held: where the
-    hand has it.
+    """began: s at which it was taken up, or -1; feet (n, 2) m: what it was to be held to then; held: where
+    the hand has it.
     """
 
     def __init__(self) -> None:

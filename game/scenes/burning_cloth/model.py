@@ -1,4 +1,4 @@
-"""The cloth, the layer of gas it hangs in, match and ashes, stepped in one order; what is measured of them."""
+"""The cloth, the layer of gas it hangs in, match and ashes, stepped in one order; what is measured."""
 
 from __future__ import annotations
 
@@ -18,7 +18,9 @@ from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
 from game.physics.heat.effects import HEAT
 from game.scenes.burning_cloth.air import Air, AirState
-from game.scenes.burning_cloth.ashes import Ashes, X as ASH_X, Y as ASH_Y
+from game.scenes.burning_cloth.ashes import Ashes
+from game.scenes.burning_cloth.ashes import X as ASH_X
+from game.scenes.burning_cloth.ashes import Y as ASH_Y
 from game.scenes.burning_cloth.letters import Lettering, lettering
 from game.scenes.burning_cloth.level import MOST_DABS, BurningClothContent
 from game.scenes.burning_cloth.match import WATT, Match
@@ -135,7 +137,9 @@ class BurningClothModel(Part):
         """m: where each letter begins, on the cloth as it hangs now; of what was written by hand the first
         dab.
         """
-        on = [*self.letters.feet.tolist()] or ([self.written[0]] if self.written else [(0.5 * WIDTH, 0.8 * HEIGHT)])
+        on = [*self.letters.feet.tolist()] or (
+            [self.written[0]] if self.written else [(0.5 * WIDTH, 0.8 * HEIGHT)]
+        )
         return [self.place_on(right, down) for right, down in on]
 
     def place_on(self, right: float, down: float) -> tuple[float, float]:
@@ -151,7 +155,8 @@ class BurningClothModel(Part):
         on, dabs = self.cloth.point_on(point), self.washed if washes else self.written
         if on is None or len(dabs) >= MOST_DABS:
             return False
-        dabs.append((round(on[0], 4), round(on[1], 4)))
+        on = (round(on[0], 4), round(on[1], 4))  # as a level file has it
+        dabs.append(on)
         self.cloth.dab(on, (0.7 if washes else 0.5) * STROKE, 0.0 if washes else 1.0)
         return True
 
@@ -159,6 +164,11 @@ class BurningClothModel(Part):
         """Water on what is near."""
         self.cloth.pour(point, POUR_REACH, POUR_MOST)
         self.air.cool(point, POUR_REACH)
+
+    def wet_all(self) -> None:
+        """Buckets of water over the whole cloth."""
+        self.cloth.pour((0.0, TOP - 0.5 * HEIGHT), 4.0 * WIDTH, 2.0 * POUR_MOST)
+        self.air.cool((0.0, TOP - 0.5 * HEIGHT), WIDTH)
 
     def blow(self, point: tuple[float, float], way: tuple[float, float]) -> None:
         """A gust along the way (m) of the hand."""
@@ -251,17 +261,24 @@ class BurningClothModel(Part):
         return float(np.sum(patches[CHAR] * plain)) / max(whole, 1e-12)
 
     def books(self) -> dict[str, float]:
-        """J: made by what burns and the match; where that is; and what is missing of it ("open")."""
+        """J: made by what burns and the match; where that, and the heat at first, is; what is missing
+        ("open").
+        """
         cloth, air = self.cloth, self.air
         flames = air.flames.books_now()
         deep = air.at_cloth().volume / (air.cell * air.cell)
-        made = deep * flames.released + float(cloth.totals[MADE]) + float(cloth.totals[MATCH]) + float(air.flows[0])
+        made = (
+            deep * flames.released
+            + float(cloth.totals[MADE])
+            + float(cloth.totals[MATCH])
+            + float(air.flows[0])
+        )
         found = {
             "radiated": deep * flames.radiated + float(cloth.totals[RADIATED]),
             "steam": float(cloth.totals[STEAM]), "air": float(air.flows[1]), "gas": air.heat(),
-            "cloth": cloth.warmth() - self.heat_at_first, "ash": float(cloth.ash[0]),
+            "cloth": cloth.warmth(), "ash": float(cloth.ash[0]),
         }  # fmt: skip
-        return {"made": made, **found, "open": made - sum(found.values())}
+        return {"made": made, **found, "open": made + self.heat_at_first - sum(found.values())}
 
     @property
     def alight(self) -> int:

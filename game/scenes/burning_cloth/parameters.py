@@ -21,7 +21,8 @@ class BurningClothParameters(Parameters):
     )  # fmt: skip
     word = Choice(
         "FIRE", WORDS, labels=("FIRE", "CAROM", "HEAT", "1952", "A heart", "Nothing"), group="Cloth",
-        label="Written", help="with saltpetre; a level can have any word, and Write adds by hand", rebuild=True,
+        label="Written", rebuild=True,
+        help="with saltpetre; a level can have any word, and Write adds by hand",
     )  # fmt: skip
     retardant = Param(
         1.0, 0.0, 1.0, group="Cloth", label="Retardant",
@@ -53,7 +54,9 @@ class BurningClothParameters(Parameters):
         "fire", VIEWS, labels=("As it looks", "Heat", "Saltpetre", "Gas"), group="Shown", label="Picture",
         help="as it looks, or what is measured of cloth and gas",
     )  # fmt: skip
-    marks = Toggle(False, group="Shown", label="Threads", help="each mesh that holds, and how much it is stretched")
+    marks = Toggle(
+        False, group="Shown", label="Threads", help="each mesh that holds, and how much it is stretched"
+    )
 
     def meshes_now(self) -> int:
         """By the quality that is chosen."""

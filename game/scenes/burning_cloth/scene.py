@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import ClassVar
 
-from game.lab.studies.cloth import front_study
+from game.lab.studies.fire.cloth import front_study
 from game.levels import Level
 from game.physics.cloth.effects import CLOTH
 from game.physics.combustion.effects import FLAMES, SOOT_LOSS
@@ -30,19 +30,20 @@ from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Str
 
 
 class BurningCloth(BuiltScene):
-    """A cotton cloth hangs from two hooks. It was treated with a flame retardant; the letters were written on
-    it with a solution of saltpetre, which has dried. A match lights each letter at its foot: a front of embers
-    creeps along what is written, and only that burns through.
+    """A cotton cloth hangs from two hooks. It was treated with a flame retardant; the letters were written
+    on it with a solution of saltpetre, which has dried. A match lights each letter at its foot: a front of
+    embers creeps along what is written, and only that burns through.
 
-    No script says what burns. Treated cloth does nothing below 640 K, more than half of it stays as char, and
-    what heat it gives is less than it loses, so a fire in it goes out. Saltpetre takes fire at 500 K, brings
-    its own oxygen and leaves nothing: its front keeps itself hot. What leaves as vapour burns in the air before
-    the cloth. Where a mesh has lost its threads a hole opens, and what hangs on nothing any more falls.
+    No script says what burns. Treated cloth does nothing below 640 K, more than half of it stays as char,
+    and what heat it gives is less than it loses, so a fire in it goes out. Saltpetre takes fire at 500 K,
+    brings its own oxygen and leaves nothing: its front keeps itself hot. What leaves as vapour burns in the
+    air before the cloth. Where a mesh has lost its threads a hole opens, and what hangs on nothing any more
+    falls.
 
     Limits. The gas is solved in the plane of the cloth, as a layer 0.2 m deep with the same velocity all
-    through; the cloth itself swings in space. The gas does not feel the cloth's drag, and does not expand by
-    its warmth. Heat spreads along the threads as quickly as it does with the hot gas close to a cloth (2 cm²/s),
-    and threads keep the heat capacity of a whole one until they fall.
+    through; the cloth itself swings in space. The gas does not feel the cloth's drag, and does not expand
+    by its warmth. Heat spreads along the threads as quickly as it does with the hot gas close to a cloth (2
+    cm²/s), and threads keep the heat capacity of a whole one until they fall.
 
     In the equations: u temperature above that around over what the fuel's heat would give, u_i ignition,
     f fuel left, D diffusivity, r rate of burning, h loss, c speed of the front.
@@ -60,10 +61,10 @@ class BurningCloth(BuiltScene):
     covers = True
 
     strips = (
-        Strip("Front of embers", "m/s", ("front", "by its law", "Fisher and KPP"),
-              ("by its law", "Fisher and KPP"), sometimes=("front",)),
+        Strip("Front of embers", "m/s", ("front", "by its law", "Fisher-KPP"),
+              ("by its law", "Fisher-KPP"), sometimes=("front",)),
         Strip("Power of the flames", "W", ("power",)),
-        Strip("Burnt", "%", ("burnt of the letters", "burnt of the rest")),
+        Strip("Burnt", "%", ("letters burnt", "rest burnt")),
     )  # fmt: skip
     hints = (
         Hint(("Drag",), "what the tool does"),
@@ -77,9 +78,13 @@ class BurningCloth(BuiltScene):
     )
     figure = staticmethod(draw_front)
     equations = (
-        Equation("A front of embers", r"\dot{u} = D \Delta u - h u + r f", "burns where u ≥ u_i, a law of steps"),
-        Equation("Its speed without losses", r"c = \sqrt{D r \frac{1 - u_i}{u_i}}", "closed form of that law"),
-        Equation("Fisher and KPP", r"c = 2 \sqrt{D r}", "Fisher 1937; Kolmogorov, Petrovsky, Piskunov 1937"),
+        Equation(
+            "A front of embers", r"\dot{u} = D \Delta u - h u + r f", "burns where u ≥ u_i, a law of steps"
+        ),
+        Equation(
+            "Its speed without losses", r"c = \sqrt{D r \frac{1 - u_i}{u_i}}", "closed form of that law"
+        ),
+        Equation("Fisher-KPP", r"c = 2 \sqrt{D r}", "Fisher 1937; Kolmogorov, Petrovsky, Piskunov 1937"),
         Equation("A hot cloth shines", r"q = 2 ε σ (T^4 - T_a^4)", "Stefan 1879, Boltzmann 1884; two sides"),
     )
     try_this = (
@@ -142,9 +147,7 @@ class BurningCloth(BuiltScene):
             self.parameters.wind = -self.parameters.wind if self.parameters.wind != 0.0 else 1.5
             self.model.change_parameter("wind")
         else:
-            for x in (-0.6, -0.3, 0.0, 0.3, 0.6):
-                for y in (0.8, 1.1, 1.4):
-                    self.model.pour((x, y))
+            self.model.wet_all()
 
     # -- what there is to see -----------------------------------------------------------------------
 

@@ -39,8 +39,18 @@ def _triangle(pixels: Any, clip: Any, v: Any, a: Any, b: Any, c: Any) -> None:
     b1, s1 = v[b[0], b[1], BLUE] - b0, v[b[0], b[1], LEFT] - s0
     r2, g2 = v[c[0], c[1], RED] - r0, v[c[0], c[1], GREEN] - g0
     b2, s2 = v[c[0], c[1], BLUE] - b0, v[c[0], c[1], LEFT] - s0
-    rx, gx, ex, sx = (r1 * cy - r2 * by) / det, (g1 * cy - g2 * by) / det, (b1 * cy - b2 * by) / det, (s1 * cy - s2 * by) / det
-    ry, gy, ey, sy = (r2 * bx - r1 * cx) / det, (g2 * bx - g1 * cx) / det, (b2 * bx - b1 * cx) / det, (s2 * bx - s1 * cx) / det
+    rx, gx, ex, sx = (
+        (r1 * cy - r2 * by) / det,
+        (g1 * cy - g2 * by) / det,
+        (b1 * cy - b2 * by) / det,
+        (s1 * cy - s2 * by) / det,
+    )
+    ry, gy, ey, sy = (
+        (r2 * bx - r1 * cx) / det,
+        (g2 * bx - g1 * cx) / det,
+        (b2 * bx - b1 * cx) / det,
+        (s2 * bx - s1 * cx) / det,
+    )
     for y in range(first, last):
         at = y + 0.5 - ay
         start, end = math.inf, -math.inf
@@ -93,7 +103,10 @@ def _mean(patches: Any, row: Any, b: Any, a: Any) -> Any:
     low, high = max(b - 1, 0), min(b, patches.shape[1] - 1)
     left, right = max(a - 1, 0), min(a, patches.shape[2] - 1)
     return 0.25 * (
-        patches[row, low, left] + patches[row, low, right] + patches[row, high, left] + patches[row, high, right]
+        patches[row, low, left]
+        + patches[row, low, right]
+        + patches[row, high, left]
+        + patches[row, high, right]
     )
 
 
@@ -107,10 +120,12 @@ def _between(values: Any, b: Any, a: Any) -> Any:
 
 @lean_kernel
 def tint_sheet(patches: Any, shade: Any, fire: Any, linen: Any, light: Any, dry: Any, vertices: Any) -> None:
-    """Colours of vertices: linen, what is written on it, scorch, char and embers, in the light of sky and fire.
+    """Colours of vertices: linen, what is written on it, scorch, char and embers, in the light of sky and
+    fire.
 
-    patches: see `physics.cloth.layout`; shade, fire (ny + 1, nx + 1): light of the sky by the normal, and of
-    the fire; linen (2 ny + 1, 2 nx + 1): tint of the threads; light (2, 3): colours of sky and fire; dry kg/m².
+    patches: see `physics.cloth.layout`; shade, fire (ny + 1, nx + 1): light of the sky by the normal, and
+    of the fire; linen (2 ny + 1, 2 nx + 1): tint of the threads; light (2, 3): colours of sky and fire; dry
+    kg/m².
     """
     for b in range(vertices.shape[0]):
         for a in range(vertices.shape[1]):
@@ -145,6 +160,7 @@ def warm_up_sheet() -> None:
         np.ones((1, 1), np.int64),
     )  # fmt: skip
     tint_sheet(
-        np.zeros((PATCH_ROWS, 2, 2)), np.zeros((2, 2)), np.zeros((2, 2)), np.zeros((3, 3)), np.zeros((2, 3)), 1.0,
+        np.zeros((PATCH_ROWS, 2, 2)), np.zeros((2, 2)), np.zeros((2, 2)), np.zeros((3, 3)), np.zeros((2, 3)),
+        1.0,
         np.zeros((3, 3, COLUMNS)),
     )  # fmt: skip

@@ -14,7 +14,15 @@ from game.scenes.burning_cloth.ashes import X as ASH_X
 from game.scenes.burning_cloth.ashes import Y as ASH_Y
 from game.scenes.burning_cloth.hand import BurningClothHand
 from game.scenes.burning_cloth.model import BurningClothModel, BurningClothState
-from game.scenes.burning_cloth.sheet_painter import COLUMNS, GLOW_FROM, GLOW_TO, PX, PY, paint_sheet, tint_sheet
+from game.scenes.burning_cloth.sheet_painter import (
+    COLUMNS,
+    GLOW_FROM,
+    GLOW_TO,
+    PX,
+    PY,
+    paint_sheet,
+    tint_sheet,
+)
 from game.scenes.burning_cloth.tables import HALF, TALL
 from game.scenes.burning_cloth.yard import SOURCES, Yard, light_on_yard
 from game.scenes.shared.polygons import NO_EDGE, paint
@@ -118,7 +126,8 @@ class BurningClothView:
         left, right = max(int(columns[0]) - 1, 0), min(int(columns[-1]) + 2, seen.shape[1])
         cell = self.model.air.cell
         canvas.veil(
-            veil[low:high, left:right], (-HALF + cell * left, cell * low), (-HALF + cell * right, cell * high),
+            veil[low:high, left:right], (-HALF + cell * left, cell * low),
+            (-HALF + cell * right, cell * high),
             smoke, FLAME,
         )  # fmt: skip
 
@@ -127,7 +136,9 @@ class BurningClothView:
         ny, nx = veil.shape[:2]
         block = max(nx // 24, 1)
         rows, columns = ny // block, nx // block
-        light = veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
+        light = (
+            veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
+        )
         j, i = np.nonzero(light > 0.03)
         if len(j):
             step = 2.0 * HALF / nx * block
@@ -146,7 +157,9 @@ class BurningClothView:
     # -- the cloth --------------------------------------------------------------------------------------
 
     def _between(self, previous: BurningClothState | None, alpha: float) -> Floats:
-        """(4, ny + 1, nx + 1) places m and which nodes are there; those beside one that is have a place too."""
+        """(4, ny + 1, nx + 1) places m and which nodes are there; those beside one that is have a place
+        too.
+        """
         nodes = self.model.cloth.nodes
         found = np.concatenate([nodes[X : Z + 1], nodes[THERE][None]])
         if previous is not None and previous.cloth.nodes.shape == nodes.shape:
@@ -159,11 +172,11 @@ class BurningClothView:
     def _seen(self, nodes: Floats, rows: Any, columns: Any) -> Floats:
         """(n, 2) m: places of nodes as the eye sees them, in perspective."""
         near = 1.0 + nodes[2, rows, columns] / FAR
-        return np.stack([nodes[0, rows, columns] * near, EYE + (nodes[1, rows, columns] - EYE) * near], axis=-1)
+        return np.stack(
+            [nodes[0, rows, columns] * near, EYE + (nodes[1, rows, columns] - EYE) * near], axis=-1
+        )
 
-    def _draw_cloth(
-        self, canvas: Canvas, nodes: Floats, dark: bool, light: NDArray[np.float32]
-    ) -> None:
+    def _draw_cloth(self, canvas: Canvas, nodes: Floats, dark: bool, light: NDArray[np.float32]) -> None:
         cloth, v = self.model.cloth, self._vertices
         near = 1.0 + nodes[2] / FAR
         seen = np.stack([nodes[0] * near, EYE + (nodes[1] - EYE) * near], axis=2)
@@ -173,7 +186,13 @@ class BurningClothView:
         left = (patches[FUEL] + patches[CHAR]) / cloth.made_of.dry
         light_now = np.array((SKY_LIGHT[dark], FIRE))
         tint_sheet(
-            patches, _lambert(nodes), self._fire_on(nodes, light), self._linen, light_now, cloth.made_of.dry, v
+            patches,
+            _lambert(nodes),
+            self._fire_on(nodes, light),
+            self._linen,
+            light_now,
+            cloth.made_of.dry,
+            v,
         )
         if self.model.parameters.view in ("heat", "saltpetre"):
             v[..., 2:5] = self._measured()
@@ -215,9 +234,13 @@ class BurningClothView:
         """Each mesh that holds, as its threads."""
         ties = self.model.cloth.ties
         rows, columns = np.nonzero(ties.across > 0.0)
-        canvas.segments(self._seen(nodes, rows, columns), self._seen(nodes, rows, columns + 1), "chalk", 0.7, 0.45)
+        canvas.segments(
+            self._seen(nodes, rows, columns), self._seen(nodes, rows, columns + 1), "chalk", 0.7, 0.45
+        )
         rows, columns = np.nonzero(ties.along > 0.0)
-        canvas.segments(self._seen(nodes, rows, columns), self._seen(nodes, rows + 1, columns), "chalk", 0.7, 0.45)
+        canvas.segments(
+            self._seen(nodes, rows, columns), self._seen(nodes, rows + 1, columns), "chalk", 0.7, 0.45
+        )
 
     # -- match, ashes, hand -----------------------------------------------------------------------------
 
@@ -232,7 +255,8 @@ class BurningClothView:
         if strong <= 0.0:
             return
         sway = 0.006 * float(np.sin(13.0 * model.time)) + 0.006 * float(model.air.flows[2])
-        for high, wide, color, share in ((0.062, 0.013, (255, 120, 20), 0.6), (0.045, 0.0095, (255, 190, 70), 0.8),
+        for high, wide, color, share in ((0.062, 0.013, (255, 120, 20), 0.6),
+                                         (0.045, 0.0095, (255, 190, 70), 0.8),
                                          (0.026, 0.006, (255, 244, 200), 0.95)):  # fmt: skip
             high *= 0.8 + 0.3 * strong
             side = np.linspace(0.0, 1.0, 9)
@@ -351,5 +375,7 @@ def _by_stops(values: Floats) -> Floats:
     """Colours (..., 3) from dark over red to yellow."""
     share = np.clip(values, 0.0, 1.0)
     places = (0.0, 0.25, 0.55, 0.8, 1.0)
-    inks = np.array(((28, 34, 44), (96, 72, 170), (214, 84, 30), (250, 160, 30), (255, 246, 160)), dtype=float)
+    inks = np.array(
+        ((28, 34, 44), (96, 72, 170), (214, 84, 30), (250, 160, 30), (255, 246, 160)), dtype=float
+    )
     return np.stack([np.interp(share, places, inks[:, k]) for k in range(3)], axis=-1)

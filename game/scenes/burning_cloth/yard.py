@@ -29,8 +29,8 @@ DAY = (0x8DB7D6, 0xF3E3C4, 0x6F8A66, 0xB9AD9A, 0x8E8474, 0xB3A48C, 0x8E6440, 246
 
 
 class YardPicture(NamedTuple):
-    """colors (h, w) 0xFFRRGGBB in the light of the sky; takes (h, w) 0 to 255: how much firelight shows there;
-    own: what the sky's light was, 256 being full.
+    """colors (h, w) 0xFFRRGGBB in the light of the sky; takes (h, w) 0 to 255: how much firelight shows
+    there; own: what the sky's light was, 256 being full.
     """
 
     colors: Inks
@@ -42,10 +42,10 @@ class YardPicture(NamedTuple):
 def paint_yard(pixels, clip, picture, cells, light, work, gain):
     """Lay cell (rows[y], columns[x]) at each pixel, and firelight on it.
 
-    picture: colors, takes (h, w); cells: rows, columns (int64). light (ROWS, COLUMNS) float32 over the picture,
-    linear between the middles of its cells: 1 is as bright again as ``gain`` (3,) 256ths of the colour. work:
-    firsts (w,) int64 and parts (w,) float32, where a column of the picture lies in a row of light, and a row
-    of light (COLUMNS,) float32 to work in.
+    picture: colors, takes (h, w); cells: rows, columns (int64). light (ROWS, COLUMNS) float32 over the
+    picture, linear between the middles of its cells: 1 is as bright again as ``gain`` (3,) 256ths of the
+    colour. work: firsts (w,) int64 and parts (w,) float32, where a column of the picture lies in a row of
+    light, and a row of light (COLUMNS,) float32 to work in.
     """
     colors, takes = picture
     rows, columns = cells
@@ -113,7 +113,8 @@ def warm_up_yard() -> None:
         np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64),
         (np.zeros((2, 2), np.uint32), np.zeros((2, 2), np.uint8)), (none, none),
         np.zeros((ROWS, COLUMNS), np.float32),
-        (np.zeros(2, np.int64), np.zeros(2, np.float32), np.zeros(COLUMNS, np.float32)), np.zeros(3, np.int64),
+        (np.zeros(2, np.int64), np.zeros(2, np.float32), np.zeros(COLUMNS, np.float32)),
+        np.zeros(3, np.int64),
     )  # fmt: skip
 
 
@@ -168,7 +169,7 @@ def yard_picture(dark: bool) -> YardPicture:
     shape = (y.shape[0], x.shape[1])
     x, y = np.broadcast_to(x, shape), np.broadcast_to(y, shape)
     grain = random.standard_normal(shape, dtype=np.float32)
-    cloud = _smooth(random, shape, 70)
+    cloud = sum(_smooth(random, shape, n) / m for n, m in ((150, 1.6), (60, 2.6), (23, 6.0)))
     fine = _smooth(random, shape, 9)
     colors, takes = _sky(x, y, inks, cloud, random, dark)
     _trees(colors, takes, x, y, inks, random)
@@ -180,7 +181,9 @@ def yard_picture(dark: bool) -> YardPicture:
     packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
     found = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
     return YardPicture(
-        np.ascontiguousarray(found, dtype=np.uint32), np.clip(255.0 * takes, 0, 255).astype(np.uint8), float(inks[7])
+        np.ascontiguousarray(found, dtype=np.uint32),
+        np.clip(255.0 * takes, 0, 255).astype(np.uint8),
+        float(inks[7]),
     )
 
 
@@ -193,16 +196,19 @@ def _sky(
     colors = horizon + (above - horizon) * (rise + 0.0 * x)[..., None]
     band = np.exp(-(((y - 1.25) / 0.55) ** 2)) * np.clip(cloud - 0.1, 0.0, 1.0)
     tint = np.array((70.0, 62.0, 84.0) if dark else (255.0, 250.0, 240.0), dtype=np.float32)
-    colors = colors + (tint - colors) * (0.35 if dark else 0.5) * band[..., None]
+    colors = colors + (tint - colors) * (0.3 if dark else 0.6) * band[..., None]
     if dark:
         for k in range(170):
-            row, column = int(random.integers(colors.shape[0] * 6 // 10)), int(random.integers(colors.shape[1]))
+            row, column = (
+                int(random.integers(colors.shape[0] * 6 // 10)),
+                int(random.integers(colors.shape[1])),
+            )
             bright = float(random.uniform(30.0, 150.0))
             colors[row : row + 1 + (k % 5 == 0), column : column + 1 + (k % 5 == 0)] += bright
         moon = np.sqrt((x - 1.42) ** 2 + (y - 1.55) ** 2)
-        colors += (np.clip((0.075 - moon) / 0.004, 0.0, 1.0) * 190.0 + 46.0 * np.exp(-moon / 0.16))[..., None] * (
-            np.array((1.0, 0.97, 0.86), dtype=np.float32)
-        )
+        colors += (np.clip((0.075 - moon) / 0.004, 0.0, 1.0) * 190.0 + 46.0 * np.exp(-moon / 0.16))[
+            ..., None
+        ] * (np.array((1.0, 0.97, 0.86), dtype=np.float32))
     return colors.astype(np.float32), np.zeros(colors.shape[:2], np.float32)
 
 
@@ -234,7 +240,9 @@ def _wall(
     cloud, fine, grain = noise
     high = 0.118
     course = np.floor(y / high)
-    shift = np.array([random.uniform(0.0, 1.0) for _ in range(64)], dtype=np.float32)[np.mod(course, 64).astype(int)]
+    shift = np.array([random.uniform(0.0, 1.0) for _ in range(64)], dtype=np.float32)[
+        np.mod(course, 64).astype(int)
+    ]
     along = (x + 0.02 * np.sin(3.0 * y)) / 0.235 + 2.0 * shift
     number = np.floor(along)
     tints = random.uniform(-1.0, 1.0, (61, 53)).astype(np.float32)
@@ -322,7 +330,13 @@ def _table(
         foot = 0.05 if back else -0.03
         across = (x - at) / 0.02
         where = (np.abs(across) < 1.0) & (y > foot) & (y < TABLE - 0.03)
-        _lay(colors, takes, where, wood * ((0.5 if back else 0.8) - 0.18 * across + 0.05 * fine)[..., None], 0.7)
+        _lay(
+            colors,
+            takes,
+            where,
+            wood * ((0.5 if back else 0.8) - 0.18 * across + 0.05 * fine)[..., None],
+            0.7,
+        )
     rail = (x > TABLE_FROM + 0.02) & (x < TABLE_TO - 0.02) & (y > TABLE - 0.1) & (y < TABLE - 0.03)
     _lay(colors, takes, rail, wood * (0.66 + 0.06 * fine + 0.0 * y)[..., None], 0.8)
     top = (y > TABLE - 0.03) & (y < TABLE + 0.035)
@@ -334,8 +348,12 @@ def _table(
     tone = np.where(front[..., None], wood * (0.78 + 0.06 * fine)[..., None], tone)
     _lay(colors, takes, top, tone, 1.0)
     box = (x > BOX[0]) & (x < BOX[1]) & (y > TABLE) & (y < TABLE + BOX_HIGH)
-    blue, rough, card = (np.array(c, dtype=np.float32) for c in ((150, 44, 34), (62, 44, 40), (226, 196, 134)))
-    shade = np.exp(-(((x - 0.5 * (BOX[0] + BOX[1])) / 0.1) ** 4)) * np.exp(-(((y - TABLE + 0.002) / 0.012) ** 2))
+    blue, rough, card = (
+        np.array(c, dtype=np.float32) for c in ((150, 44, 34), (62, 44, 40), (226, 196, 134))
+    )
+    shade = np.exp(-(((x - 0.5 * (BOX[0] + BOX[1])) / 0.1) ** 4)) * np.exp(
+        -(((y - TABLE + 0.002) / 0.012) ** 2)
+    )
     colors *= (1.0 - 0.35 * shade * (y < TABLE + 0.002))[..., None]
     _lay(colors, takes, box, rough * (1.0 + 0.12 * fine)[..., None], 0.9)
     lid = box & (y > TABLE + BOX_HIGH - 0.014)
