@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,7 +74,7 @@ def unknown_in(words: str) -> str:
     return next((sign for sign in words.upper() if sign not in KNOWN), "")
 
 
-def _away(x: Floats, y: Floats, line: Line) -> Floats:
+def _away(x: NDArray[Any], y: NDArray[Any], line: Line) -> Floats:
     """Distances of points to a polyline."""
     best = np.full(np.broadcast_shapes(x.shape, y.shape), np.inf)
     for (ax, ay), (bx, by) in pairwise(line):
@@ -103,7 +103,7 @@ def lettering(
     x = (np.arange(columns) + 0.5)[None, :] * size
     y = (rows - np.arange(rows) - 0.5)[:, None] * size  # upwards from the lower edge
     left, low = 0.5 * (columns * size - total * unit), 0.5 * (rows * size - TALL * unit)
-    feet = []
+    feet: list[tuple[float, float]] = []
     for sign, wide in zip(signs, wides, strict=True):
         for line in _L[sign]:
             part = np.clip(
