@@ -57,6 +57,7 @@ def test_a_straight_way_to_a_hook_is_its_reach_and_a_cut_makes_it_longer():
     reach = cloth.ties.reach[0]
     assert reach[0, 0] == 0.0 and reach[12, 0] == pytest.approx(12 * cloth.spacing)
     assert reach[6, 8] == pytest.approx(cloth.spacing * 10.0, rel=0.05)
+    assert cloth.ties.reach[1][:, ::-1] == pytest.approx(reach, abs=1e-12)
     before = reach[11, 2]
     cut = np.zeros(cloth.whole.shape, dtype=bool)
     cut[6, :15] = True

@@ -94,6 +94,7 @@ def test_the_match_is_struck_and_lights_the_letters_in_turn():
         alight.append(measured(stage, "letters alight"))
     assert alight == sorted(alight) and alight[-1] == 4 and alight[1] < 4
     assert model.match.used(model.time) and measured(stage, "match") == 0.0
+    assert model.air.flows[0] > 500.0 and abs(measured(stage, "open share")) < 0.2
 
 
 def test_the_curve_of_the_match_goes_through_what_it_is_held_to():
@@ -120,6 +121,8 @@ def test_the_wind_turns_and_all_goes_with_it():
     assert measured(stage, "wind") < -1.2
     assert out > 0.02 > -0.02 > measured(stage, "swing")
     assert _middle_of_heat(model) < hot - 0.1
+    stage.run(120)
+    assert measured(stage, "with the air") > 2.0 and abs(measured(stage, "open share")) < 0.2
     stage.post(Action("turn"))
     assert stage.scene.parameters.wind == 2.0 == model.air.wind
 
@@ -200,8 +203,10 @@ def test_what_is_written_by_hand_is_saved_and_what_is_not_is_not():
     stage = Stage(BurningCloth, parameters={**SMALL, "tool": "write"})
     assert stage.scene.save_content() == stage.scene.model.content
     stage.post(Pointer("down", 0.7, 1.5, button=1))
+    stage.post(SetParameter("tool", "wash"))
+    stage.post(Pointer("down", 0.6, 1.2, button=1))
     kept = stage.scene.save_content()
-    assert len(kept.dabs) == 1 and not kept.washed
+    assert len(kept.dabs) == 1 == len(kept.washed)
     text = msgspec.toml.encode({"scene": "a10", "title": "x", "content": msgspec.to_builtins(kept)}).decode()
     again = Stage(BurningCloth, level=parse_level(text, "a10", BurningClothContent), parameters=SMALL)
     salt = again.scene.model.cloth.patches[SALT]
