@@ -48,7 +48,7 @@ FOLDERS = {
         "fields proximity_effects dominoes accretion",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables heat",
-        "surfaces",
+        "surfaces cloth",
         "grid",
         "multigrid",
         "gas",

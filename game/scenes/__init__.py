@@ -9,6 +9,7 @@ from game.scenes import (
     billiards,
     bounds,
     boxes,
+    burning_cloth,
     carom,
     cavity,
     convex,
@@ -78,5 +79,6 @@ CATALOGUE = Catalogue(
         *metal.ENTRIES,
         *leaves.ENTRIES,
         *tower.ENTRIES,
+        *burning_cloth.ENTRIES,
     )
 )

@@ -1,0 +1,247 @@
+"""The layer of gas in which the cloth hangs: wind, what burns in it, what cloth and match give it."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.cloth import Breeze, GasAt
+from game.physics.combustion import Flames, GasFuel
+from game.physics.combustion.burning import lift_cells
+from game.physics.effects import EffectSet
+from game.physics.gas import Gas, GasSettings, GasState
+from game.physics.gas.effects import BUOYANCY
+from game.physics.grid import Border, Borders, Grid
+from game.physics.kernels import elementary
+from game.scenes.burning_cloth.tables import DEEP, HALF, ROOM, TALL
+from game.stage import Part
+
+Floats = NDArray[np.float64]
+FIELDS = ("temperature", "fuel", "oxygen", "soot")
+FRESH = 0.27  # kg/m³ of oxygen
+GRAVITY_NOW = 9.81  # m/s²
+MIXES = 1.3  # 1/s at which the layer takes on the wind before and behind it
+VAPOUR = {
+    "ignition": 560.0, "rate": 24.0, "oxygen": 1.3, "heat": 1.5e7, "capacity": 1212.0, "soot": 0.06,
+    "soot_rate": 1.6, "glow": 1.2e-11, "soot_glow": 3.2e-7, "ambient": ROOM,
+}  # fmt: skip
+THICK_SOOT = 2.2e-3  # kg/m³ in a cell of the picture that is all grey
+FLAME_FROM, FLAME_TO = 560.0, 1250.0  # K between which gas begins to glow and is brightest
+SHINING = 1.2e-4  # kg/m³ of soot with which a flame is seen in full
+SLANT, SWELL, WAVE, RUNS = 0.55, 0.4, 3.4, 0.55  # of the wind: across the plane, its swell, 1/m, its speed
+PRESS, BRUSH = 0.72, 0.15  # kg/m³, half the density of air times a coefficient of drag, through and along
+GUSTS = ((0.9, 0.22), (2.3, 0.13), (3.7, 0.07))  # rad/s, share of the wind
+MATCH_WIDE = 0.03  # m
+GLOWING, PILOT = 700.0, 0.4  # K, share: vapour that leaves what is hotter begins to burn as it leaves
+
+
+class AirState(NamedTuple):
+    """gas; books (6,) of what burnt, a metre deep; flows (4,): J from the match, J through the sides; m/s of
+    the wind now; rad, how far its swell has run.
+    """
+
+    gas: GasState
+    books: Floats
+    flows: Floats
+
+
+class Air(Part):
+    """cells: across. wind: m/s that it goes to."""
+
+    def __init__(self, cells: int, cycles: int, active: EffectSet, gas_effects: EffectSet):
+        self.cell = 2.0 * HALF / cells
+        tall = round(TALL / self.cell)
+        borders = Borders(Border("open"), Border("open"), Border("wall"), Border("open"))
+        self.gas = Gas(
+            Grid(cells, tall, self.cell, (-HALF, 0.0)), borders,
+            GasSettings(
+                effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=ROOM,
+                conservative=("temperature",),
+            ),
+            FIELDS, {"oxygen": FRESH},
+        )  # fmt: skip
+        self.flames = Flames(range(4), self.cell, GasFuel(**VAPOUR, effects=active))
+        self.flows: Floats = np.zeros(4)
+        self.lifts, self.wind = BUOYANCY in gas_effects, 0.0
+        self.speed_now = np.zeros(self.gas.grid.shape)
+        self._nothing = np.zeros(self.gas.grid.shape)  # of expansion, which this layer leaves out
+        self._veil = np.zeros((*self.gas.grid.shape, 2), np.float32)
+        self._edge = _edge_of(self.gas.grid.shape)
+        self._centres = self.gas.grid.centres()
+
+    # -- what it is made of -----------------------------------------------------------------------------
+
+    def set_cycles(self, cycles: int) -> None:
+        """So many V-cycles in a step."""
+        self._change(turns=cycles)
+
+    def set_effects(self, active: EffectSet, gas_effects: EffectSet) -> None:
+        """Compute these from now on."""
+        self.flames.made_of = GasFuel(**VAPOUR, effects=active)
+        self.lifts = BUOYANCY in gas_effects
+        self._change(effects=gas_effects.without(BUOYANCY))
+
+    def _change(self, **changes: object) -> None:
+        now = self.gas.settings
+        kept = {name: getattr(now, name) for name in ("effects", "turns", "ambient", "conservative")}
+        self.gas.settings = GasSettings(**(kept | changes))
+
+    def at_cloth(self) -> GasAt:
+        """For the cloth."""
+        volume = self.cell * self.cell * DEEP
+        return GasAt(
+            -HALF, 0.0, self.cell, VAPOUR["capacity"] * volume, volume, FRESH, VAPOUR["oxygen"], GLOWING,
+            PILOT,
+            VAPOUR["heat"], VAPOUR["soot"],
+        )  # fmt: skip
+
+    # -- what comes in ------------------------------------------------------------------------------------
+
+    def breeze(self, time: float) -> Breeze:
+        """The wind as the cloth feels it."""
+        now = float(self.flows[2])
+        slow = 0.75 + 0.25 * elementary.sin(0.7 * time)
+        return Breeze(
+            -HALF,
+            0.0,
+            self.cell,
+            SLANT * now * slow,
+            SWELL * abs(now),
+            WAVE,
+            float(self.flows[3]),
+            PRESS,
+            BRUSH,
+        )
+
+    def heat_match(self, head: tuple[float, float], watt: float, dt: float) -> None:
+        """The flame of a match warms the gas at it."""
+        x, y = self._centres
+        ex, ey = (x - head[0]) / MATCH_WIDE, (y - head[1]) / MATCH_WIDE
+        near = ex * ex + ey * ey < 1.5
+        count = int(np.count_nonzero(near))
+        if not count:
+            return
+        capacity = VAPOUR["capacity"] * self.cell * self.cell * DEEP
+        self.gas.scalars[..., 0][near] += watt * dt / (capacity * count)
+        self.flows[0] += watt * dt
+
+    def blow(self, place: tuple[float, float], way: tuple[float, float], reach: float = 0.2) -> None:
+        """Push the gas about a place (m) by a way (m/s)."""
+        for field, (x, y), part in (
+            (self.gas.u, self.gas.grid.u_places(), way[0]), (self.gas.v, self.gas.grid.v_places(), way[1]),
+        ):  # fmt: skip
+            away = (elementary.square(x - place[0]) + elementary.square(y - place[1])) / (reach * reach)
+            field += part * elementary.square(np.clip(1.0 - away, 0.0, None))
+        self.gas.jolt()
+
+    def cool(self, place: tuple[float, float], reach: float) -> None:
+        """Water that falls through flames takes their heat along."""
+        x, y = self._centres
+        near = elementary.square(x - place[0]) + elementary.square(y - place[1]) < reach * reach
+        t = self.gas.scalars[..., 0]
+        taken = np.where(near & (t > 373.15), 0.7 * (t - 373.15), 0.0)
+        t -= taken
+        self.flows[0] -= float(np.sum(taken)) * VAPOUR["capacity"] * (self.cell * self.cell) * DEEP
+
+    # -- a step -------------------------------------------------------------------------------------------
+
+    def gust(self, time: float, dt: float) -> None:
+        """The wind of now goes to what it is to be, and its gusts come and go."""
+        share = 1.0 + sum(part * elementary.sin(often * time) for often, part in GUSTS)
+        self.flows[2] += (self.wind * share - self.flows[2]) * min(1.0, 1.6 * dt)
+        self.flows[3] += WAVE * RUNS * float(self.flows[2]) * dt
+        if self.flows[3] > math.tau:
+            self.flows[3] -= math.tau
+        elif self.flows[3] < 0.0:
+            self.flows[3] += math.tau
+
+    def look(self) -> None:
+        """How fast the gas is, for the cloth."""
+        along, upward = self._velocities()
+        np.sqrt(along * along + upward * upward, out=self.speed_now)
+
+    def advance(self, dt: float) -> None:
+        """Burn, and flow."""
+        gas = self.gas
+        self.flames.step(gas.scalars, dt, self._nothing)
+        along, upward = self._velocities()
+        gas.force[..., 0] = MIXES * (self.flows[2] - along)
+        gas.force[..., 1] = 0.0
+        if self.lifts:
+            lift_cells(gas.scalars, 0, ROOM, GRAVITY_NOW, gas.force)
+        gas.force[..., 1] -= MIXES * upward
+        out = (np.maximum(-gas.u[:, 0], 0.0), np.maximum(gas.u[:, -1], 0.0), np.maximum(gas.v[-1], 0.0))
+        before = self._through_sides(out)  # heat is carried by the velocities that a step begins with
+        gas.step(dt)
+        self.flows[1] += 0.5 * (before + self._through_sides(out)) * dt
+
+    def _velocities(self) -> tuple[Floats, Floats]:
+        u, v = self.gas.u, self.gas.v
+        return 0.5 * (u[:, 1:] + u[:, :-1]), 0.5 * (v[1:] + v[:-1])
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    @property
+    def temperature(self) -> Floats:
+        """(ny, nx) K."""
+        return self.gas.field("temperature")
+
+    @property
+    def power(self) -> float:
+        """W of flames in the last step."""
+        return self.flames.power * DEEP
+
+    def heat(self) -> float:
+        """J in the gas above that of the surroundings."""
+        t = self.gas.scalars[..., 0]
+        return float(np.sum(t - ROOM)) * VAPOUR["capacity"] * (self.cell * self.cell) * DEEP
+
+    def _through_sides(self, out: tuple[Floats, Floats, Floats]) -> float:
+        """W that leave the box to the left, the right and above with these speeds, in m/s: the temperature on
+        a side is that of its cells with the limited slope by which the gas carries it (van Leer 1974).
+        """
+        warm = self.gas.scalars[..., 0] - ROOM
+        total = []
+        for speed, cell, within in zip(
+            out, (warm[:, 0], warm[:, -1], warm[-1]), (warm[:, 1], warm[:, -2], warm[-2]), strict=True
+        ):
+            one, two = cell - within, -cell  # beyond the side it is as in the surroundings
+            both = one * two
+            slope = np.where(both > 0.0, both / np.where(both > 0.0, one + two, 1.0), 0.0)
+            total.append(float(np.sum(speed * (cell + slope))))
+        return math.fsum(total) * VAPOUR["capacity"] * self.cell * DEEP
+
+    def veil(self) -> NDArray[np.float32]:
+        """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
+        cells, veil = self.gas.scalars, self._veil
+        soot = np.maximum(cells[..., 3], 0.0)
+        warm = np.clip((cells[..., 0] - FLAME_FROM) / (FLAME_TO - FLAME_FROM), 0.0, 1.0)
+        veil[..., 1] = warm * (0.25 + 0.75 * np.minimum(soot / SHINING, 1.0)) * self._edge
+        veil[..., 0] = np.minimum(soot / THICK_SOOT, 0.7) * (1.0 - np.minimum(2.0 * warm, 1.0)) * self._edge
+        return veil
+
+    def flame_height(self) -> float:
+        """m, of the highest gas that is seen to burn."""
+        rows = np.flatnonzero(np.max(self.temperature, axis=1) > 900.0)
+        return float(rows[-1] + 1) * self.cell if len(rows) else 0.0
+
+    def state(self) -> AirState:
+        """All that later steps depend on."""
+        return AirState(self.gas.state(), self.flames.books, self.flows)
+
+    def restore(self, state: AirState) -> None:
+        """Take over a copy of a state."""
+        self.gas.restore(state.gas)
+        self.flames.books[:], self.flows[:] = state.books, state.flows
+
+
+def _edge_of(shape: tuple[int, int]) -> Floats:
+    """1 within, falling to 0 at the sides of the box, so that the picture has no edge there."""
+    ny, nx = shape
+    across = np.minimum(np.arange(nx), np.arange(nx)[::-1])
+    up = np.arange(ny)[::-1]
+    wide, tall = np.clip(across / (0.07 * nx), 0.0, 1.0), np.clip(up / (0.1 * ny), 0.0, 1.0)
+    return np.asarray(wide[None, :] * tall[:, None])

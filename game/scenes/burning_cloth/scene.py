@@ -1,0 +1,164 @@
+"""The burning cloth: a story, and a cloth to write on and to burn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar
+
+from game.lab.studies.fire.cloth import front_study
+from game.levels import Level
+from game.physics.cloth.effects import CLOTH
+from game.physics.combustion.effects import FLAMES, SOOT_LOSS
+from game.physics.gas.effects import ADVECTION, BUOYANCY, PRESSURE
+from game.physics.heat.effects import HEAT
+from game.scenes.burning_cloth import A10
+from game.scenes.burning_cloth.figure import draw_front
+from game.scenes.burning_cloth.hand import BurningClothHand
+from game.scenes.burning_cloth.level import DEFAULT, BurningClothContent
+from game.scenes.burning_cloth.model import BurningClothModel
+from game.scenes.burning_cloth.parameters import OF_PICTURE, OF_TOOLS, BurningClothParameters
+from game.scenes.burning_cloth.readouts import readouts_of
+from game.scenes.burning_cloth.saving import content_of
+from game.scenes.burning_cloth.sheet_painter import warm_up_sheet
+from game.scenes.burning_cloth.sounds import hearing_of
+from game.scenes.burning_cloth.targets import story_targets
+from game.scenes.burning_cloth.view import BurningClothView
+from game.scenes.burning_cloth.yard import warm_up_yard
+from game.scenes.shared.model_scene import BuiltScene
+from game.scenes.shared.polygons import warm_up_painter
+from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
+
+
+class BurningCloth(BuiltScene):
+    """A cotton cloth hangs from two hooks. It was treated with a flame retardant; the letters were written
+    on it with a solution of saltpetre, which has dried. A match lights each letter at its foot: a front of
+    embers creeps along what is written, and only that burns through.
+
+    No script says what burns. Treated cloth does nothing below 640 K, more than half of it stays as char,
+    and what heat it gives is less than it loses, so a fire in it goes out. Saltpetre takes fire at 500 K,
+    brings its own oxygen and leaves nothing: its front keeps itself hot. What leaves as vapour burns in the
+    air before the cloth. Where a mesh has lost its threads a hole opens, and what hangs on nothing any more
+    falls.
+
+    Limits. The gas is solved in the plane of the cloth, as a layer 0.2 m deep with the same velocity all
+    through; the cloth itself swings in space. The gas does not feel the cloth's drag, and does not expand
+    by its warmth. Heat spreads along the threads as quickly as it does with the hot gas close to a cloth (2
+    cm²/s), and threads keep the heat capacity of a whole one until they fall.
+
+    In the equations: u temperature above that around over what the fuel's heat would give, u_i ignition,
+    f fuel left, D diffusivity, r rate of burning, h loss, c speed of the front.
+    """
+
+    name, task, title = A10.names
+    parameters_type = BurningClothParameters
+    parameters: BurningClothParameters
+    model: BurningClothModel
+    hand: BurningClothHand
+    effects = ADVECTION | PRESSURE | BUOYANCY | FLAMES | SOOT_LOSS | HEAT.known | CLOTH.known
+    content_type = BurningClothContent
+    study = front_study
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+    covers = True
+
+    strips = (
+        Strip("Front of embers", "m/s", ("front", "by its law", "Fisher-KPP"),
+              ("by its law", "Fisher-KPP"), sometimes=("front",)),
+        Strip("Power of the flames", "W", ("power",)),
+        Strip("Burnt", "%", ("letters burnt", "rest burnt")),
+    )  # fmt: skip
+    hints = (
+        Hint(("Drag",), "what the tool does"),
+        Hint(("Right click",), "wet the cloth"),
+        Hint(("M",), "strike the match"),
+    )
+    actions = (
+        SceneAction("match", "strike the match", "M"),
+        SceneAction("turn", "turn the wind", "B"),
+        SceneAction("wet", "wet the whole cloth", "G"),
+    )
+    figure = staticmethod(draw_front)
+    equations = (
+        Equation(
+            "A front of embers", r"\dot{u} = D \Delta u - h u + r f", "burns where u ≥ u_i, a law of steps"
+        ),
+        Equation(
+            "Its speed without losses", r"c = \sqrt{D r \frac{1 - u_i}{u_i}}", "closed form of that law"
+        ),
+        Equation("Fisher-KPP", r"c = 2 \sqrt{D r}", "Fisher 1937; Kolmogorov, Petrovsky, Piskunov 1937"),
+        Equation("A hot cloth shines", r"q = 2 ε σ (T^4 - T_a^4)", "Stefan 1879, Boltzmann 1884; two sides"),
+    )
+    try_this = (
+        "Set the retardant to 0: the whole cloth burns, and nobody can read what was written.",
+        "Wet the cloth across a letter: the front stops at 373 K until the water is gone.",
+        "Choose Fisher's law: embers begin wherever it is a little warm, and the front slows down for long.",
+        "Write a word of your own with the brush, and hold the match to it.",
+        "Turn the wind while it burns: cloth, flames and smoke go with it.",
+        "Switch radiation off: the front comes up to the speed that its law has without losses.",
+    )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """A step, and what paints."""
+        return (
+            WarmUp("step", lambda: cls(parameters={"tier": "own", "meshes": 16}).advance(cls.dt)),
+            WarmUp("polygons", warm_up_painter),
+            WarmUp("cloth", warm_up_sheet),
+            WarmUp("yard", warm_up_yard),
+        )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else DEFAULT
+        self.model = BurningClothModel(content, self.parameters, self.active, self.seed)
+        self.hand = BurningClothHand(self.model)
+        self.view = BurningClothView(self.model, self.hand)
+        self.check_content(content)
+
+    def parameter_changed(self, name: str) -> None:
+        if name in OF_TOOLS:
+            self.hand.let_go()
+        elif name not in OF_PICTURE:
+            self.model.change_parameter(name)
+
+    def why_idle(self, name: str) -> str:
+        if name == "meshes" and self.parameters.tier != "own":
+            return "The quality says how many there are; choose Own."
+        if name == "word" and self.model.content.words is not None:
+            return "The level says what is written."
+        return ""
+
+    def save_content(self) -> BurningClothContent:
+        return content_of(self.model)
+
+    def content_of_level(self) -> BurningClothContent:
+        """What the level said."""
+        return self.model.content
+
+    # -- a step, and what comes in ------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt)
+
+    def action(self, name: str) -> None:
+        if name == "match":
+            self.model.strike()
+        elif name == "turn":
+            self.parameters.wind = -self.parameters.wind if self.parameters.wind != 0.0 else 1.5
+            self.model.change_parameter("wind")
+        else:
+            self.model.wet_all()
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        return readouts_of(self.model)
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return story_targets(self.model)
+
+    def hearing(self) -> Hearing:
+        return hearing_of(self.model)
+
+    def shown(self) -> Frame:
+        return Frame(-1.62, -0.16, 1.62, 1.98)

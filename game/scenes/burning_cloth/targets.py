@@ -1,0 +1,36 @@
+"""What a story may look at in the yard."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from game.physics.cloth.layout import FUEL, HOT, PER, X
+from game.scenes.burning_cloth.model import BurningClothModel
+from game.scenes.burning_cloth.tables import BOX, TABLE
+
+
+def story_targets(model: BurningClothModel) -> dict[str, tuple[float, float]]:
+    """The cloth's middle, the match's head, its box, the fronts' middle, each letter's foot; m."""
+    cloth = model.cloth
+    (x, y), _ = model.match.place(model.time)
+    found = {
+        "cloth": (0.0, 1.1),
+        "match": (x, y),
+        "box": (0.5 * (BOX[0] + BOX[1]), TABLE + 0.03),
+        "embers": embers_of(model),
+    }
+    for number, (right, down) in enumerate(model.letters.feet.tolist(), start=1):
+        found[f"letter {number}"] = model.place_on(right, down)
+    found["lower edge"] = (0.0, float(np.min(cloth.nodes[X + 1, -1])))
+    return found
+
+
+def embers_of(model: BurningClothModel) -> tuple[float, float]:
+    """The middle of what glows, or of the cloth."""
+    cloth = model.cloth
+    hot = (cloth.patches[HOT] > 520.0) & (cloth.patches[FUEL] > 0.0)
+    rows, columns = np.nonzero(hot)
+    if not len(rows):
+        return 0.0, 1.1
+    places = cloth.nodes[X : X + 2, rows // PER, columns // PER]
+    return float(np.mean(places[0])), float(np.mean(places[1]))
