@@ -71,7 +71,9 @@ def heat_page(model: SmokeModel) -> Page:
         between + light, -light, *(scale * float(book.rows[row, WARM])
                                    for row in (CARRIED_THROUGH, SPREAD_THROUGH, SCHEME)),
     )  # fmt: skip
-    rows = [(name, (number,)) for name, number in zip(HEAT, numbers, strict=True)]
+    rows: list[tuple[str, tuple[float, ...]]] = [
+        (name, (number,)) for name, number in zip(HEAT, numbers, strict=True)
+    ]
     return Page(rows, (between + scale * float(book.change[WARM]),), scale * abs(float(book.open[WARM])))
 
 

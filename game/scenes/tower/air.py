@@ -134,8 +134,8 @@ class TowerAir(Part):
         self.dust: Floats = np.zeros(1)
         self._veil = np.zeros((ny, nx, 2), np.float32)
         self._lower = np.array(self.grid.lower)
-        away = np.minimum(np.arange(nx), np.arange(nx)[::-1]) / FADES
-        self._edge = np.minimum(away, 1.0)  # the picture has no edge at the sides
+        from_side = np.minimum(np.arange(nx), np.arange(nx)[::-1]) / FADES
+        self._edge = np.minimum(from_side, 1.0)  # the picture has no edge at the sides
 
     @property
     def density(self) -> Floats:

@@ -38,6 +38,7 @@ Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
 PANES = 3  # windows in a bay
 NO_LIGHT = ((0.0, pygame.Color(0, 0, 0)), (1.0, pygame.Color(0, 0, 0)))
+SPARED = 4  # of so many puffs one is drawn where the air's own dust is
 CHUNK = 160  # puffs that are painted at once, the oldest first
 
 
@@ -232,6 +233,7 @@ class TowerView:
         dust, air = self.model.dust, AIR in self.model.active
         if air:
             canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), NO_LIGHT)
+            dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
         if not len(dust):
             return
         age = dust[:, AGE] / dust[:, LIFE]
