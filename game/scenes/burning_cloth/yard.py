@@ -72,9 +72,9 @@ def paint_yard(pixels, clip, picture, cells, light, work, gain):
                 near = row_light[first] + parts[column] * (row_light[first + 1] - row_light[first])
                 strong = np.int64(near * np.float32(shows))
                 red, green, blue = ink >> 16 & 255, ink >> 8 & 255, ink & 255
-                red = min(red + (red * more_red * strong >> 16), 255)
-                green = min(green + (green * more_green * strong >> 16), 255)
-                blue = min(blue + (blue * more_blue * strong >> 16), 255)
+                red = min(red + (red * more_red * strong >> 16), np.int64(255))
+                green = min(green + (green * more_green * strong >> 16), np.int64(255))
+                blue = min(blue + (blue * more_blue * strong >> 16), np.int64(255))
                 ink = 0xFF000000 | red << 16 | green << 8 | blue
             pixels[top + y, left + x] = np.uint32(ink)
 
@@ -169,7 +169,8 @@ def yard_picture(dark: bool) -> YardPicture:
     shape = (y.shape[0], x.shape[1])
     x, y = np.broadcast_to(x, shape), np.broadcast_to(y, shape)
     grain = random.standard_normal(shape, dtype=np.float32)
-    cloud = sum(_smooth(random, shape, n) / m for n, m in ((150, 1.6), (60, 2.6), (23, 6.0)))
+    large, middling, small = (_smooth(random, shape, n) / m for n, m in ((150, 1.6), (60, 2.6), (23, 6.0)))
+    cloud = large + middling + small
     fine = _smooth(random, shape, 9)
     colors, takes = _sky(x, y, inks, cloud, random, dark)
     _trees(colors, takes, x, y, inks, random)

@@ -22,7 +22,8 @@ PIECE, WEDGE = 0, 1  # columns of Balls.pieces: that it rolls on, or FREE; a sec
 SLIPLESS = 1e-9  # m/s for each m/s: slower is no slip
 TOUCH = 1e-10  # m, of rounding
 SEEN_BEFORE = 1e-7  # m: what was deeper already is not met
-FACING = -(math.pi**2 - 1.0) / (math.pi**2 + 1.0)  # cosine of the normals' angle from which on places face
+# cosine of the angle of two normals beyond which their places face each other
+FACING = -(math.pi * math.pi - 1.0) / (math.pi * math.pi + 1.0)
 EVENTS = 24  # in a substep
 HALVINGS = 45
 LEAST_REBOUND = 0.02  # m/s; slower impacts do not bounce
