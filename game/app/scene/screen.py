@@ -64,7 +64,12 @@ class SceneScreen(Screen):
             self.play.restyle()
 
     def message_row(self) -> pygame.Rect:
-        return self.shell.layout.hint_bar
+        """The row of hints; above a story's time bar where that lies over it."""
+        row = self.shell.layout.hint_bar
+        story = self.play.story if self.play is not None else None
+        if story is not None and row.colliderect(story.bar.rect):
+            row = row.move(0, story.bar.rect.y - row.bottom)
+        return row
 
     # -- commands -----------------------------------------------------------------------------------
 

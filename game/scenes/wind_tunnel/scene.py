@@ -57,7 +57,7 @@ class WindTunnel(ModelScene):
     strips = (
         Strip("Drag and lift", "", ("drag now", "lift now"), colors=("vermilion", "green")),
         Strip("Drag, both ways", "", ("drag", "drag, wall")),
-        Strip("Fall", "m/s", ("descent, law", "descent, fitted law", "descent, measured")),
+        Strip("Fall", "m/s", ("by its law", "by the fit", "as measured")),
     )
     equations = (
         Equation(

@@ -19,7 +19,7 @@ from game.ui.look.shapes import box, draw_box
 HEIGHT, LEAST_HEIGHT, USUAL_WIDTH, WAITING = 40, 24, 496, 4
 EDGE = 2  # design px of the row above and below it
 BESIDE_WORDS = 44 + 7 + 14  # design px: sign, gap, and the end
-KINDS = {"info": ("accent", "check"), "warning": ("vermilion", "warning"), "marker": ("amber", "warning")}
+KINDS = {"info": ("accent", "info"), "warning": ("vermilion", "warning"), "marker": ("amber", "warning")}
 
 
 class Toast(NamedTuple):

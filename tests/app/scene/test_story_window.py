@@ -185,6 +185,11 @@ def test_the_picture_ends_above_the_time_bar(told):
     assert picture.bottom == story.bar.rect.top and picture.w == stage.w
 
 
+def test_messages_stand_above_the_time_bar(told):
+    row = told.top.message_row()
+    assert row.h > 0 and not row.colliderect(play_of(told).bar.rect)
+
+
 def test_marks_are_laid_over_by_a_key(told):
     view = told.top.play.view
     assert not view.teaching

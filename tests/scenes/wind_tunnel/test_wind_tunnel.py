@@ -132,7 +132,7 @@ def test_a_sweep_measures_fits_checks_and_lets_three_fly():
     assert measured(stage, "error at checks") > 0.0
     assert len(model.flights.kinds) == 3
     stage.run(30)
-    falls = [measured(stage, f"descent, {which}") for which in ("law", "fitted law", "measured")]
+    falls = [measured(stage, name) for name in ("by its law", "by the fit", "as measured")]
     assert all(fall > 0.02 for fall in falls) and len({round(fall, 6) for fall in falls}) == 3
     # the curves are of what was chosen: the book's drag is another than the wall's
     drag = model.series.at(0.0)[0, 0]
