@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +21,7 @@ from game.physics.cloth.charring import (
 )
 from game.physics.cloth.effects import ATTACHMENTS, CLOTH, TEARING, WIND
 from game.physics.cloth.fabric import Fabric
+from game.physics.cloth.hanging import Hanging
 from game.physics.cloth.holding import burn_through, find_reach, name_pieces, take_ash, tear_out, tie, weigh
 from game.physics.cloth.layout import (
     BEGAN,
@@ -41,7 +42,6 @@ from game.physics.cloth.layout import (
     make_ties,
 )
 from game.physics.cloth.sheet import Breeze, Motion, blow_on, move_sheet
-from game.physics.effects import EffectSet
 from game.physics.heat.effects import CONDUCTION
 from game.physics.heat.nodes import WATER_HEAT
 from game.physics.kernels import elementwise
@@ -55,44 +55,6 @@ NOBODY = -1
 WAVES = 4  # in which a cloth that is wider than its hooks are apart lies at first
 FASTEST, LEAST_KNOWN = 0.2, 4  # m/s: faster is no front, but what was heated all at once; patches to go by
 NO_FLAME = Flame(0.0, 0.0, 1.0, 293.15, 0.0, 0.0)
-
-
-@dataclass(frozen=True, slots=True)
-class Hanging:
-    """How a cloth moves. ValueError, naming the field, for nonsense.
-
-    width, height m; span: m between the hooks; top: m, how high these are. strength: strain at which a whole
-    thread parts. shear, folds: compliance m/N of a mesh's diagonals and of folds. calm 1/s: its own friction.
-    floor: m, on which it comes to lie.
-    """
-
-    width: float = 1.6
-    height: float = 0.9
-    span: float = 1.56
-    top: float = 1.5
-    substeps: int = 8
-    gravity: float = 9.81
-    strength: float = 1.2
-    shear: float = 2.0e-2
-    folds: float = 1.0e-3
-    calm: float = 0.25
-    floor: float = 0.012
-    effects: EffectSet = CLOTH.known
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "effects", CLOTH.checked(self.effects))
-        ranges = {
-            "width": (1e-3, 1e3), "height": (1e-3, 1e3), "span": (0.0, 1e3), "top": (-1e3, 1e3),
-            "gravity": (-1e3, 1e3), "strength": (1e-3, 1e3), "shear": (0.0, 1e6), "folds": (0.0, 1e6),
-            "calm": (0.0, 1e3), "floor": (-1e3, 1e3),
-        }  # fmt: skip
-        for name, (low, high) in ranges.items():
-            if not low <= getattr(self, name) <= high:
-                raise ValueError(f"{name} = {getattr(self, name)!r}: expected {low:g} to {high:g}")
-        if isinstance(self.substeps, bool) or not 1 <= self.substeps <= 1000:
-            raise ValueError(f"substeps = {self.substeps!r}: expected 1 to 1000")
-        if self.span > self.width:
-            raise ValueError(f"span = {self.span!r}: expected at most the width, {self.width:g} m")
 
 
 class ClothState(NamedTuple):
@@ -220,17 +182,19 @@ class Cloth:
             raise ValueError(f"share: expected {self.patches.shape[1:]} numbers from 0 to 1")
         self.patches[SALT] = given
 
+    def _nearest(self, point: tuple[float, float], reach: float) -> tuple[int, int] | None:
+        """Row and column of the node nearest to a place (m) of the picture; None: none is within reach."""
+        right, up = self.nodes[X] - point[0], self.nodes[Y] - point[1]
+        away = np.where(self.nodes[THERE] > 0.0, right * right + up * up, np.inf)
+        row, column = divmod(int(np.argmin(away)), away.shape[1])
+        return (row, column) if away[row, column] <= reach * reach else None
+
     def point_on(self, point: tuple[float, float], reach: float = 0.1) -> tuple[float, float] | None:
         """Where on the cloth, m from its upper left corner, a place (m) of the picture is; None: beside."""
-        away = np.where(
-            self.nodes[THERE] > 0.0,
-            (self.nodes[X] - point[0]) * (self.nodes[X] - point[0])
-            + (self.nodes[Y] - point[1]) * (self.nodes[Y] - point[1]),
-            np.inf,
-        )
-        row, column = divmod(int(np.argmin(away)), away.shape[1])
-        if not away[row, column] <= reach * reach:
+        nearest = self._nearest(point, reach)
+        if nearest is None:
             return None
+        row, column = nearest
         right = self.spacing * column + point[0] - float(self.nodes[X, row, column])
         down = self.spacing * row + float(self.nodes[Y, row, column]) - point[1]
         return right, down
@@ -268,16 +232,11 @@ class Cloth:
     def grab(self, point: tuple[float, float], reach: float = 0.15) -> bool:
         """Take hold of the node nearest to a place (m), if there is one within reach that no hook holds."""
         self.release()
-        away = np.where(
-            self.nodes[THERE] > 0.0,
-            (self.nodes[X] - point[0]) * (self.nodes[X] - point[0])
-            + (self.nodes[Y] - point[1]) * (self.nodes[Y] - point[1]),
-            np.inf,
-        )
-        row, column = divmod(int(np.argmin(away)), away.shape[1])
-        if not away[row, column] <= reach * reach or self.nodes[INVERSE, row, column] <= 0.0:
+        nearest = self._nearest(point, reach)
+        if nearest is None or self.nodes[INVERSE][nearest] <= 0.0:
             return False
-        self.others[3:5] = row, column
+        row, column = nearest
+        self.others[3:5] = nearest
         self.others[5:8] = self.nodes[X : Z + 1, row, column]
         self.nodes[INVERSE, row, column] = 0.0
         return True
