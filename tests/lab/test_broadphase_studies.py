@@ -9,7 +9,8 @@ from game.lab.studies.broadphase.count import count_study, work_study
 from game.lab.studies.broadphase.missed import meeting_times
 from game.lab.studies.broadphase.slabs import slabs_study
 from game.lab.studies.broadphase.speed import speed_study, swaps_study, sweep_study
-from game.lab.studies.broadphase.steps import Steps, tests_per_box
+from game.lab.studies.broadphase.steps import Steps
+from game.lab.studies.broadphase.steps import tests_per_box as counted_tests
 from game.lab.studies.broadphase.workloads import (
     cell_cost_study,
     cell_size_study,
@@ -51,7 +52,7 @@ def test_boxes_come_to_their_places_in_motion_and_are_timed_from_there():
         def pairs(self):
             return [(0, 1)] * len(seen)
 
-    steps = Steps(Phase(), boxes, tests_per_box, steps=4, dt=0.5)
+    steps = Steps(Phase(), boxes, counted_tests, steps=4, dt=0.5)
     steps.reset()
     assert seen == pytest.approx([-1.0, -0.5, 0.0])
     steps.run()

@@ -40,7 +40,7 @@ class WindTunnelParameters(Parameters):
                    help="time that is waited for after a turn, in chords that the wind goes")  # fmt: skip
     window = Param(12.0, 0.1, 400.0, unit="c/U", log=True, group="Measured", label="Averaged",
                    help="time over which an angle of a sweep is averaged")  # fmt: skip
-    angles = Param(24, 8, 72, step=4, whole=True, group="Measured", help="of a whole turn, in a sweep")
+    angles = Param(24, 4, 72, step=4, whole=True, group="Measured", help="of a whole turn, in a sweep")
     checks = Param(3, 0, 24, whole=True, group="Measured",
                    help="angles in between that are measured, and that no fit is given")  # fmt: skip
     symmetry = Toggle(True, group="Measured", label="Use symmetry",

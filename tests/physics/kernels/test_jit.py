@@ -70,7 +70,7 @@ print(json.dumps({
 }))
 """
 
-COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt")
+COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt", "quick_typing")
 
 
 class Answer(NamedTuple):

@@ -147,6 +147,7 @@ def _present_fit(parameters: Mapping[str, Any]) -> Setting:
 
 fit_study = Study(
     name="polar-fit",
+    short="Polar",
     title="A slab's polar from few angles",
     error="drag and lift at angles that were not given, root mean square",
     error_unit="",
@@ -212,6 +213,7 @@ def _present_window(parameters: Mapping[str, Any]) -> Setting:
 
 window_study = Study(
     name="drag-window",
+    short="Wake",
     title="How long a swinging wake is averaged",
     error="mean drag, over that of 160 chords",
     error_unit="",
@@ -228,6 +230,7 @@ window_study = Study(
 
 drag_study = Study(
     name="channel-drag",
+    short="Drag",
     title="Drag of a cylinder in a channel",
     error="drag coefficient, over what it is",
     error_unit="",
