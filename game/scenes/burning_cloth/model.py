@@ -25,7 +25,13 @@ from game.scenes.burning_cloth.letters import Lettering, lettering
 from game.scenes.burning_cloth.level import MOST_DABS, BurningClothContent
 from game.scenes.burning_cloth.match import WATT, Match
 from game.scenes.burning_cloth.parameters import BurningClothParameters
-from game.scenes.burning_cloth.tables import HEARD_TIME, HEARD_WIDTH, HEIGHT, SPAN, TOP, WIDTH
+from game.scenes.burning_cloth.tables import (
+    HEIGHT,
+    SPAN,
+    TOP,
+    WIDTH,
+)
+from game.scenes.shared.heard import HEARD_TIME, HEARD_WIDTH
 from game.stage import Part
 
 Floats = NDArray[np.float64]

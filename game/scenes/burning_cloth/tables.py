@@ -9,6 +9,3 @@ TABLE, TABLE_FROM, TABLE_TO = 0.4, 0.98, 1.52
 BOX, BOX_HIGH = (1.08, 1.22), 0.045  # m: from, to; how high it lies on the table
 DEEP = 0.06  # m: how deep the layer of gas is that the cloth hangs in
 ROOM = 293.15  # K
-# of a sound: time s, kind, strength, x m
-HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)
-HEARD_WIDTH = 4

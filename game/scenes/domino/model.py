@@ -37,7 +37,6 @@ from game.scenes.domino.tables import (
     FOOT_X,
     FOOT_Y,
     GONE,
-    HEARD_WIDTH,
     LEAN,
     LEVEL,
     NOT_YET,
@@ -55,6 +54,7 @@ from game.scenes.domino.tables import (
     TO,
     none_of,
 )
+from game.scenes.shared.heard import HEARD_WIDTH
 from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import ParameterError, Part
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from game.scenes.domino.hearing import BALL, THUD, WOOD
 from game.scenes.domino.model import DominoModel
-from game.scenes.domino.tables import HEARD_KIND, HEARD_SPEED, HEARD_TIME, HEARD_X
-from game.stage import Hearing, Sound
+from game.scenes.shared.heard import sounds_of
+from game.stage import Hearing
 
 NAMES = {WOOD: "wood", BALL: "ball", THUD: "thud"}
 HALF = 12.0  # m to either side of the front, from the left to the right
@@ -14,14 +14,4 @@ HALF = 12.0  # m to either side of the front, from the left to the right
 def hearing_of(model: DominoModel) -> Hearing:
     """Contacts that began in the last moments, from the left or the right of the front."""
     middle = model.front()[0]
-    return Hearing(
-        "dominoes",
-        model.time,
-        [
-            Sound(
-                float(row[HEARD_TIME]), NAMES[int(row[HEARD_KIND])], float(row[HEARD_SPEED]),
-                max(-1.0, min(1.0, (float(row[HEARD_X]) - middle) / HALF)),
-            )
-            for row in model.heard
-        ],
-    )  # fmt: skip
+    return Hearing("dominoes", model.time, sounds_of(model.heard, NAMES, HALF, middle))

@@ -15,9 +15,6 @@ DOMINO_WIDTH = 11
 # of a sliding block: body, friction with its lane, speed and place (m) at which it was measured, distance
 SLIDER_BODY, SLIDER_MU, SLIDER_SPEED, SLIDER_X, SLIDER_Y, SLIDER_WAY = range(6)
 SLIDER_WIDTH = 6
-# of a sound: time s, kind, speed m/s, x m
-HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)
-HEARD_WIDTH = 4
 GONE, NOT_YET = -1.0, -1.0
 MATERIALS = ("steel", "glass", "wood", "cork")
 DENSITIES = {"steel": 7.8, "glass": 2.5, "wood": 0.7, "cork": 0.24}  # kg/m² of a slice, water being 1

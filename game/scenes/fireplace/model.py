@@ -25,13 +25,12 @@ from game.scenes.fireplace.tables import (
     BODY,
     HALF_LENGTH,
     HALF_THICK,
-    HEARD_TIME,
-    HEARD_WIDTH,
     ROOM,
     SCALE,
     WHOLE,
 )
 from game.scenes.fireplace.wood import SPENT, Wood, WoodState
+from game.scenes.shared.heard import HEARD_TIME, HEARD_WIDTH
 from game.stage import Part
 
 Floats = NDArray[np.float64]

@@ -3,22 +3,13 @@
 from __future__ import annotations
 
 from game.scenes.fireplace.model import FireplaceModel
-from game.scenes.fireplace.tables import HALF, HEARD_KIND, HEARD_SPEED, HEARD_TIME, HEARD_X
-from game.stage import Hearing, Sound
+from game.scenes.fireplace.tables import HALF
+from game.scenes.shared.heard import sounds_of
+from game.stage import Hearing
 
 NAMES = {1: "wood", 2: "thud"}
 
 
 def hearing_of(model: FireplaceModel) -> Hearing:
     """Pops and breaks of the last moments, from the left or the right."""
-    return Hearing(
-        "dominoes",
-        model.time,
-        [
-            Sound(
-                float(row[HEARD_TIME]), NAMES[int(row[HEARD_KIND])], float(row[HEARD_SPEED]),
-                max(-1.0, min(1.0, float(row[HEARD_X]) / HALF)),
-            )
-            for row in model.heard
-        ],
-    )  # fmt: skip
+    return Hearing("dominoes", model.time, sounds_of(model.heard, NAMES, HALF))

@@ -15,6 +15,3 @@ ROOM = 293.15  # K
 BODY, OF, NUMBER, HALF_LENGTH, HALF_THICK, SCALE, WHOLE, JOINT = range(8)
 PIECE_WIDTH = 8
 NONE = -1.0
-# of a sound: time s, kind, speed m/s, x m
-HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)
-HEARD_WIDTH = 4

@@ -38,7 +38,6 @@ from game.scenes.metal.tables import (
     FROM_Y,
     GATE,
     GRIP,
-    HEARD_WIDTH,
     HIGHEST,
     NONE,
     NOT_YET,
@@ -47,6 +46,7 @@ from game.scenes.metal.tables import (
     STEEL,
     none_of,
 )
+from game.scenes.shared.heard import HEARD_WIDTH
 from game.scenes.shared.rails.shapes import curve_of
 from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import ParameterError, Part

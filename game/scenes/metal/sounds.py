@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from game.scenes.metal.hearing import RAIL, ROLL, STEEL, WOOD
 from game.scenes.metal.model import MetalModel
-from game.scenes.metal.tables import HEARD_KIND, HEARD_SPEED, HEARD_TIME, HEARD_X
-from game.stage import Hearing, Sound
+from game.scenes.shared.heard import sounds_of
+from game.stage import Hearing
 
 NAMES = {STEEL: "steel", WOOD: "wood", RAIL: "rail", ROLL: "roll"}
 
@@ -14,14 +14,4 @@ def hearing_of(model: MetalModel) -> Hearing:
     """Contacts that began in the last moments, from the left or the right of the whole run."""
     view = model.content.view
     middle, half = 0.5 * (view.left + view.right), max(0.5 * (view.right - view.left), 1e-9)
-    return Hearing(
-        "metal",
-        model.time,
-        [
-            Sound(
-                float(row[HEARD_TIME]), NAMES[int(row[HEARD_KIND])], float(row[HEARD_SPEED]),
-                max(-1.0, min(1.0, (float(row[HEARD_X]) - middle) / half)),
-            )
-            for row in model.heard
-        ],
-    )  # fmt: skip
+    return Hearing("metal", model.time, sounds_of(model.heard, NAMES, half, middle))

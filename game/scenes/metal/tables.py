@@ -14,9 +14,6 @@ BODY, GATE, DELAY, FREED, ROD, FROM_X, FROM_Y, HIGHEST, GRIP = range(9)
 BALL_WIDTH = 9
 RIDES, NONE, NOT_YET = -1.0, -1.0, -1.0
 STEEL = 7.8  # kg/m² of a slice, water being 1
-# of a sound: time s, kind, speed m/s, x m
-HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)
-HEARD_WIDTH = 4
 
 
 def none_of(width: int) -> Floats:

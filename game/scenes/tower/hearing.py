@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from game.physics.solids import SolidWorld
+from game.scenes.shared.heard import HEARD_TIME
 from game.scenes.shared.tables.sounds import REMEMBERED_S
-from game.scenes.tower.tables import HEARD_TIME, Floats
+from game.scenes.tower.tables import (
+    Floats,
+)
 
 STONE, THUD = range(2)
 LEAST = 1.2  # m/s of approach

@@ -14,6 +14,7 @@ from game.physics.kernels import elementwise, linear
 from game.physics.solids import SolidSettings, SolidState, SolidWorld
 from game.physics.solids.effects import SOLIDS
 from game.physics.solids.state import ASLEEP, DYNAMIC
+from game.scenes.shared.heard import HEARD_WIDTH
 from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.tower.air import AirState, TowerAir
 from game.scenes.tower.breaking import break_up, cuts_of, speed_of_stop
@@ -37,7 +38,6 @@ from game.scenes.tower.tables import (
     CUT,
     DUST_WIDTH,
     GONE,
-    HEARD_WIDTH,
     KIND,
     MASS,
     NOT_YET,

@@ -17,9 +17,6 @@ STOREY_WIDTH = 2
 # of a puff: place m, velocity m/s, age and life s, radius m
 DX, DY, DVX, DVY, AGE, LIFE, SIZE = range(7)
 DUST_WIDTH = 7
-# of a sound: time s, kind, speed m/s, x m
-HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)
-HEARD_WIDTH = 4
 GONE, NOT_YET = -1.0, -1.0
 
 
