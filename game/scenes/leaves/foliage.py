@@ -19,6 +19,7 @@ BACKWARD = (0.26, 0.50)  # how far right and up a way into the picture is seen, 
 OF_DEPTH = (0.05, 0.15)  # m right and up of a leaf that lies one depth farther back
 SUN = (0.42, 0.80, -0.43)  # towards the light, in x, y and into the picture
 BELOW = 0.35  # the midrib lies that far below the middle, times sin q
+OF_SHAPE = [KIND, YAW, FLIP]  # columns of what outlines come from
 SHADOW = 14  # corners
 LARGER = 1.18  # leaves are drawn than their chords, as these are mean ones
 FADES = 0.9  # m of height by which a shadow is weaker by e
@@ -62,12 +63,14 @@ class Foliage:
     """Keeps the outlines of the leaves there are."""
 
     def __init__(self) -> None:
-        self._own: Floats = np.zeros((0, 6))
-        self._cut = cut_outlines(self._own)
+        self._cut = cut_outlines(np.zeros((0, 6)))
+        self._shapes: Floats = np.zeros((0, len(OF_SHAPE)))
 
     def _fit(self, own: Floats) -> None:
-        if len(own) != len(self._own) or not np.array_equal(own, self._own):
-            self._own, self._cut = own.copy(), cut_outlines(own)
+        """Cut anew where a shape has changed; how deep a leaf is seen to lie changes within a picture."""
+        shapes = own[:, OF_SHAPE]
+        if not np.array_equal(shapes, self._shapes):
+            self._shapes, self._cut = shapes, cut_outlines(own)
 
     def shadows(self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats) -> None:
         """Soft spots on the lawn, away from the light, weaker the higher a leaf is."""

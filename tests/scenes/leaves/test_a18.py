@@ -10,6 +10,7 @@ import pytest
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import LevelError, level_files, load_level, parse_level
 from game.physics.plates.law import BEND, HALF, MASS_Y, X, Y
+from game.scenes.leaves import foliage
 from game.scenes.leaves.foliage import cut_outlines
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.scene import Leaves
@@ -169,6 +170,16 @@ def test_outlines_are_cut_in_halves_of_the_same_area():
 def _area(points: np.ndarray) -> float:
     x, y = points.T
     return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
+
+
+def test_outlines_are_cut_anew_only_when_a_shape_changes(monkeypatch):
+    cuts = []
+    monkeypatch.setattr(foliage, "cut_outlines", lambda own: cuts.append(1) or cut_outlines(own))
+    stage = Stage(Leaves)
+    for _ in range(3):
+        stage.run(1)
+        assert picture_of_stage(stage, (640, 360), "dark").get_width() == 640
+    assert len(cuts) <= 2  # of no leaves at first, and of those there are
 
 
 def test_levels_say_what_is_wrong_in_one_line():
