@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.physics.kernels.lean import lean_kernel
 from game.scenes.burning_cloth.tables import BOX, BOX_HIGH, HALF, SPAN, TABLE, TABLE_FROM, TABLE_TO, TALL, TOP
+from game.scenes.shared.backdrops import Painted, cells_seen
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[Any]  # of single precision, for pictures
@@ -92,16 +93,9 @@ class Yard:
         """light (ROWS, COLUMNS) float32: see `light_on_yard`."""
         picture = yard_picture(dark)
         pixels, clip = canvas.raster_target
-        width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
-        if width <= 0 or height <= 0:
+        rows, columns = cells_seen(canvas, Painted(LEFT, TOP_EDGE, CELL), picture.colors.shape)
+        if not (rows.size and columns.size):
             return
-        (cx, cy), scale = canvas.camera.center, canvas.pixels_per_unit
-        mid_x, mid_y = canvas.place((cx, cy))
-        x = cx + (np.arange(width) + 0.5 + int(clip[0]) - mid_x) / scale
-        y = cy - (np.arange(height) + 0.5 + int(clip[1]) - mid_y) / scale
-        tall, wide = picture.colors.shape
-        columns = np.clip(((x - LEFT) / CELL).astype(np.int64), 0, wide - 1)
-        rows = np.clip(((TOP_EDGE - y) / CELL).astype(np.int64), 0, tall - 1)
         gain = np.array([int(part * 256.0 / picture.own) for part in WARM], dtype=np.int64)
         paint_yard(pixels, clip, (picture.colors, picture.takes), (rows, columns), light, self._work, gain)
 
