@@ -34,6 +34,7 @@ class Beat(Scene):
     parameters_type = BeatParameters
     parameters: BeatParameters
     content_type = BeatContent
+    default_content = DEFAULT
     effects = EXACT_EFFECTS
     quarter_turns = 1
     dt = 1.0 / 480.0
@@ -54,7 +55,7 @@ class Beat(Scene):
     )
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else DEFAULT
+        content = self.content_of(level)
         self.content = content
         self.model = BeatModel(content, self.parameters, self.seed)
         self.searcher = Searcher(self.model)

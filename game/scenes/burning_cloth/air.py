@@ -17,6 +17,7 @@ from game.physics.gas.effects import BUOYANCY
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
 from game.scenes.burning_cloth.tables import DEEP, HALF, ROOM, TALL
+from game.scenes.shared.flames_seen import FlameLook, flame_height, paint_veil
 from game.stage import Part
 
 Floats = NDArray[np.float64]
@@ -28,9 +29,7 @@ VAPOUR = {
     "ignition": 560.0, "rate": 24.0, "oxygen": 1.3, "heat": 1.5e7, "capacity": 1212.0, "soot": 0.06,
     "soot_rate": 1.6, "glow": 1.2e-11, "soot_glow": 3.2e-7, "ambient": ROOM,
 }  # fmt: skip
-THICK_SOOT = 2.2e-3  # kg/m³ in a cell of the picture that is all grey
-FLAME_FROM, FLAME_TO = 560.0, 1250.0  # K between which gas begins to glow and is brightest
-SHINING = 1.2e-4  # kg/m³ of soot with which a flame is seen in full
+LOOK = FlameLook(560.0, 1250.0, 0.25, 1.2e-4, 2.2e-3, 0.7, 900.0)
 SLANT, SWELL, WAVE, RUNS = 0.55, 0.4, 3.4, 0.55  # of the wind: across the plane, its swell, 1/m, its speed
 PRESS, BRUSH = 0.72, 0.15  # kg/m³, half the density of air times a coefficient of drag, through and along
 GUSTS = ((0.9, 0.22), (2.3, 0.13), (3.7, 0.07))  # rad/s, share of the wind
@@ -216,17 +215,13 @@ class Air(Part):
 
     def veil(self) -> NDArray[np.float32]:
         """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
-        cells, veil = self.gas.scalars, self._veil
-        soot = np.maximum(cells[..., 3], 0.0)
-        warm = np.clip((cells[..., 0] - FLAME_FROM) / (FLAME_TO - FLAME_FROM), 0.0, 1.0)
-        veil[..., 1] = warm * (0.25 + 0.75 * np.minimum(soot / SHINING, 1.0)) * self._edge
-        veil[..., 0] = np.minimum(soot / THICK_SOOT, 0.7) * (1.0 - np.minimum(2.0 * warm, 1.0)) * self._edge
-        return veil
+        cells = self.gas.scalars
+        paint_veil(LOOK, cells[..., 0], cells[..., 3], self._edge, self._veil)
+        return self._veil
 
     def flame_height(self) -> float:
         """m, of the highest gas that is seen to burn."""
-        rows = np.flatnonzero(np.max(self.temperature, axis=1) > 900.0)
-        return float(rows[-1] + 1) * self.cell if len(rows) else 0.0
+        return flame_height(LOOK, self.temperature, self.cell)
 
     def state(self) -> AirState:
         """All that later steps depend on."""

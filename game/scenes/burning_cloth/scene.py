@@ -56,6 +56,7 @@ class BurningCloth(BuiltScene):
     hand: BurningClothHand
     effects = ADVECTION | PRESSURE | BUOYANCY | FLAMES | SOOT_LOSS | HEAT.known | CLOTH.known
     content_type = BurningClothContent
+    default_content = DEFAULT
     study = front_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     covers = True
@@ -109,7 +110,7 @@ class BurningCloth(BuiltScene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else DEFAULT
+        content = self.content_of(level)
         self.model = BurningClothModel(content, self.parameters, self.active, self.seed)
         self.hand = BurningClothHand(self.model)
         self.view = BurningClothView(self.model, self.hand)
@@ -130,10 +131,6 @@ class BurningCloth(BuiltScene):
 
     def save_content(self) -> BurningClothContent:
         return content_of(self.model)
-
-    def content_of_level(self) -> BurningClothContent:
-        """What the level said."""
-        return self.model.content
 
     # -- a step, and what comes in ------------------------------------------------------------------
 

@@ -40,6 +40,7 @@ class Cavity(ModelScene):
     model: CavityModel
     effects = GAS.known.without(CONFINEMENT)
     content_type = CavityContent
+    default_content = DEFAULT
     study = cavity_study
     figure = staticmethod(draw_profiles)
     hints = (Hint(("Drag",), "stir"),)
@@ -64,7 +65,7 @@ class Cavity(ModelScene):
     )
 
     def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.content = self.content_of(level)
         self.model = CavityModel(self.parameters, self.active, self.seed)
         self.hand = CavityHand(self.model)
         self.view = CavityView(self.model)

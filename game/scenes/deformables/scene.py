@@ -40,6 +40,7 @@ class Deformables(ModelScene):
     model: DeformablesModel
     effects = SOFT.known
     content_type = DeformablesContent
+    default_content = DEFAULT
     study = cell_study
     figure = staticmethod(draw_two_passes)
     hints = (Hint(("Drag",), "a body"),)
@@ -73,7 +74,7 @@ class Deformables(ModelScene):
         return (WarmUp("soft bodies", exercise),)
 
     def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.content = self.content_of(level)
         self.model = DeformablesModel(self.content, self.parameters, self.active)
         self.hand = DeformablesHand(self.model)
         self.view = DeformablesView(self.model)

@@ -36,6 +36,7 @@ class Depth(Scene):
     parameters_type = DepthParameters
     parameters: DepthParameters
     content_type = DepthContent
+    default_content = DEFAULT
     takes = frozenset({"right"})
     study = depth_study
     figure = staticmethod(draw_two_ways)
@@ -73,7 +74,7 @@ class Depth(Scene):
     )
 
     def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.content = self.content_of(level)
         self.model = DepthModel(self.content, self.parameters)
         self.hand = DepthHand(self.model)
         self.view = DepthView(self.model)

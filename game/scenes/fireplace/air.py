@@ -28,6 +28,7 @@ from game.scenes.fireplace.tables import (
     THROAT,
     WALL,
 )
+from game.scenes.shared.flames_seen import FlameLook, flame_height, paint_veil
 from game.stage import Part
 
 Floats = NDArray[np.float64]
@@ -41,9 +42,7 @@ VAPOUR = {
 }  # fmt: skip
 HEAD = 0.026  # m about the head of a match that its flame fills
 MATCH_HOT = 1500.0  # K at most, of its flame
-THICK_SOOT = 4.0e-3  # kg/m³ in a cell of the picture that is all black
-FLAME_FROM, FLAME_TO = 520.0, 1150.0  # K between which gas begins to glow and is brightest
-SHINING = 2.0e-4  # kg/m³ of soot with which a flame is seen in full
+LOOK = FlameLook(520.0, 1150.0, 0.3, 2.0e-4, 4.0e-3, 0.85, 950.0)
 COLDEST = 250.0  # K to which wood can cool gas
 QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
 SIDES = 0.62  # m beside the middle: beyond, a draught takes the air along
@@ -296,17 +295,13 @@ class Air(Part):
 
     def veil(self) -> NDArray[np.float32]:
         """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
-        cells, veil = self.gas.scalars, self._veil
-        soot = np.maximum(cells[..., 3], 0.0)
-        warm = np.clip((cells[..., 0] - FLAME_FROM) / (FLAME_TO - FLAME_FROM), 0.0, 1.0)
-        veil[..., 1] = warm * (0.3 + 0.7 * np.minimum(soot / SHINING, 1.0)) * self._edge
-        veil[..., 0] = np.minimum(soot / THICK_SOOT, 0.85) * (1.0 - np.minimum(2.0 * warm, 1.0)) * self._edge
-        return veil
+        cells = self.gas.scalars
+        paint_veil(LOOK, cells[..., 0], cells[..., 3], self._edge, self._veil)
+        return self._veil
 
     def flame_height(self) -> float:
         """m, of the highest gas that is seen to burn."""
-        rows = np.flatnonzero(np.max(self.temperature, axis=1) > 950.0)
-        return float(rows[-1] + 1) * self.cell if len(rows) else 0.0
+        return flame_height(LOOK, self.temperature, self.cell)
 
     def rise(self) -> float:
         """m/s upwards above the fire, by which it is seen to puff."""

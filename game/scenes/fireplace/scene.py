@@ -52,6 +52,7 @@ class Fireplace(BuiltScene):
     hand: FireplaceHand
     effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS
     content_type = FireplaceContent
+    default_content = DEFAULT
     study = conduction_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     covers = True
@@ -101,7 +102,7 @@ class Fireplace(BuiltScene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else DEFAULT
+        content = self.content_of(level)
         self.model = FireplaceModel(content, self.parameters, self.active, self.seed)
         self.hand = FireplaceHand(self.model)
         self.view = FireplaceView(self.model, self.hand)
@@ -120,10 +121,6 @@ class Fireplace(BuiltScene):
 
     def save_content(self) -> FireplaceContent:
         return content_of(self.model)
-
-    def content_of_level(self) -> FireplaceContent:
-        """What the level said."""
-        return self.model.content
 
     # -- a step, and what comes in ------------------------------------------------------------------
 

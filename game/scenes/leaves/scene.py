@@ -51,6 +51,7 @@ class Leaves(BuiltScene):
     view: LeavesView
     effects = PLATES.known
     content_type = LeavesContent
+    default_content = DEFAULT
     study = leaf_study
     takes = frozenset(("right",))
     covers = True
@@ -99,7 +100,7 @@ class Leaves(BuiltScene):
         return (WarmUp("step", lambda: cls().advance(cls().dt)), WarmUp("polygons", warm_up_painter))
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else DEFAULT
+        content = self.content_of(level)
         self.model = LeavesModel(content, self.parameters, self.active, self.seed)
         self.hand = LeavesHand(self.model)
         self.view = LeavesView(self.model, self.hand)

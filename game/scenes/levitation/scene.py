@@ -40,6 +40,7 @@ class Levitation(ModelScene):
     model: LevitationModel
     effects = GRAINS.known
     content_type = LevitationContent
+    default_content = DEFAULT
     study = trap_study
     takes = frozenset(("right",))
     figure = staticmethod(draw_standing_wave)
@@ -69,7 +70,7 @@ class Levitation(ModelScene):
     )
 
     def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.content = self.content_of(level)
         self.model = LevitationModel(self.content, self.parameters, self.active)
         self.hand = LevitationHand(self.model)
         self.view = LevitationView(self.model)

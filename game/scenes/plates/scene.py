@@ -40,6 +40,7 @@ class FallingPlates(BuiltScene):
     hand: PlatesHand
     effects = PLATES.known
     content_type = PlatesContent
+    default_content = DEFAULT
     study = plate_study
     takes = frozenset(("right",))
     legend_in_panel = True
@@ -83,7 +84,7 @@ class FallingPlates(BuiltScene):
     )
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else DEFAULT
+        content = self.content_of(level)
         self.model = PlatesModel(content, self.parameters, self.active)
         self.hand = PlatesHand(self.model)
         self.view = PlatesView(self.model, self.hand)

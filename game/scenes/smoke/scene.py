@@ -40,6 +40,7 @@ class Smoke(ModelScene):
     model: SmokeModel
     effects = GAS.known | COMBUSTION.known
     content_type = SmokeContent
+    default_content = DEFAULT
     study = smoke_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     figure = staticmethod(draw_projection)
@@ -74,7 +75,7 @@ class Smoke(ModelScene):
     )
 
     def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.content = self.content_of(level)
         self.model = SmokeModel(self.content, self.parameters, self.active)
         self.hand = SmokeHand(self.model)
         self.view = SmokeView(self.model, self.hand)

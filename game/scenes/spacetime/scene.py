@@ -38,6 +38,7 @@ class SpaceTime(ModelScene):
     model: SpaceTimeModel
     effects = TIMED.known
     content_type = SpaceTimeContent
+    default_content = DEFAULT
     study = budget_study
     figure = staticmethod(draw_levels)
     hints = (Hint(("Drag",), "pull a body, within the bound"),)
@@ -63,7 +64,7 @@ class SpaceTime(ModelScene):
     )
 
     def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.content = self.content_of(level)
         self.model = SpaceTimeModel(self.content, self.parameters, self.active, self.seed)
         self.hand = SpaceTimeHand(self.model)
         self.view = SpaceTimeView(self.model)

@@ -42,6 +42,7 @@ class WindTunnel(ModelScene):
     model: WindTunnelModel
     effects = TUNNEL.known
     content_type = WindTunnelContent
+    default_content = DEFAULT
     study = drag_study
     dt = 1.0 / 60.0
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
@@ -91,7 +92,7 @@ class WindTunnel(ModelScene):
     )
 
     def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else DEFAULT
+        self.content = self.content_of(level)
         self.model = WindTunnelModel(self.content, self.parameters, self.active)
         self.hand = WindTunnelHand(self.model)
         self.view = WindTunnelView(self.model, self.hand)

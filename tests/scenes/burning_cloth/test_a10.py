@@ -39,8 +39,8 @@ def measured(stage: Stage, name: str) -> float:
 def test_a_hard_level_comes_to_what_it_expects(path):
     stage = Stage(BurningCloth, level=load_level(path, "a10", BurningClothContent))
     stage.run(round(5.0 / stage.dt))
-    assert stage.fault is None and stage.scene.content_of_level().expected
-    assert all(one.met for one in captions_of(stage.scene.content_of_level().expected, stage.readouts()))
+    assert stage.fault is None and stage.scene.model.content.expected
+    assert all(one.met for one in captions_of(stage.scene.model.content.expected, stage.readouts()))
     assert np.isfinite(stage.scene.model.cloth.nodes).all()
 
 

@@ -34,8 +34,8 @@ def measured(stage: Stage, name: str) -> float:
 def test_a_hard_level_comes_to_what_it_expects(path):
     stage = Stage(Fireplace, level=load_level(path, "a26", FireplaceContent))
     stage.run(round(2.0 / stage.dt))
-    assert stage.fault is None and stage.scene.content_of_level().expected
-    assert all(one.met for one in captions_of(stage.scene.content_of_level().expected, stage.readouts()))
+    assert stage.fault is None and stage.scene.model.content.expected
+    assert all(one.met for one in captions_of(stage.scene.model.content.expected, stage.readouts()))
 
 
 def test_in_a_shut_box_no_more_burns_than_there_is_oxygen_for():
