@@ -7,6 +7,7 @@ import numpy as np
 from game.physics.solids.joints.layout import IMPULSES, JOINT_ROW, LINES, NO_JOINT, PARAMETERS, Joints
 from game.physics.solids.joints.plan import empty_plan
 from game.physics.solids.state import (
+    DRIFTS_WIDTH,
     MANIFOLD_WIDTH,
     MARKS_WIDTH,
     MOST_CORNERS,
@@ -15,6 +16,7 @@ from game.physics.solids.state import (
     POINTS_WIDTH,
     RARE_WIDTH,
     ROW_WIDTH,
+    WORKS_WIDTH,
     Bodies,
     Contacts,
     Pool,
@@ -113,7 +115,9 @@ def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch
         colour_of=np.zeros(pairs, dtype=_INT),
         parents=np.zeros(bodies, dtype=_INT),
         speeds=np.zeros((bodies, 6)),
-        works=np.zeros((bodies, 3)),
+        pushed=np.zeros((bodies, 3)),
+        works=np.zeros((bodies, WORKS_WIDTH)),
+        drifts=np.zeros((bodies, DRIFTS_WIDTH)),
         excused=np.zeros(bodies, dtype=_INT),
         fractions=np.ones(bodies),
         plan=empty_plan(),

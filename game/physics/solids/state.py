@@ -38,9 +38,9 @@ PLACE_X, PLACE_Y, PLACE_ANGLE = 16, 17, 18
 # stiffness N/m of both points along normal and tangent, that solvers by penalty have come to
 STIFF = 19
 MANIFOLD_WIDTH = 23
-# columns of Contacts.marks
-POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND = range(5)
-MARKS_WIDTH = 5
+# columns of Contacts.marks; GIVEN: they overlap by what was no motion of theirs (born so, or pressed together)
+POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND, GIVEN = range(6)
+MARKS_WIDTH = 6
 
 
 class Bodies(NamedTuple):
@@ -125,6 +125,7 @@ ROW_WIDTH = 30
 RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
 RARE_WIDTH = 5
 POINTS_WIDTH = 8
+WORKS_WIDTH, DRIFTS_WIDTH = 5, 8
 # columns of Rows.ends
 END_A, END_B, END_POINTS, END_PAIR = range(4)
 # columns of Motion: velocity, spin, what a body has moved since the step began, cosine and sine of what it
@@ -162,7 +163,9 @@ class Scratch(NamedTuple):
     colour_of: Ints  # (p,)
     parents: Ints  # (n,)
     speeds: Floats  # (n, 6) m/s, m/s, rad/s: in a substep, after the forces; and with the push of overlap
-    works: Floats  # (n, 3) J, of groups of bodies that touch
+    pushed: Floats  # (n, 3) m, m, rad: what overlap that is driven apart has moved bodies since the step began
+    works: Floats  # (n, WORKS_WIDTH) J, of groups of bodies that touch
+    drifts: Floats  # (n, DRIFTS_WIDTH) of these groups as if each were one rigid body
     excused: Ints  # (n,) 1: something else than contacts may give it energy
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     plan: JointPlan  # of the direct solve of joints

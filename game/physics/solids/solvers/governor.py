@@ -1,0 +1,224 @@
+"""A step is passive: what bodies have of motion and height, less the work of forces, does not rise in it.
+
+Two things of a step could raise it. Overlap that is driven apart lifts what lies on it, and no spring had
+taken that energy up: overlap comes from impacts. And friction, bounces and sweeps that are cut short leave a
+little more motion than there was. So where the energy of all bodies has risen, each group of bodies that touch
+takes back, first, as much of its lifting as it has not paid by motion lost; then motion, by scaling velocities
+against those of the group as one rigid body (against rest, where it touches what is fixed). To scale all of
+them alike keeps momentum, and keeps every contact: a speed of closing that is 0 stays 0.
+
+Not held are groups that have a source: joints, key-framed bodies that move, wind, and pairs that overlap by no
+motion of their own (marked GIVEN): born so, placed so, or pressed together. Those part as they always did.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel
+from game.physics.solids.islands import root_of, unite
+from game.physics.solids.solvers.motion import cosine_sine
+from game.physics.solids.solvers.passive import EXCUSED, PUSHED
+from game.physics.solids.state import (
+    DA,
+    DC,
+    DS,
+    DX,
+    DY,
+    END_A,
+    END_B,
+    END_PAIR,
+    END_POINTS,
+    GIVEN,
+    MOST_0,
+    MOST_1,
+    ROW_POINT,
+    ROW_POINT_WIDTH,
+    SEP,
+    VX,
+    VY,
+    W,
+)
+
+NEXT_TO_NOTHING = 1e-6  # of the energy m (h g)²/2 that gravity gives in a substep: below that it is rounding
+GAIN, LIFT, HEIGHT, NOISE, MOTION = range(5)  # columns of Scratch.works, J
+# columns of Scratch.drifts: kg, kg m, kg m, N s, N s, N m s, kg m², and whether the group touches what is fixed
+MASS, CENTRE_X, CENTRE_Y, PUSH_X, PUSH_Y, TURN, INERTIA, HELD = range(8)
+
+
+@inner_kernel
+def start_pushed(pushed):
+    """Nothing is driven apart yet."""
+    pushed[:] = 0.0
+
+
+@inner_kernel
+def note_pushed(scratch, h):
+    """Add what overlap alone has moved bodies in this substep: with the push they moved, without it they go on."""
+    motion, speeds, pushed = scratch.motion, scratch.speeds, scratch.pushed
+    for i in range(motion.shape[0]):
+        pushed[i, 0] += h * (speeds[i, PUSHED] - motion[i, VX])
+        pushed[i, 1] += h * (speeds[i, PUSHED + 1] - motion[i, VY])
+        pushed[i, 2] += h * (speeds[i, PUSHED + 2] - motion[i, W])
+
+
+@inner_kernel
+def raised(bodies, pulls, i, x, y, turn):
+    """Work against the forces on body i of moving it by x, y (m) and turning it (rad), J."""
+    m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+    return -m * (pulls[i, 0] * x + pulls[i, 1] * y) - inertia * pulls[i, 2] * turn
+
+
+@inner_kernel
+def gain_of(bodies, scratch, i):
+    """By how much a body's energy of motion has risen in the step beyond the work of its forces, J."""
+    motion = scratch.motion
+    m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+    x, y, w = bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i]
+    motions = (motion[i, VX] - x) * (motion[i, VX] + x) + (motion[i, VY] - y) * (motion[i, VY] + y)
+    turns = (motion[i, W] - w) * (motion[i, W] + w)
+    height = raised(bodies, scratch.accelerations, i, motion[i, DX], motion[i, DY], motion[i, DA])
+    return 0.5 * (m * motions + inertia * turns) + height
+
+
+@inner_kernel
+def noise_of(bodies, scratch, h, i):
+    """What is no rise, J."""
+    m, x, y = 1.0 / bodies.inverse_masses[i], scratch.accelerations[i, 0], scratch.accelerations[i, 1]
+    return NEXT_TO_NOTHING * 0.5 * m * h * h * (x * x + y * y)
+
+
+@inner_kernel
+def rise(bodies, scratch, h):
+    """By how much the energy of all bodies has risen, beyond rounding, J."""
+    total = 0.0
+    for i in range(scratch.motion.shape[0]):
+        if bodies.inverse_masses[i] > 0.0:
+            total += gain_of(bodies, scratch, i) - noise_of(bodies, scratch, h, i)
+    return total
+
+
+@inner_kernel
+def group_by_contact(bodies, contacts, rows, scratch, slop):
+    """Representatives of bodies that touched in this step; drifts tell which touch what is fixed.
+
+    Groups with a source are marked as excused.
+    """
+    parents, drifts, excused = scratch.parents, scratch.drifts, scratch.excused
+    drifts[:] = 0.0
+    for i in range(parents.shape[0]):
+        parents[i] = i
+    for c in range(rows.count[0]):
+        a, b, pair = rows.ends[c, END_A], rows.ends[c, END_B], rows.ends[c, END_PAIR]
+        deepest = rows.rows[c, ROW_POINT + SEP]
+        if rows.ends[c, END_POINTS] == 2:
+            deepest = min(deepest, rows.rows[c, ROW_POINT + ROW_POINT_WIDTH + SEP])
+        if not (rows.rare[c, MOST_0] > 0.0 or rows.rare[c, MOST_1] > 0.0 or deepest < 0.0):
+            continue
+        source = (excused[a] | excused[b]) & EXCUSED
+        if source and deepest < -slop:
+            contacts.marks[pair, GIVEN] = 1
+        if contacts.marks[pair, GIVEN]:
+            source = EXCUSED
+        moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
+        if moves_a and moves_b:
+            unite(parents, a, b)
+        else:
+            drifts[a if moves_a else b, HELD] = 1.0
+        excused[a] |= source
+        excused[b] |= source
+    for i in range(parents.shape[0]):
+        if bodies.inverse_masses[i] > 0.0:
+            r = root_of(parents, i)
+            drifts[r, HELD] = max(drifts[r, HELD], drifts[i, HELD])
+            if scratch.air[i, 0] != 0.0 or scratch.air[i, 1] != 0.0:
+                excused[i] |= EXCUSED
+            excused[r] |= (excused[i] & EXCUSED) << 2
+
+
+@inner_kernel
+def drift_of(drifts, r):
+    """Velocity (m/s) and centre (m) of a group as one rigid body, and its spin (rad/s); 0 of one that is held."""
+    if drifts[r, HELD] > 0.0:
+        return 0.0, 0.0, 0.0, 0.0, 0.0
+    x, y = drifts[r, CENTRE_X] / drifts[r, MASS], drifts[r, CENTRE_Y] / drifts[r, MASS]
+    vx, vy = drifts[r, PUSH_X] / drifts[r, MASS], drifts[r, PUSH_Y] / drifts[r, MASS]
+    turn = drifts[r, TURN] - (x * drifts[r, PUSH_Y] - y * drifts[r, PUSH_X])
+    inertia = drifts[r, INERTIA] - drifts[r, MASS] * (x * x + y * y)
+    return vx, vy, x, y, turn / inertia
+
+
+@inner_kernel
+def along(bodies, drifts, r, i):
+    """Velocity and spin that body i has as a part of group r as one rigid body."""
+    vx, vy, x, y, w = drift_of(drifts, r)
+    return vx - w * (bodies.positions[i, 1] - y), vy + w * (bodies.positions[i, 0] - x), w
+
+
+@inner_kernel
+def sum_groups(bodies, scratch, h):
+    """Fill works and drifts of the groups."""
+    motion, pulls, pushed = scratch.motion, scratch.accelerations, scratch.pushed
+    works, drifts, parents = scratch.works, scratch.drifts, scratch.parents
+    works[:] = 0.0
+    for i in range(motion.shape[0]):
+        if bodies.inverse_masses[i] == 0.0:
+            continue
+        r, m, inertia = root_of(parents, i), 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+        works[r, GAIN] += gain_of(bodies, scratch, i)
+        works[r, NOISE] += noise_of(bodies, scratch, h, i)
+        works[r, LIFT] += raised(bodies, pulls, i, pushed[i, 0], pushed[i, 1], pushed[i, 2])
+        works[r, HEIGHT] += raised(bodies, pulls, i, motion[i, DX], motion[i, DY], motion[i, DA])
+        x, y = bodies.positions[i, 0], bodies.positions[i, 1]
+        px, py = m * motion[i, VX], m * motion[i, VY]
+        drifts[r, MASS] += m
+        drifts[r, CENTRE_X] += m * x
+        drifts[r, CENTRE_Y] += m * y
+        drifts[r, PUSH_X] += px
+        drifts[r, PUSH_Y] += py
+        drifts[r, TURN] += x * py - y * px + inertia * motion[i, W]
+        drifts[r, INERTIA] += m * (x * x + y * y) + inertia
+    for i in range(motion.shape[0]):
+        if bodies.inverse_masses[i] > 0.0:
+            r, m, inertia = root_of(parents, i), 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+            vx, vy, w = along(bodies, drifts, r, i)
+            vx, vy, w = motion[i, VX] - vx, motion[i, VY] - vy, motion[i, W] - w
+            works[r, MOTION] += 0.5 * (m * (vx * vx + vy * vy) + inertia * w * w)
+
+
+@inner_kernel
+def what_to_take_back(works, r):
+    """Of a group: the part of its lifting, the factors of its motion and of its ways, that make it passive."""
+    gain, lift, motion = works[r, GAIN], works[r, LIFT], works[r, MOTION]
+    back = min(1.0, gain / lift) if lift > 0.0 else 0.0
+    gain -= back * lift
+    keep = math.sqrt(max(0.0, 1.0 - gain / motion)) if gain > 0.0 and motion > 0.0 else 1.0
+    gain -= motion
+    height = works[r, HEIGHT] - back * lift
+    stay = max(0.0, 1.0 - gain / height) if gain > 0.0 and height > 0.0 else 1.0
+    return back, keep, stay
+
+
+@inner_kernel
+def hold_step(bodies, contacts, rows, scratch, numbers):
+    """Take back what the energy of groups that have no source has risen in this step."""
+    if not rise(bodies, scratch, numbers.h) > 0.0:
+        return
+    motion, pushed, works, parents = scratch.motion, scratch.pushed, scratch.works, scratch.parents
+    group_by_contact(bodies, contacts, rows, scratch, numbers.slop)
+    sum_groups(bodies, scratch, numbers.h)
+    for i in range(motion.shape[0]):
+        if bodies.inverse_masses[i] == 0.0:
+            continue
+        r = root_of(parents, i)
+        if works[r, GAIN] <= works[r, NOISE] or scratch.excused[r] >> 2:
+            continue
+        back, keep, stay = what_to_take_back(works, r)
+        motion[i, DX] = stay * (motion[i, DX] - back * pushed[i, 0])
+        motion[i, DY] = stay * (motion[i, DY] - back * pushed[i, 1])
+        motion[i, DA] = stay * (motion[i, DA] - back * pushed[i, 2])
+        motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
+        vx, vy, w = along(bodies, scratch.drifts, r, i)
+        motion[i, VX] = vx + keep * (motion[i, VX] - vx)
+        motion[i, VY] = vy + keep * (motion[i, VY] - vy)
+        motion[i, W] = w + keep * (motion[i, W] - w)
