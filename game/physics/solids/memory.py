@@ -35,6 +35,7 @@ BODY_COLUMNS = {
     "velocities": Column(width=2), "spins": Column(), "inverse_masses": Column(),
     "inverse_inertias": Column(), "forces": Column(width=3), "gravity_scales": Column(empty=1.0),
     "flags": Column(_INT), "reaches": Column(), "cores": Column(), "quiet": Column(), "late": Column(),
+    "stored": Column(),
     "found": Column(width=4),
 }  # fmt: skip
 SHAPE_COLUMNS = {

@@ -60,6 +60,7 @@ class Bodies(NamedTuple):
     cores: Floats  # (n,) m, how far it may go in a step without passing through something thin
     quiet: Floats  # (n,) s, for how long it has been slow
     late: Floats  # (n,) s, of the last step, that continuous collision cut off
+    stored: Floats  # (n,) J, what sinking has paid into the springs of its contacts: see solvers/governor
     found: Floats  # (n, 4) pose (m, m, rad) when its boxes were made, and how much room these left, m
 
 
@@ -125,7 +126,7 @@ ROW_WIDTH = 30
 RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
 RARE_WIDTH = 5
 POINTS_WIDTH = 8
-WORKS_WIDTH, DRIFTS_WIDTH = 5, 8
+WORKS_WIDTH, DRIFTS_WIDTH = 7, 8
 # columns of Rows.ends
 END_A, END_B, END_POINTS, END_PAIR = range(4)
 # columns of Motion: velocity, spin, what a body has moved since the step began, cosine and sine of what it

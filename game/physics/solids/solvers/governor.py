@@ -17,6 +17,7 @@ import math
 
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.islands import root_of, unite
+from game.physics.solids.solvers.impulses import gap_now
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.solvers.passive import EXCUSED, PUSHED
 from game.physics.solids.state import (
@@ -32,16 +33,19 @@ from game.physics.solids.state import (
     GIVEN,
     MOST_0,
     MOST_1,
+    ROW_HARD,
     ROW_POINT,
     ROW_POINT_WIDTH,
     SEP,
+    STIFF_N,
     VX,
     VY,
     W,
 )
 
 NEXT_TO_NOTHING = 1e-6  # of the energy m (h g)²/2 that gravity gives in a substep: below that it is rounding
-GAIN, LIFT, HEIGHT, NOISE, MOTION = range(5)  # columns of Scratch.works, J
+LOWERED = 0.02  # of the slop: how far a group is lowered at most, before it is slowed down
+GAIN, LIFT, HEIGHT, FORCE, NOISE, MOTION, STORED = range(7)  # columns of Scratch.works, J; N
 # columns of Scratch.drifts: kg, kg m, kg m, N s, N s, N m s, kg m², and whether the group touches what is fixed
 MASS, CENTRE_X, CENTRE_Y, PUSH_X, PUSH_Y, TURN, INERTIA, HELD = range(8)
 
@@ -86,6 +90,13 @@ def noise_of(bodies, scratch, h, i):
     """What is no rise, J."""
     m, x, y = 1.0 / bodies.inverse_masses[i], scratch.accelerations[i, 0], scratch.accelerations[i, 1]
     return NEXT_TO_NOTHING * 0.5 * m * h * h * (x * x + y * y)
+
+
+@inner_kernel
+def pull_of(scratch, i):
+    """Size of what forces accelerate a body by, m/s²."""
+    x, y = scratch.accelerations[i, 0], scratch.accelerations[i, 1]
+    return math.sqrt(x * x + y * y)
 
 
 @inner_kernel
@@ -168,6 +179,8 @@ def sum_groups(bodies, scratch, h):
         works[r, GAIN] += gain_of(bodies, scratch, i)
         works[r, NOISE] += noise_of(bodies, scratch, h, i)
         works[r, LIFT] += raised(bodies, pulls, i, pushed[i, 0], pushed[i, 1], pushed[i, 2])
+        works[r, STORED] += bodies.stored[i]
+        works[r, FORCE] += m * pull_of(scratch, i)
         works[r, HEIGHT] += raised(bodies, pulls, i, motion[i, DX], motion[i, DY], motion[i, DA])
         x, y = bodies.positions[i, 0], bodies.positions[i, 1]
         px, py = m * motion[i, VX], m * motion[i, VY]
@@ -187,35 +200,104 @@ def sum_groups(bodies, scratch, h):
 
 
 @inner_kernel
-def what_to_take_back(works, r):
-    """Of a group: the part of its lifting, the factors of its motion and of its ways, that make it passive."""
+def what_to_take_back(works, r, most):
+    """Of a group: the part of its lifting, how far to lower it (m, at most ``most``), the factors of its motion
+    and of its ways, that make it passive, in this order.
+    """
     gain, lift, motion = works[r, GAIN], works[r, LIFT], works[r, MOTION]
     back = min(1.0, gain / lift) if lift > 0.0 else 0.0
     gain -= back * lift
+    height, force = works[r, HEIGHT] - back * lift, works[r, FORCE]
+    down = max(0.0, min(gain, height, most * force)) / force if force > 0.0 else 0.0
+    gain -= down * force
+    height -= down * force
     keep = math.sqrt(max(0.0, 1.0 - gain / motion)) if gain > 0.0 and motion > 0.0 else 1.0
     gain -= motion
-    height = works[r, HEIGHT] - back * lift
     stay = max(0.0, 1.0 - gain / height) if gain > 0.0 and height > 0.0 else 1.0
-    return back, keep, stay
+    return back, down, keep, stay
 
 
 @inner_kernel
-def hold_step(bodies, contacts, rows, scratch, numbers):
-    """Take back what the energy of groups that have no source has risen in this step."""
-    if not rise(bodies, scratch, numbers.h) > 0.0:
+def spring_energy(rows, motion, c, pull):
+    """J in the spring of contact c, where it is now. pull: its frequency's square, 1/s²."""
+    row, a, b = rows.rows, rows.ends[c, END_A], rows.ends[c, END_B]
+    gap, under = gap_now(row, c, ROW_POINT, motion, a, b), row[c, ROW_POINT + STIFF_N]
+    if rows.ends[c, END_POINTS] == 2:
+        second = ROW_POINT + ROW_POINT_WIDTH
+        gap = 0.5 * (gap + gap_now(row, c, second, motion, a, b))
+        under = 0.25 * (under + row[c, second + STIFF_N])
+    if row[c, ROW_HARD] > 0.0:
+        pull *= 4.0
+    return 0.5 * pull * gap * gap / under if gap < 0.0 else 0.0
+
+
+@inner_kernel
+def fill_springs(bodies, rows, scratch, numbers):
+    """Room (J) in the springs at each body, to works; what they hold beyond it is lost."""
+    works = scratch.works
+    works[:] = 0.0
+    for c in range(rows.count[0]):
+        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        held = spring_energy(rows, scratch.motion, c, numbers.contact_pull)
+        moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
+        if moves_a:
+            works[a, STORED] += 0.5 * held if moves_b else held
+        if moves_b:
+            works[b, STORED] += 0.5 * held if moves_a else held
+    total = 0.0
+    for i in range(works.shape[0]):
+        bodies.stored[i] = min(bodies.stored[i], works[i, STORED])
+        works[i, STORED] -= bodies.stored[i]
+        total += works[i, STORED]
+    return total
+
+
+@inner_kernel
+def give_back(bodies, scratch):
+    """Springs pay for what the energy of their group has risen, as far as they can."""
+    works, parents, stored = scratch.works, scratch.parents, bodies.stored
+    for i in range(stored.shape[0]):
+        if stored[i] > 0.0 and not scratch.excused[root_of(parents, i)] >> 2:
+            r = root_of(parents, i)
+            stored[i] -= stored[i] * max(0.0, min(1.0, works[r, GAIN] / works[r, STORED]))
+    for i in range(stored.shape[0]):
+        if parents[i] == i and works[i, STORED] > 0.0:
+            works[i, GAIN] -= min(works[i, STORED], max(0.0, works[i, GAIN]))
+
+
+@inner_kernel
+def hold_step(bodies, contacts, rows, scratch, numbers, violent):
+    """Take back what the energy of groups that have no source has risen in this step.
+
+    In a violent step springs take nothing in and give nothing back.
+    """
+    risen = rise(bodies, scratch, numbers.h)
+    if not violent and risen < 0.0:
+        room = fill_springs(bodies, rows, scratch, numbers)
+        if room > 0.0:
+            part = min(1.0, -risen / room)
+            for i in range(bodies.stored.shape[0]):
+                bodies.stored[i] += part * scratch.works[i, STORED]
+    if not risen > 0.0:
         return
+    if not violent:
+        fill_springs(bodies, rows, scratch, numbers)
     motion, pushed, works, parents = scratch.motion, scratch.pushed, scratch.works, scratch.parents
     group_by_contact(bodies, contacts, rows, scratch, numbers.slop)
     sum_groups(bodies, scratch, numbers.h)
+    if not violent:
+        give_back(bodies, scratch)
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] == 0.0:
             continue
         r = root_of(parents, i)
         if works[r, GAIN] <= works[r, NOISE] or scratch.excused[r] >> 2:
             continue
-        back, keep, stay = what_to_take_back(works, r)
-        motion[i, DX] = stay * (motion[i, DX] - back * pushed[i, 0])
-        motion[i, DY] = stay * (motion[i, DY] - back * pushed[i, 1])
+        back, down, keep, stay = what_to_take_back(works, r, LOWERED * numbers.slop)
+        pull = pull_of(scratch, i)
+        lower = down / pull if pull > 0.0 else 0.0
+        motion[i, DX] = stay * (motion[i, DX] - back * pushed[i, 0] + lower * scratch.accelerations[i, 0])
+        motion[i, DY] = stay * (motion[i, DY] - back * pushed[i, 1] + lower * scratch.accelerations[i, 1])
         motion[i, DA] = stay * (motion[i, DA] - back * pushed[i, 2])
         motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
         vx, vy, w = along(bodies, scratch.drifts, r, i)
