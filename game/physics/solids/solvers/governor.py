@@ -21,6 +21,7 @@ from game.physics.solids.solvers.impulses import gap_now
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.solvers.passive import EXCUSED, PUSHED
 from game.physics.solids.state import (
+    ASLEEP,
     DA,
     DC,
     DS,
@@ -101,12 +102,13 @@ def pull_of(scratch, i):
 
 @inner_kernel
 def rise(bodies, scratch, h):
-    """By how much the energy of all bodies has risen, beyond rounding, J."""
-    total = 0.0
+    """By how much the energy of all bodies has risen, and what is rounding of that, J."""
+    total, noise = 0.0, 0.0
     for i in range(scratch.motion.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
-            total += gain_of(bodies, scratch, i) - noise_of(bodies, scratch, h, i)
-    return total
+            total += gain_of(bodies, scratch, i)
+            noise += noise_of(bodies, scratch, h, i)
+    return total, noise
 
 
 @inner_kernel
@@ -232,9 +234,9 @@ def spring_energy(rows, motion, c, pull):
 
 
 @inner_kernel
-def fill_springs(bodies, rows, scratch, numbers):
-    """Room (J) in the springs at each body, to works; what they hold beyond it is lost."""
-    works = scratch.works
+def measure_springs(bodies, rows, scratch, numbers):
+    """Room (J) in the springs at each body, to works, and in all; what is stored beyond their energy is lost."""
+    works, stored, total = scratch.works, bodies.stored, 0.0
     works[:] = 0.0
     for c in range(rows.count[0]):
         a, b = rows.ends[c, END_A], rows.ends[c, END_B]
@@ -244,10 +246,12 @@ def fill_springs(bodies, rows, scratch, numbers):
             works[a, STORED] += 0.5 * held if moves_b else held
         if moves_b:
             works[b, STORED] += 0.5 * held if moves_a else held
-    total = 0.0
-    for i in range(works.shape[0]):
-        bodies.stored[i] = min(bodies.stored[i], works[i, STORED])
-        works[i, STORED] -= bodies.stored[i]
+    for i in range(stored.shape[0]):
+        if bodies.flags[i] & ASLEEP:  # its contacts are not looked at
+            works[i, STORED] = 0.0
+            continue
+        stored[i] = min(stored[i], works[i, STORED])
+        works[i, STORED] -= stored[i]
         total += works[i, STORED]
     return total
 
@@ -257,8 +261,8 @@ def give_back(bodies, scratch):
     """Springs pay for what the energy of their group has risen, as far as they can."""
     works, parents, stored = scratch.works, scratch.parents, bodies.stored
     for i in range(stored.shape[0]):
-        if stored[i] > 0.0 and not scratch.excused[root_of(parents, i)] >> 2:
-            r = root_of(parents, i)
+        r = root_of(parents, i)
+        if stored[i] > 0.0 and not scratch.excused[r] >> 2:
             stored[i] -= stored[i] * max(0.0, min(1.0, works[r, GAIN] / works[r, STORED]))
     for i in range(stored.shape[0]):
         if parents[i] == i and works[i, STORED] > 0.0:
@@ -266,27 +270,31 @@ def give_back(bodies, scratch):
 
 
 @inner_kernel
-def hold_step(bodies, contacts, rows, scratch, numbers, violent):
-    """Take back what the energy of groups that have no source has risen in this step.
+def weigh_sleepers(bodies, scratch, numbers):
+    """Gravity of what slept when the step began: it was not moved by that, but what touched it has moved it."""
+    for i in range(bodies.flags.shape[0]):
+        if bodies.flags[i] & ASLEEP:
+            scratch.accelerations[i, 0] = bodies.gravity_scales[i] * numbers.gravity_x
+            scratch.accelerations[i, 1] = bodies.gravity_scales[i] * numbers.gravity_y
 
-    In a violent step springs take nothing in and give nothing back.
-    """
-    risen = rise(bodies, scratch, numbers.h)
-    if not violent and risen < 0.0:
-        room = fill_springs(bodies, rows, scratch, numbers)
-        if room > 0.0:
-            part = min(1.0, -risen / room)
-            for i in range(bodies.stored.shape[0]):
-                bodies.stored[i] += part * scratch.works[i, STORED]
-    if not risen > 0.0:
+
+@inner_kernel
+def hold_step(bodies, contacts, rows, scratch, numbers):
+    """Take back what the energy of groups that have no source has risen in this step."""
+    weigh_sleepers(bodies, scratch, numbers)
+    risen, noise = rise(bodies, scratch, numbers.h)
+    if abs(risen) <= noise:
         return
-    if not violent:
-        fill_springs(bodies, rows, scratch, numbers)
+    room = measure_springs(bodies, rows, scratch, numbers)
+    if risen < 0.0:
+        part = min(1.0, -risen / room) if room > 0.0 else 0.0
+        for i in range(bodies.stored.shape[0]):
+            bodies.stored[i] += part * scratch.works[i, STORED]
+        return
     motion, pushed, works, parents = scratch.motion, scratch.pushed, scratch.works, scratch.parents
     group_by_contact(bodies, contacts, rows, scratch, numbers.slop)
     sum_groups(bodies, scratch, numbers.h)
-    if not violent:
-        give_back(bodies, scratch)
+    give_back(bodies, scratch)
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] == 0.0:
             continue

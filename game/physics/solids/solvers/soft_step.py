@@ -64,7 +64,7 @@ def _soft_step(joined: bool) -> Any:
         note_speeds(motion, scratch.speeds, FREE)
         if bounce_contacts(rows, motion, numbers) and violent:
             hold_energy(bodies, rows, scratch, numbers, True)
-        hold_step(bodies, contacts, rows, scratch, numbers, violent)
+        hold_step(bodies, contacts, rows, scratch, numbers)
 
     return solve_soft_step
 
