@@ -116,7 +116,7 @@ def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch
         colour_of=np.zeros(pairs, dtype=_INT),
         parents=np.zeros(bodies, dtype=_INT),
         speeds=np.zeros((bodies, 6)),
-        pushed=np.zeros((bodies, 3)),
+        going=np.zeros((bodies, 3)),
         works=np.zeros((bodies, WORKS_WIDTH)),
         drifts=np.zeros((bodies, DRIFTS_WIDTH)),
         excused=np.zeros(bodies, dtype=_INT),

@@ -164,7 +164,7 @@ class Scratch(NamedTuple):
     colour_of: Ints  # (p,)
     parents: Ints  # (n,)
     speeds: Floats  # (n, 6) m/s, m/s, rad/s: in a substep, after the forces; and with the push of overlap
-    pushed: Floats  # (n, 3) m, m, rad: what overlap that is driven apart has moved bodies since the step began
+    going: Floats  # (n, 3) m/s, m/s, rad/s: sum over the substeps of what bodies go on with, without push
     works: Floats  # (n, WORKS_WIDTH) J, of groups of bodies that touch
     drifts: Floats  # (n, DRIFTS_WIDTH) of these groups as if each were one rigid body
     excused: Ints  # (n,) 1: something else than contacts may give it energy

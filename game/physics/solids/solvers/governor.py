@@ -19,7 +19,7 @@ from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.islands import root_of, unite
 from game.physics.solids.solvers.impulses import gap_now
 from game.physics.solids.solvers.motion import cosine_sine
-from game.physics.solids.solvers.passive import EXCUSED, PUSHED
+from game.physics.solids.solvers.passive import EXCUSED
 from game.physics.solids.state import (
     ASLEEP,
     DA,
@@ -52,19 +52,25 @@ MASS, CENTRE_X, CENTRE_Y, PUSH_X, PUSH_Y, TURN, INERTIA, HELD = range(8)
 
 
 @inner_kernel
-def start_pushed(pushed):
-    """Nothing is driven apart yet."""
-    pushed[:] = 0.0
+def start_going(going):
+    """Nothing has gone anywhere yet."""
+    going[:] = 0.0
 
 
 @inner_kernel
-def note_pushed(scratch, h):
-    """Add what overlap alone has moved bodies in this substep: with the push they moved, without it they go on."""
-    motion, speeds, pushed = scratch.motion, scratch.speeds, scratch.pushed
+def note_going(motion, going):
+    """Add the velocities that bodies go on with when overlap has been driven apart."""
     for i in range(motion.shape[0]):
-        pushed[i, 0] += h * (speeds[i, PUSHED] - motion[i, VX])
-        pushed[i, 1] += h * (speeds[i, PUSHED + 1] - motion[i, VY])
-        pushed[i, 2] += h * (speeds[i, PUSHED + 2] - motion[i, W])
+        going[i, 0] += motion[i, VX]
+        going[i, 1] += motion[i, VY]
+        going[i, 2] += motion[i, W]
+
+
+@inner_kernel
+def pushed(scratch, h, i):
+    """What overlap alone has moved body i since the step began: the way less that of its own velocities."""
+    motion, going = scratch.motion, scratch.going
+    return motion[i, DX] - h * going[i, 0], motion[i, DY] - h * going[i, 1], motion[i, DA] - h * going[i, 2]
 
 
 @inner_kernel
@@ -171,7 +177,7 @@ def along(bodies, drifts, r, i):
 @inner_kernel
 def sum_groups(bodies, scratch, h):
     """Fill works and drifts of the groups."""
-    motion, pulls, pushed = scratch.motion, scratch.accelerations, scratch.pushed
+    motion, pulls = scratch.motion, scratch.accelerations
     works, drifts, parents = scratch.works, scratch.drifts, scratch.parents
     works[:] = 0.0
     for i in range(motion.shape[0]):
@@ -180,7 +186,8 @@ def sum_groups(bodies, scratch, h):
         r, m, inertia = root_of(parents, i), 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
         works[r, GAIN] += gain_of(bodies, scratch, i)
         works[r, NOISE] += noise_of(bodies, scratch, h, i)
-        works[r, LIFT] += raised(bodies, pulls, i, pushed[i, 0], pushed[i, 1], pushed[i, 2])
+        x, y, turn = pushed(scratch, h, i)
+        works[r, LIFT] += raised(bodies, pulls, i, x, y, turn)
         works[r, STORED] += bodies.stored[i]
         works[r, FORCE] += m * pull_of(scratch, i)
         works[r, HEIGHT] += raised(bodies, pulls, i, motion[i, DX], motion[i, DY], motion[i, DA])
@@ -258,15 +265,19 @@ def measure_springs(bodies, rows, scratch, numbers):
 
 @inner_kernel
 def give_back(bodies, scratch):
-    """Springs pay for what the energy of their group has risen, as far as they can."""
+    """Springs pay for what they lift, as far as they can and as far as motion lost has not paid for it."""
     works, parents, stored = scratch.works, scratch.parents, bodies.stored
+    for r in range(stored.shape[0]):
+        paid = min(works[r, STORED], works[r, HEIGHT], works[r, GAIN])
+        if parents[r] != r or paid <= 0.0 or scratch.excused[r] >> 2:
+            works[r, STORED] = 1.0
+            continue
+        works[r, GAIN] -= paid
+        works[r, LIFT] -= paid
+        works[r, HEIGHT] -= paid
+        works[r, STORED] = 1.0 - paid / works[r, STORED]  # from here on: the part that is left
     for i in range(stored.shape[0]):
-        r = root_of(parents, i)
-        if stored[i] > 0.0 and not scratch.excused[r] >> 2:
-            stored[i] -= stored[i] * max(0.0, min(1.0, works[r, GAIN] / works[r, STORED]))
-    for i in range(stored.shape[0]):
-        if parents[i] == i and works[i, STORED] > 0.0:
-            works[i, GAIN] -= min(works[i, STORED], max(0.0, works[i, GAIN]))
+        stored[i] *= works[root_of(parents, i), STORED]
 
 
 @inner_kernel
@@ -291,7 +302,7 @@ def hold_step(bodies, contacts, rows, scratch, numbers):
         for i in range(bodies.stored.shape[0]):
             bodies.stored[i] += part * scratch.works[i, STORED]
         return
-    motion, pushed, works, parents = scratch.motion, scratch.pushed, scratch.works, scratch.parents
+    motion, works, parents = scratch.motion, scratch.works, scratch.parents
     group_by_contact(bodies, contacts, rows, scratch, numbers.slop)
     sum_groups(bodies, scratch, numbers.h)
     give_back(bodies, scratch)
@@ -304,9 +315,10 @@ def hold_step(bodies, contacts, rows, scratch, numbers):
         back, down, keep, stay = what_to_take_back(works, r, LOWERED * numbers.slop)
         pull = pull_of(scratch, i)
         lower = down / pull if pull > 0.0 else 0.0
-        motion[i, DX] = stay * (motion[i, DX] - back * pushed[i, 0] + lower * scratch.accelerations[i, 0])
-        motion[i, DY] = stay * (motion[i, DY] - back * pushed[i, 1] + lower * scratch.accelerations[i, 1])
-        motion[i, DA] = stay * (motion[i, DA] - back * pushed[i, 2])
+        x, y, turn = pushed(scratch, numbers.h, i)
+        motion[i, DX] = stay * (motion[i, DX] - back * x + lower * scratch.accelerations[i, 0])
+        motion[i, DY] = stay * (motion[i, DY] - back * y + lower * scratch.accelerations[i, 1])
+        motion[i, DA] = stay * (motion[i, DA] - back * turn)
         motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
         vx, vy, w = along(bodies, scratch.drifts, r, i)
         motion[i, VX] = vx + keep * (motion[i, VX] - vx)

@@ -197,6 +197,4 @@ def hold_push(bodies, scratch, numbers):
             motion[i, DX] -= part * vx
             motion[i, DY] -= part * vy
             motion[i, DA] -= part * w
-            for k in range(PUSHED, PUSHED + 3):
-                speeds[i, k] *= 1.0 - excess / pushed
             motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])

@@ -14,7 +14,7 @@ from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
-from game.physics.solids.solvers.governor import hold_step, note_pushed, start_pushed
+from game.physics.solids.solvers.governor import hold_step, note_going, start_going
 from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs, start_warm, sweep_contacts
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.passive import (
@@ -37,7 +37,7 @@ def _soft_step(joined: bool) -> Any:
         if joined:
             soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
             prepare_joints(bodies, joints, soft, numbers)
-        start_pushed(scratch.pushed)
+        start_going(scratch.going)
         violent = excuse(bodies, rows, joints, scratch, numbers.dt)
         for _ in range(numbers.substeps):
             accelerate(scratch, numbers)
@@ -51,7 +51,8 @@ def _soft_step(joined: bool) -> Any:
                 if joined:
                     solve_joints(joints, scratch.plan, motion, True)
                 sweep_contacts(rows, motion, springs, True, False)
-            note_speeds(motion, scratch.speeds, PUSHED)
+            if violent:
+                note_speeds(motion, scratch.speeds, PUSHED)
             move(motion, numbers.h)
             for _ in range(numbers.iterations):
                 if joined:
@@ -60,7 +61,7 @@ def _soft_step(joined: bool) -> Any:
             if violent:
                 hold_energy(bodies, rows, scratch, numbers, False)
                 hold_push(bodies, scratch, numbers)
-            note_pushed(scratch, numbers.h)
+            note_going(motion, scratch.going)
         note_speeds(motion, scratch.speeds, FREE)
         if bounce_contacts(rows, motion, numbers) and violent:
             hold_energy(bodies, rows, scratch, numbers, True)
