@@ -1,14 +1,17 @@
-"""A step is passive: what bodies have of motion and height, less the work of forces, does not rise in it.
+"""A step is passive: the energy of what has no source does not rise in it.
 
-Two things of a step could raise it. Overlap that is driven apart lifts what lies on it, and no spring had
-taken that energy up: overlap comes from impacts. And friction, bounces and sweeps that are cut short leave a
-little more motion than there was. So where the energy of all bodies has risen, each group of bodies that touch
-takes back, first, as much of its lifting as it has not paid by motion lost; then motion, by scaling velocities
-against those of the group as one rigid body (against rest, where it touches what is fixed). To scale all of
-them alike keeps momentum, and keeps every contact: a speed of closing that is 0 stays 0.
+Two things could raise the energy of motion and of height. Overlap that is driven apart lifts what lies on
+it; and friction, bounces and sweeps that are cut short leave a little more motion than there was. The springs
+of soft contacts hold what sinking has paid into them: of what a step loses, each takes in no more than its
+energy k s²/2 at overlap s, and gives it back for lifting only. Where energy has risen beyond that, each group
+of bodies that touch takes back its lifting by overlap, then is lowered by a little, then slowed down:
+velocities shrink against those of the group as one rigid body, or against rest where it touches what is
+fixed. To scale all of them alike keeps momentum, and keeps every contact: a speed of closing that is 0 stays
+0.
 
-Not held are groups that have a source: joints, key-framed bodies that move, wind, and pairs that overlap by no
-motion of their own (marked GIVEN): born so, placed so, or pressed together. Those part as they always did.
+Not held are groups that have a source: joints, key-framed bodies that move, wind, and pairs that overlap by
+no motion of their own (marked GIVEN): born so, put so, or pressed together. Those part as fast as they are
+told.
 """
 
 from __future__ import annotations
@@ -47,7 +50,7 @@ from game.physics.solids.state import (
 NEXT_TO_NOTHING = 1e-6  # of the energy m (h g)²/2 that gravity gives in a substep: below that it is rounding
 LOWERED = 0.02  # of the slop: how far a group is lowered at most, before it is slowed down
 GAIN, LIFT, HEIGHT, FORCE, NOISE, MOTION, STORED = range(7)  # columns of Scratch.works, J; N
-# columns of Scratch.drifts: kg, kg m, kg m, N s, N s, N m s, kg m², and whether the group touches what is fixed
+# columns of Scratch.drifts: kg, kg m, kg m, N s, N s, N m s, kg m², and whether it touches what is fixed
 MASS, CENTRE_X, CENTRE_Y, PUSH_X, PUSH_Y, TURN, INERTIA, HELD = range(8)
 
 
@@ -74,9 +77,15 @@ def pushed(scratch, h, i):
 
 
 @inner_kernel
+def mass_of(bodies, i):
+    """Mass (kg) and inertia (kg m²) of a dynamic body."""
+    return 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+
+
+@inner_kernel
 def raised(bodies, pulls, i, x, y, turn):
     """Work against the forces on body i of moving it by x, y (m) and turning it (rad), J."""
-    m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+    m, inertia = mass_of(bodies, i)
     return -m * (pulls[i, 0] * x + pulls[i, 1] * y) - inertia * pulls[i, 2] * turn
 
 
@@ -84,7 +93,7 @@ def raised(bodies, pulls, i, x, y, turn):
 def gain_of(bodies, scratch, i):
     """By how much a body's energy of motion has risen in the step beyond the work of its forces, J."""
     motion = scratch.motion
-    m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+    m, inertia = mass_of(bodies, i)
     x, y, w = bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i]
     motions = (motion[i, VX] - x) * (motion[i, VX] + x) + (motion[i, VY] - y) * (motion[i, VY] + y)
     turns = (motion[i, W] - w) * (motion[i, W] + w)
@@ -157,7 +166,7 @@ def group_by_contact(bodies, contacts, rows, scratch, slop):
 
 @inner_kernel
 def drift_of(drifts, r):
-    """Velocity (m/s) and centre (m) of a group as one rigid body, and its spin (rad/s); 0 of one that is held."""
+    """Velocity (m/s), centre (m) and spin (rad/s) of a group as one rigid body; 0 of one that is held."""
     if drifts[r, HELD] > 0.0:
         return 0.0, 0.0, 0.0, 0.0, 0.0
     x, y = drifts[r, CENTRE_X] / drifts[r, MASS], drifts[r, CENTRE_Y] / drifts[r, MASS]
@@ -183,7 +192,7 @@ def sum_groups(bodies, scratch, h):
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] == 0.0:
             continue
-        r, m, inertia = root_of(parents, i), 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+        r, m, inertia = root_of(parents, i), *mass_of(bodies, i)
         works[r, GAIN] += gain_of(bodies, scratch, i)
         works[r, NOISE] += noise_of(bodies, scratch, h, i)
         x, y, turn = pushed(scratch, h, i)
@@ -202,7 +211,7 @@ def sum_groups(bodies, scratch, h):
         drifts[r, INERTIA] += m * (x * x + y * y) + inertia
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
-            r, m, inertia = root_of(parents, i), 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+            r, m, inertia = root_of(parents, i), *mass_of(bodies, i)
             vx, vy, w = along(bodies, drifts, r, i)
             vx, vy, w = motion[i, VX] - vx, motion[i, VY] - vy, motion[i, W] - w
             works[r, MOTION] += 0.5 * (m * (vx * vx + vy * vy) + inertia * w * w)
@@ -210,8 +219,8 @@ def sum_groups(bodies, scratch, h):
 
 @inner_kernel
 def what_to_take_back(works, r, most):
-    """Of a group: the part of its lifting, how far to lower it (m, at most ``most``), the factors of its motion
-    and of its ways, that make it passive, in this order.
+    """What makes a group passive: the part of its lifting that is taken back; how far it is lowered (m, at
+    most ``most``); the factors of its motion, and, where even that is not enough, of its ways.
     """
     gain, lift, motion = works[r, GAIN], works[r, LIFT], works[r, MOTION]
     back = min(1.0, gain / lift) if lift > 0.0 else 0.0
@@ -242,7 +251,7 @@ def spring_energy(rows, motion, c, pull):
 
 @inner_kernel
 def measure_springs(bodies, rows, scratch, numbers):
-    """Room (J) in the springs at each body, to works, and in all; what is stored beyond their energy is lost."""
+    """Room (J) in the springs at each body, to works, and in all; what they hold beyond it is lost."""
     works, stored, total = scratch.works, bodies.stored, 0.0
     works[:] = 0.0
     for c in range(rows.count[0]):
@@ -282,7 +291,7 @@ def give_back(bodies, scratch):
 
 @inner_kernel
 def weigh_sleepers(bodies, scratch, numbers):
-    """Gravity of what slept when the step began: it was not moved by that, but what touched it has moved it."""
+    """Gravity of what slept when the step began: not that has moved it, but what touched it."""
     for i in range(bodies.flags.shape[0]):
         if bodies.flags[i] & ASLEEP:
             scratch.accelerations[i, 0] = bodies.gravity_scales[i] * numbers.gravity_x
