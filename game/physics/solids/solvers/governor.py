@@ -192,7 +192,8 @@ def sum_groups(bodies, scratch, h):
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] == 0.0:
             continue
-        r, m, inertia = root_of(parents, i), *mass_of(bodies, i)
+        r = root_of(parents, i)
+        m, inertia = mass_of(bodies, i)
         works[r, GAIN] += gain_of(bodies, scratch, i)
         works[r, NOISE] += noise_of(bodies, scratch, h, i)
         x, y, turn = pushed(scratch, h, i)
@@ -211,7 +212,8 @@ def sum_groups(bodies, scratch, h):
         drifts[r, INERTIA] += m * (x * x + y * y) + inertia
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
-            r, m, inertia = root_of(parents, i), *mass_of(bodies, i)
+            r = root_of(parents, i)
+            m, inertia = mass_of(bodies, i)
             vx, vy, w = along(bodies, drifts, r, i)
             vx, vy, w = motion[i, VX] - vx, motion[i, VY] - vy, motion[i, W] - w
             works[r, MOTION] += 0.5 * (m * (vx * vx + vy * vy) + inertia * w * w)
