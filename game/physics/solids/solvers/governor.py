@@ -30,6 +30,7 @@ from game.physics.solids.state import (
     DS,
     DX,
     DY,
+    DYNAMIC,
     END_A,
     END_B,
     END_PAIR,
@@ -295,7 +296,7 @@ def give_back(bodies, scratch):
 def weigh_sleepers(bodies, scratch, numbers):
     """Gravity of what slept when the step began: not that has moved it, but what touched it."""
     for i in range(bodies.flags.shape[0]):
-        if bodies.flags[i] & ASLEEP:
+        if bodies.flags[i] & DYNAMIC and scratch.air[i, 2] == 0.0:
             scratch.accelerations[i, 0] = bodies.gravity_scales[i] * numbers.gravity_x
             scratch.accelerations[i, 1] = bodies.gravity_scales[i] * numbers.gravity_y
 

@@ -3,7 +3,8 @@ out.
 
 Catto 2023, "Solver2D". A substep: forces, last impulses again, one soft sweep, places, one sweep without
 push. Overlap is compliance, not error: it falls as 1/f² with the frequency f, a quarter of the substeps a
-second. Impacts bounce once, at the end of the step.
+second. Impacts bounce once, at the end of the step,
+which is then made passive (`governor`).
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
-from game.physics.solids.solvers.governor import hold_step, note_going, start_going
+from game.physics.solids.solvers.governor import note_going, start_going
 from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs, start_warm, sweep_contacts
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.passive import (
@@ -65,7 +66,6 @@ def _soft_step(joined: bool) -> Any:
         note_speeds(motion, scratch.speeds, FREE)
         if bounce_contacts(rows, motion, numbers) and violent:
             hold_energy(bodies, rows, scratch, numbers, True)
-        hold_step(bodies, contacts, rows, scratch, numbers)
 
     return solve_soft_step
 
