@@ -141,3 +141,12 @@ def test_the_energy_of_a_hit_sleeper_is_counted():
         now = world.energy().total
         assert now <= before + 1e-9 * first
         before = now
+
+
+def test_springs_are_empty_under_another_solver():
+    world, _ = floor_world(effects=AWAKE)
+    column(world, 4)
+    run(world, 1.0)
+    assert world.energy().elastic > 0.0
+    world.set(solver="sequential-impulses")
+    assert world.energy().elastic == 0.0
