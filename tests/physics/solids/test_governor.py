@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from game.physics.solids import Material, SolidSettings, SolidWorld, box
+from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
 from game.physics.solids.effects import SLEEP, USUAL
 from tests.physics.solids.setups import G, floor_world, run
 
@@ -150,3 +150,19 @@ def test_springs_are_empty_under_another_solver():
     assert world.energy().elastic > 0.0
     world.set(solver="sequential-impulses")
     assert world.energy().elastic == 0.0
+
+
+@pytest.mark.parametrize("torque", [-3.0, 3.0])
+def test_a_torque_is_a_source(torque):
+    """A wheel that is driven rolls off as it must; what the torque does is no gain of the contact's."""
+    world, _ = floor_world(Material(friction=1.0), effects=AWAKE, substeps=12)
+    wheel = world.add_body(Disc(0.5, material=Material(friction=1.0)), (0.0, 0.5))
+    run(world, 0.5)
+    for _ in range(60):
+        world.add_force(wheel, (0.0, 0.0), torque)
+        world.step(FRAME)
+    mass, inertia = 1.0 / world.bodies.inverse_masses[wheel], 1.0 / world.bodies.inverse_inertias[wheel]
+    assert world.bodies.velocities[wheel, 0] == pytest.approx(
+        -torque / (mass * 0.5 + inertia / 0.5), rel=1e-3
+    )
+    assert world.bodies.spins[wheel] == pytest.approx(-world.bodies.velocities[wheel, 0] / 0.5, rel=1e-3)
