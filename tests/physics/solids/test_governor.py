@@ -3,12 +3,26 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
+import numba
 import numpy as np
 import pytest
 
 from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
 from game.physics.solids.effects import SLEEP, USUAL
+from game.physics.solids.solvers.governor import (
+    FORCE,
+    GAIN,
+    HEIGHT,
+    LIFT,
+    MOTION,
+    STORED,
+    give_back,
+    what_to_take_back,
+)
+from game.physics.solids.solvers.passive import EXCUSED
+from game.physics.solids.state import WORKS_WIDTH
 from tests.physics.solids.setups import G, floor_world, run
 
 FRAME = 1.0 / 60.0
@@ -166,3 +180,70 @@ def test_a_torque_is_a_source(torque):
         -torque / (mass * 0.5 + inertia / 0.5), rel=1e-3
     )
     assert world.bodies.spins[wheel] == pytest.approx(-world.bodies.velocities[wheel, 0] / 0.5, rel=1e-3)
+
+
+def taken_back(gain, lift=0.0, height=0.0, force=0.0, motion=0.0, most=0.0):
+    """`what_to_take_back` of a group, and what is left of its gain when all of that is done, J."""
+    works = np.zeros((1, WORKS_WIDTH))
+    works[0, [GAIN, LIFT, HEIGHT, FORCE, MOTION]] = gain, lift, height, force, motion
+    back, down, keep, stay = _taken_back(works, most)
+    left = gain - back * lift - down * force - motion * (1.0 - keep * keep)
+    return (back, down, keep, stay), left - (1.0 - stay) * (height - back * lift - down * force)
+
+
+@numba.njit
+def _taken_back(works, most):
+    return what_to_take_back(works, 0, most)
+
+
+@pytest.mark.parametrize(
+    ("group", "expected"),
+    [
+        ({"gain": 1.0, "lift": 4.0, "height": 4.0, "motion": 9.0}, (0.25, 0.0, 1.0, 1.0)),
+        ({"gain": 3.0, "lift": 1.0, "height": 1.0, "motion": 4.0}, (1.0, 0.0, math.sqrt(0.5), 1.0)),
+        ({"gain": 1.0, "height": 5.0, "force": 10.0, "most": 1.0, "motion": 4.0}, (0.0, 0.1, 1.0, 1.0)),
+        ({"gain": 1.0, "height": 0.2, "force": 10.0, "most": 1.0, "motion": 0.8}, (0.0, 0.02, 0.0, 1.0)),
+        ({"gain": 1.0, "height": 5.0, "force": 10.0, "most": 0.05, "motion": 2.0}, (0.0, 0.05, 0.75**0.5, 1.0)),
+        ({"gain": 5.0, "lift": 1.0, "height": 5.0, "motion": 2.0}, (1.0, 0.0, 0.0, 0.5)),
+        ({"gain": 1.0, "lift": -1.0, "motion": 2.0}, (0.0, 0.0, math.sqrt(0.5), 1.0)),
+    ],
+)  # fmt: skip
+def test_as_much_is_taken_back_as_was_gained_and_no_more(group, expected):
+    """Lifting first, then a little height, then motion, then ways."""
+    found, left = taken_back(**group)
+    assert found == pytest.approx(expected, abs=1e-15)
+    assert left == pytest.approx(0.0, abs=1e-15)
+
+
+class Stores(NamedTuple):
+    """What `give_back` reads and writes of bodies."""
+
+    stored: np.ndarray
+
+
+class Groups(NamedTuple):
+    """And of scratch memory."""
+
+    works: np.ndarray
+    parents: np.ndarray
+    excused: np.ndarray
+
+
+@numba.njit
+def _give_back(bodies, scratch):
+    give_back(bodies, scratch)
+
+
+def test_springs_pay_for_lifting_only_and_of_their_own_group():
+    """Groups of bodies 0 and 1, of 2, of 3 (which has a source)."""
+    bodies = Stores(np.array([3.0, 1.0, 5.0, 7.0]))
+    works = np.zeros((4, WORKS_WIDTH))
+    works[0, [GAIN, LIFT, HEIGHT, STORED]] = 2.0, 1.5, 1.0, 4.0
+    works[2, [GAIN, LIFT, HEIGHT, STORED]] = 0.5, 0.0, 3.0, 5.0
+    works[3, [GAIN, LIFT, HEIGHT, STORED]] = 2.0, 2.0, 2.0, 7.0
+    scratch = Groups(works, np.array([0, 0, 2, 3]), np.array([0, 0, 0, EXCUSED << 2]))
+    _give_back(bodies, scratch)
+    assert bodies.stored.tolist() == [2.25, 0.75, 4.5, 7.0]
+    assert works[0, [GAIN, LIFT, HEIGHT]].tolist() == [1.0, 0.5, 0.0]
+    assert works[2, [GAIN, HEIGHT]].tolist() == [0.0, 2.5]
+    assert works[3, [GAIN, LIFT, HEIGHT]].tolist() == [2.0, 2.0, 2.0]
