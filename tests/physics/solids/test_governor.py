@@ -15,14 +15,18 @@ from game.physics.solids.solvers.governor import (
     FORCE,
     GAIN,
     HEIGHT,
+    HELD,
     LIFT,
     MOTION,
     STORED,
+    along,
     give_back,
+    group_by_contact,
+    sum_groups,
     what_to_take_back,
 )
 from game.physics.solids.solvers.passive import EXCUSED
-from game.physics.solids.state import WORKS_WIDTH
+from game.physics.solids.state import VX, VY, WORKS_WIDTH, W
 from tests.physics.solids.setups import G, floor_world, run
 
 FRAME = 1.0 / 60.0
@@ -203,7 +207,7 @@ def _taken_back(works, most):
         ({"gain": 3.0, "lift": 1.0, "height": 1.0, "motion": 4.0}, (1.0, 0.0, math.sqrt(0.5), 1.0)),
         ({"gain": 1.0, "height": 5.0, "force": 10.0, "most": 1.0, "motion": 4.0}, (0.0, 0.1, 1.0, 1.0)),
         ({"gain": 1.0, "height": 0.2, "force": 10.0, "most": 1.0, "motion": 0.8}, (0.0, 0.02, 0.0, 1.0)),
-        ({"gain": 1.0, "height": 5.0, "force": 10.0, "most": 0.05, "motion": 2.0}, (0.0, 0.05, 0.75**0.5, 1.0)),
+        ({"gain": 1.0, "height": 5.0, "force": 10.0, "most": 0.05, "motion": 2.0}, (0, 0.05, 0.75**0.5, 1)),
         ({"gain": 5.0, "lift": 1.0, "height": 5.0, "motion": 2.0}, (1.0, 0.0, 0.0, 0.5)),
         ({"gain": 1.0, "lift": -1.0, "motion": 2.0}, (0.0, 0.0, math.sqrt(0.5), 1.0)),
     ],
@@ -247,3 +251,42 @@ def test_springs_pay_for_lifting_only_and_of_their_own_group():
     assert works[0, [GAIN, LIFT, HEIGHT]].tolist() == [1.0, 0.5, 0.0]
     assert works[2, [GAIN, HEIGHT]].tolist() == [0.0, 2.5]
     assert works[3, [GAIN, LIFT, HEIGHT]].tolist() == [2.0, 2.0, 2.0]
+
+
+@numba.njit
+def _grouped(bodies, contacts, rows, scratch, h):
+    group_by_contact(bodies, contacts, rows, scratch)
+    sum_groups(bodies, scratch, h)
+
+
+@numba.njit
+def _along(bodies, drifts, group, body):
+    return along(bodies, drifts, group, body)
+
+
+def test_groups_are_told_from_each_other_and_move_as_one_body_if_nothing_holds_them():
+    """Two that lie on each other on the ground, two that touch in the air, one alone; all turn about a point."""
+    world, floor = floor_world(effects=AWAKE)
+    ground = column(world, 2)
+    air = [world.add_body(box(1.0, 1.0), (6.0 + k, 9.9 + 0.1 * k)) for k in (0.0, 1.0)]
+    lone = world.add_body(box(1.0, 1.0), (12.0, 9.0))
+    world.step(FRAME)
+    rows, scratch = world.bodies, world._scratch
+    spin, drift = 0.7, np.array([3.0, -2.0])
+    for body in (*ground, *air, lone):
+        x, y = rows.positions[body]
+        scratch.motion[body, [VX, VY, W]] = drift[0] - spin * y, drift[1] + spin * x, spin
+    _grouped(rows, world._contacts, world._rows, scratch, FRAME / 4)
+    parents, drifts, works = scratch.parents, scratch.drifts, scratch.works
+    assert parents[ground].tolist() == [ground[0]] * 2
+    assert parents[air].tolist() == [air[0]] * 2
+    assert parents[lone] == lone
+    assert drifts[[ground[0], air[0], lone], HELD].tolist() == [1.0, 0.0, 0.0]
+    for body in (*air, lone):
+        assert _along(rows, drifts, parents[body], body) == pytest.approx(scratch.motion[body, [VX, VY, W]])
+    assert works[[air[0], lone], MOTION] == pytest.approx(0.0, abs=1e-12)
+    assert _along(rows, drifts, ground[0], ground[1]) == (0.0, 0.0, 0.0)
+    speeds = scratch.motion[ground][:, [VX, VY]]
+    assert works[ground[0], MOTION] == pytest.approx(0.5 * (speeds**2).sum() + spin**2 / 6.0)
+    weight = 2.0 * G
+    assert works[[ground[0], air[0], lone], FORCE] == pytest.approx([weight, weight, 0.5 * weight])
