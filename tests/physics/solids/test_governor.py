@@ -26,7 +26,7 @@ from game.physics.solids.solvers.governor import (
     what_to_take_back,
 )
 from game.physics.solids.solvers.passive import EXCUSED
-from game.physics.solids.state import VX, VY, WORKS_WIDTH, W
+from game.physics.solids.state import ASLEEP, VX, VY, WORKS_WIDTH, W
 from tests.physics.solids.setups import G, floor_world, run
 
 FRAME = 1.0 / 60.0
@@ -148,17 +148,22 @@ def test_a_box_that_slides_over_bodies_keeps_its_speed():
 
 
 def test_the_energy_of_a_hit_sleeper_is_counted():
-    """What is woken in a step is moved in it, though gravity did not move it."""
-    world, _ = floor_world()
-    column(world, 3)
-    run(world, 3.0)
-    world.add_body(box(0.4, 0.4, material=Material(density=5.0)), (-3.0, 1.2), 0.3, velocity=(14.0, 0.0))
+    """What is woken in a step by a ball from below is lifted in it, though gravity did not move it."""
+    springy = Material(restitution=1.0, friction=0.0)
+    world, _ = floor_world(springy)
+    for place in (-1.5, 1.5):
+        world.add_body(box(0.5, 2.0, material=springy), (place, 1.0), kind="fixed")
+    sleeper = world.add_body(box(3.5, 0.2, material=springy), (0.0, 2.1))
+    run(world, 2.0)
+    assert world.bodies.flags[sleeper] & ASLEEP
+    world.add_body(Disc(0.2, material=springy), (0.0, 0.5), velocity=(0.0, 9.0))
     first = before = world.energy().total
-    for _ in range(150):
+    for _ in range(30):
         world.step(FRAME)
         now = world.energy().total
         assert now <= before + 1e-9 * first
         before = now
+    assert world.bodies.positions[sleeper, 1] > 2.15
 
 
 def test_springs_are_empty_under_another_solver():
