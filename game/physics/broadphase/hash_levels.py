@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.grid_search import ID_MASK
+from game.physics.broadphase.runs import UNSIGNED, copy_boxes
 from game.physics.kernels.jit import kernel
 
 LEVELS = 64
@@ -210,7 +210,7 @@ def sort_by_bucket(store, placed, ordered):
     """
     boxes, _, top = store
     levels, layout, buckets, start = placed
-    order, sorted_boxes = ordered
+    order = ordered.order
     total = 0
     for level in range(LEVELS):
         if layout[level, COUNT] == 0:
@@ -229,15 +229,10 @@ def sort_by_bucket(store, placed, ordered):
         if levels[box] >= 0:
             place = start[buckets[box]] - 1
             start[buckets[box]] = place
-            order[place] = (int(buckets[box]) << 32) | box
+            order[UNSIGNED(place)] = (int(buckets[box]) << 32) | box
     for level in range(LEVELS):
         if layout[level, COUNT] > 0:
             after = layout[level, OFFSET] + layout[level, MASK] + 1
             for i in range(start[after + 2] - start[after]):
                 order[start[after] + i] = order[start[layout[level, OFFSET]] + i]
-    for place in range(total):
-        box = order[place] & ID_MASK
-        sorted_boxes[place, 0] = boxes[box, 0]
-        sorted_boxes[place, 1] = boxes[box, 1]
-        sorted_boxes[place, 2] = boxes[box, 2]
-        sorted_boxes[place, 3] = boxes[box, 3]
+    copy_boxes(boxes, ordered, total)
