@@ -92,11 +92,11 @@ def sort_by_cell(store, cells, start, ordered):
         total += start[cell]
         start[cell] = total
     for box in range(top - 1, -1, -1):
-        cell = cells[box]
-        if cell >= 0:
+        if cells[box] >= 0:
+            cell = UNSIGNED(cells[box])
             place = start[cell] - 1
             start[cell] = place
-            order[UNSIGNED(place)] = (int(cell) << 32) | box
+            order[UNSIGNED(place)] = (int(cells[box]) << 32) | box
     copy_boxes(boxes, ordered, total)
     return total
 
