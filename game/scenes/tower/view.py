@@ -33,6 +33,7 @@ from game.scenes.tower.tables import (
     Floats,
 )
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
+from game.ui.canvas.standing import Standing
 
 Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
@@ -78,6 +79,7 @@ class TowerView:
 
     def __init__(self, model: TowerModel):
         self.model = model
+        self._standing = Standing()
         random = np.random.default_rng(3)
         self._towns = [_town(random, scale) for _, scale in BEHIND]
 
@@ -90,7 +92,7 @@ class TowerView:
     def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         hour = hour_of(canvas)
-        self._sky(canvas, hour)
+        self._standing.draw(canvas, self._paint_behind)
         self._facade(canvas, hour)
         self._bodies(canvas, hour, previous, alpha)
         if self.model.parameters.dust:
@@ -100,7 +102,9 @@ class TowerView:
 
     # -- behind ---------------------------------------------------------------------------------------
 
-    def _sky(self, canvas: Canvas, hour: Hour) -> None:
+    def _paint_behind(self, canvas: Canvas) -> None:
+        """Sky, sun, two rows of a town, and the ground."""
+        hour = hour_of(canvas)
         seen = canvas.camera.visible()
         rows = np.array([[0.0], [0.35], [1.0]])
         stops = [(0.0, _color(hour.sky[2])), (0.4, _color(hour.sky[1])), (1.0, _color(hour.sky[0]))]
