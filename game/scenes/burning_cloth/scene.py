@@ -25,6 +25,7 @@ from game.scenes.burning_cloth.targets import story_targets
 from game.scenes.burning_cloth.view import BurningClothView
 from game.scenes.burning_cloth.yard import warm_up_yard
 from game.scenes.shared.backdrops import warm_up_backdrop
+from game.scenes.shared.flames_seen import warm_up_gas
 from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
@@ -106,6 +107,7 @@ class BurningCloth(BuiltScene):
             WarmUp("polygons", warm_up_painter),
             WarmUp("cloth", warm_up_sheet),
             WarmUp("backdrop", warm_up_backdrop),
+            WarmUp("gas", warm_up_gas),
             WarmUp("yard", warm_up_yard),
         )
 

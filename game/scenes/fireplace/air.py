@@ -28,7 +28,7 @@ from game.scenes.fireplace.tables import (
     THROAT,
     WALL,
 )
-from game.scenes.shared.flames_seen import FlameLook, flame_height, paint_veil
+from game.scenes.shared.flames_seen import FlameLook, flame_height, see_gas
 from game.stage import Part
 
 Floats = NDArray[np.float64]
@@ -296,7 +296,7 @@ class Air(Part):
     def veil(self) -> NDArray[np.float32]:
         """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
         cells = self.gas.scalars
-        paint_veil(LOOK, cells[..., 0], cells[..., 3], self._edge, self._veil)
+        see_gas(LOOK, cells[..., 0], cells[..., 3], self._edge, self._veil)
         return self._veil
 
     def flame_height(self) -> float:

@@ -24,6 +24,7 @@ from game.scenes.fireplace.sounds import hearing_of
 from game.scenes.fireplace.targets import story_targets
 from game.scenes.fireplace.view import FireplaceView
 from game.scenes.shared.backdrops import warm_up_backdrop
+from game.scenes.shared.flames_seen import warm_up_gas
 from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
@@ -98,6 +99,7 @@ class Fireplace(BuiltScene):
             WarmUp("step", lambda: cls(parameters={"tier": "own", "cells": 16}).advance(cls.dt)),
             WarmUp("polygons", warm_up_painter),
             WarmUp("backdrop", warm_up_backdrop),
+            WarmUp("gas", warm_up_gas),
             WarmUp("room", warm_up_room),
         )
 

@@ -196,4 +196,5 @@ class Fountain(ModelScene):
         if content.zoom is not None:
             self.view.draw_inset(canvas, content.zoom, self.previous, alpha)
         top = (0.5 * (content.view.left + content.view.right), content.view.top)
-        draw_captions(canvas, top, captions_of(content.expected, self.readouts()), self.repeat.left)
+        captions = captions_of(content.expected, self.readouts()) if content.expected else []
+        draw_captions(canvas, top, captions, self.repeat.left)

@@ -185,8 +185,9 @@ class KeyFraming(ModelScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
         motion = self.model.motion
-        top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
-        draw_captions(canvas, top, captions_of(motion.expected, self.readouts()))
+        if motion.expected:
+            top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
+            draw_captions(canvas, top, captions_of(motion.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -108,6 +108,8 @@ class BuiltScene(ModelScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
-        frame = self.frame()
-        top = (0.5 * (frame.left + frame.right), frame.top)
-        draw_captions(canvas, top, captions_of(self.model.content.expected, self.readouts()))
+        expected = self.model.content.expected
+        if expected:
+            frame = self.frame()
+            top = (0.5 * (frame.left + frame.right), frame.top)
+            draw_captions(canvas, top, captions_of(expected, self.readouts()))

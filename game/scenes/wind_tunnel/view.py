@@ -7,12 +7,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.scenes.wind_tunnel.chart import draw_curves, draw_polar
-from game.scenes.wind_tunnel.falling import draw_flights
+from game.scenes.wind_tunnel.chart import draw_curves, draw_now, draw_polar
+from game.scenes.wind_tunnel.falling import draw_flights, draw_shaft
 from game.scenes.wind_tunnel.hand import WindTunnelHand
 from game.scenes.wind_tunnel.layout import Layout, layout_of
 from game.scenes.wind_tunnel.model import WindTunnelModel, WindTunnelState
 from game.ui.canvas.canvas import Canvas
+from game.ui.canvas.standing import Standing
 
 Floats = NDArray[np.float64]
 SPEED = ((0.0, "violet"), (0.28, "stage"), (0.6, "stage"), (0.8, "body"), (1.0, "chalk"))
@@ -31,6 +32,7 @@ class WindTunnelView:
 
     def __init__(self, model: WindTunnelModel, hand: WindTunnelHand):
         self.model, self.hand = model, hand
+        self._standing = Standing()
 
     def layout(self) -> Layout:
         """Where all stands."""
@@ -39,7 +41,9 @@ class WindTunnelView:
     def draw(self, canvas: Canvas, previous: WindTunnelState | None, alpha: float) -> None:
         """All of it; flights ``alpha`` of the way from the state before to now."""
         place = self.layout()
-        tunnel = place.tunnel
+        tunnel, chosen = place.tunnel, self.model.parameters
+        measured = (self.model.sweep.table.tobytes(), chosen.measure, int(chosen.order))
+        self._standing.draw(canvas, self._paint_charts, place, *measured)
         with canvas.within((tunnel.left, tunnel.bottom), (tunnel.right, tunnel.top)):
             self._draw_air(canvas, place)
             if self.model.parameters.streaks:
@@ -47,12 +51,19 @@ class WindTunnelView:
             self._draw_shape(canvas)
         self._draw_walls(canvas, place)
         self._draw_state(canvas, place)
-        draw_curves(canvas, self.model, place.curves)
-        draw_polar(canvas, self.model, place.polar)
+        draw_now(canvas, self.model, place.curves, place.polar)
         before = previous.flights if previous is not None else None
         draw_flights(canvas, self.model, place.flights, before, alpha)
         if len(self.hand.path) > 1:
             canvas.polyline(np.array(self.hand.path), "amber", 2.4)
+
+    def _paint_charts(self, canvas: Canvas) -> None:
+        """The ground of all, and the charts, which change only when an angle has been measured."""
+        place = self.layout()
+        canvas.fill()
+        draw_curves(canvas, self.model, place.curves)
+        draw_polar(canvas, self.model, place.polar)
+        draw_shaft(canvas, place.flights)
 
     def _draw_air(self, canvas: Canvas, place: Layout) -> None:
         tunnel, view = self.model.tunnel, self.model.parameters.view
