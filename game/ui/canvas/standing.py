@@ -23,12 +23,12 @@ class Standing:
     def draw(self, canvas: Canvas, paint: Callable[[Canvas], object], *depends: Hashable) -> None:
         """Let ``paint`` cover the whole canvas, or lay what it has painted before.
 
-        depends: all that the picture is made of beside the view, the theme and the size.
+        depends: all that the picture is made of beside the view, the look and the size.
         """
         pixels, clip = canvas.raster_target
         left, top, right, bottom = (int(value) for value in clip)
-        key = (canvas.camera.affine(), canvas.rect.size, (left, top, right, bottom), canvas.theme.name,
-               canvas.k, canvas.words, *depends)  # fmt: skip
+        key = (canvas.camera.affine(), canvas.rect.size, (left, top, right, bottom), canvas.look,
+               canvas.words, canvas.teaching, *depends)  # fmt: skip
         if key == self._key and self._picture is not None:
             pixels[top:bottom, left:right] = self._picture
             return

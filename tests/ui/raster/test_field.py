@@ -38,6 +38,19 @@ def test_each_pixel_has_the_colour_of_the_value_between_the_cells():
         assert (surface.get_at_mapped((x, y)) & 0xFFFFFF) in near
 
 
+def test_its_room_may_be_wider_than_it_needs():
+    values, box = np.random.default_rng(5).uniform(-0.2, 1.2, (6, 9)), np.array((5.3, 4.1, 58.7, 43.2))
+    surface = pygame.Surface((64, 48), 0, 32)
+    surface.fill((7, 8, 9))
+    wide = field_room(40, 300)
+    for part in wide:
+        part[:] = 77
+    paint_field(
+        pixels_of(surface), clip_of(surface), values.astype(np.float32), box, TABLE, wide, 1.0
+    )  # fmt: skip
+    assert (pixels_of(surface) == pixels_of(painted(values, tuple(box)))).all()
+
+
 def test_nothing_outside_its_box_and_the_clip():
     surface = pygame.Surface((40, 30), 0, 32)
     surface.fill((7, 8, 9))
