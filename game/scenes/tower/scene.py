@@ -142,4 +142,4 @@ class Tower(BuiltScene):
         return story_targets(self.model)
 
     def hearing(self) -> Hearing:
-        return hearing_of(self.model)
+        return hearing_of(self.model.heard, self.model.time)

@@ -14,6 +14,7 @@ from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.shared.touching import contact_places
 from game.scenes.tower.building import floor_height, half_width
 from game.scenes.tower.effects import AIR
+from game.scenes.tower.measures import fall_of, front_of
 from game.scenes.tower.model import ModelState, TowerModel
 from game.scenes.tower.tables import (
     AGE,
@@ -261,9 +262,9 @@ class TowerView:
         for k in struck.tolist():
             y = floor_height(model.content, k + 1)
             canvas.line((half, y), (half + 1.5, y), "amber", 1.6)
-        x, y = model.front()
+        x, y = front_of(model)
         canvas.line((x - half, y), (x + half, y), "vermilion", 1.4, dash=EXACT_DASH)
-        took, law, _ = model.fall()
+        took, law, _ = fall_of(model)
         if math.isfinite(took):
             words = canvas.figure("fall", f"{took:.2f} s, law {law:.2f} s")
             canvas.label((half, y), words, "vermilion", 13, "semibold", "left", (8.0, 0.0), clear=True)

@@ -24,8 +24,8 @@ def test_each_pixel_is_its_colour_and_the_light_there():
     down, across = rng.uniform(0.0, 1.0, 13).astype(np.float32), rng.uniform(0.0, 1.0, 21).astype(np.float32)
     pixels = np.zeros((20, 40), np.uint32)
     work = np.zeros(6, np.float32), np.zeros(21, np.float32)
-    paint_yard(pixels, np.array((9, 3, 30, 16), np.int64), colors, takes, light, (rows, down, columns, across),
-               GAIN, work)  # fmt: skip
+    paint_yard(pixels, np.array((9, 3, 30, 16), np.int64), colors, takes, light,
+               (rows, down, columns, across), GAIN, work)  # fmt: skip
     for y in range(13):
         lines = light[rows[y]] + down[y] * (light[rows[y] + 1] - light[rows[y]])
         near = lines[columns] + across * (lines[columns + 1] - lines[columns])
