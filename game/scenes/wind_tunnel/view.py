@@ -139,6 +139,7 @@ class WindTunnelView:
         if model.sweep.running:
             words += f"   {int(model.sweep.at[0]) + 1} of {len(model.sweep.table)}"
         corner = (tunnel.right, tunnel.top)
+        _draw_plate(canvas, corner, words, 13, "semibold", -1.0)
         canvas.label(corner, words, "text1", 13, "semibold", anchor="topright", offset=(-8.0, 8.0))
         share = model.average.progress
         settle = model.average.settle / max(model.average.settle + model.average.window, 1e-12)
@@ -152,4 +153,19 @@ class WindTunnelView:
         if WORDS[model.parameters.view]:
             words = f"{model.parameters.view}: {WORDS[model.parameters.view]}"
             low = (tunnel.right, tunnel.bottom)
+            _draw_plate(canvas, low, words, 11, "medium", 1.0)
             canvas.label(low, words, "text2", 11, anchor="bottomright", offset=(-8.0, -6.0))
+
+
+def _draw_plate(
+    canvas: Canvas, corner: tuple[float, float], words: str, size: int, weight: str, side: float
+) -> None:  # fmt: skip
+    """Ground behind words in a corner of the tunnel, above it (side 1) or below, so that no smoke is read
+    with them.
+    """
+    wide, tall = (canvas.px(value / canvas.k) for value in canvas.fonts.size(words, size, weight))
+    gap, rim = canvas.px(8.0), canvas.px(4.0)
+    right, near = corner[0] - gap + rim, corner[1] + side * (gap - rim)
+    left, far = corner[0] - gap - wide - rim, corner[1] + side * (gap + tall + 0.5 * rim)
+    box = np.array([(left, near), (right, near), (right, far), (left, far)])
+    canvas.polygon(box, fill="stage", fill_alpha=0.86)
