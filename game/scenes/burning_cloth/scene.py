@@ -16,7 +16,7 @@ from game.scenes.burning_cloth.figure import draw_front
 from game.scenes.burning_cloth.hand import BurningClothHand
 from game.scenes.burning_cloth.level import DEFAULT, BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
-from game.scenes.burning_cloth.parameters import OF_PICTURE, OF_TOOLS, BurningClothParameters
+from game.scenes.burning_cloth.parameters import OF_PICTURE, BurningClothParameters
 from game.scenes.burning_cloth.readouts import readouts_of
 from game.scenes.burning_cloth.saving import content_of
 from game.scenes.burning_cloth.sheet_painter import warm_up_sheet
@@ -58,6 +58,8 @@ class BurningCloth(BuiltScene):
     hand: BurningClothHand
     effects = ADVECTION | PRESSURE | BUOYANCY | FLAMES | SOOT_LOSS | HEAT.known | CLOTH.known
     content_type = BurningClothContent
+    not_of_model = OF_PICTURE
+    of_tier = ("meshes",)
     default_content = DEFAULT
     study = front_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
@@ -120,18 +122,13 @@ class BurningCloth(BuiltScene):
         self.view = BurningClothView(self.model, self.hand)
         self.check_content(content)
 
-    def parameter_changed(self, name: str) -> None:
-        if name in OF_TOOLS:
-            self.hand.let_go()
-        elif name not in OF_PICTURE:
-            self.model.change_parameter(name)
+    def tool_changed(self) -> None:
+        self.hand.let_go()
 
     def why_idle(self, name: str) -> str:
-        if name == "meshes" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
         if name == "word" and self.model.content.words is not None:
             return "The level says what is written."
-        return ""
+        return super().why_idle(name)
 
     def save_content(self) -> BurningClothContent:
         return content_of(self.model)

@@ -16,7 +16,7 @@ from game.scenes.fireplace.figure import draw_ember
 from game.scenes.fireplace.hand import FireplaceHand
 from game.scenes.fireplace.level import DEFAULT, FireplaceContent
 from game.scenes.fireplace.model import FireplaceModel
-from game.scenes.fireplace.parameters import OF_PICTURE, OF_TOOLS, FireplaceParameters
+from game.scenes.fireplace.parameters import OF_PICTURE, FireplaceParameters
 from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
 from game.scenes.fireplace.saving import content_of
@@ -54,6 +54,8 @@ class Fireplace(BuiltScene):
     hand: FireplaceHand
     effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS
     content_type = FireplaceContent
+    not_of_model = OF_PICTURE
+    of_tier = ("cells",)
     default_content = DEFAULT
     study = conduction_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
@@ -112,16 +114,8 @@ class Fireplace(BuiltScene):
         self.view = FireplaceView(self.model, self.hand)
         self.check_content(content)
 
-    def parameter_changed(self, name: str) -> None:
-        if name in OF_TOOLS:
-            self.hand.let_go()
-        elif name not in OF_PICTURE:
-            self.model.change_parameter(name)
-
-    def why_idle(self, name: str) -> str:
-        if name == "cells" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
-        return ""
+    def tool_changed(self) -> None:
+        self.hand.let_go()
 
     def save_content(self) -> FireplaceContent:
         return content_of(self.model)
