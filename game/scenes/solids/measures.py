@@ -64,7 +64,7 @@ def energies(world: SolidWorld) -> Energies:
 
 
 def _elastic(world: SolidWorld) -> float:
-    """Of springs that join, J: half of k times the squared excess; k by their frequency on the masses they join."""
+    """Of joints, J: half of k times the squared excess; k by their frequency on the masses they join."""
     rows, total = world.joints, 0.0
     soft = ((rows.kinds == DISTANCE) | (rows.kinds == SPRING)) & (rows.flags & BROKEN == 0)
     for k in np.flatnonzero(soft & (rows.parameters[:, HERTZ] > 0.0)).tolist():
