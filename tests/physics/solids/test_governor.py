@@ -26,7 +26,7 @@ from game.physics.solids.solvers.governor import (
     what_to_take_back,
 )
 from game.physics.solids.solvers.passive import EXCUSED
-from game.physics.solids.state import ASLEEP, VX, VY, WORKS_WIDTH, W
+from game.physics.solids.state import ASLEEP, DX, VX, VY, WORKS_WIDTH, W
 from tests.physics.solids.setups import G, floor_world, run
 
 FRAME = 1.0 / 60.0
@@ -295,3 +295,17 @@ def test_groups_are_told_from_each_other_and_move_as_one_body_if_nothing_holds_t
     assert works[ground[0], MOTION] == pytest.approx(0.5 * (speeds**2).sum() + spin**2 / 6.0)
     weight = 2.0 * G
     assert works[[ground[0], air[0], lone], FORCE] == pytest.approx([weight, weight, 0.5 * weight])
+
+
+def test_what_is_stopped_on_its_way_was_not_pushed():
+    world = SolidWorld(SolidSettings(gravity=(0.0, 0.0)))
+    world.add_body(box(0.05, 10.0), (0.0, 0.0), kind="fixed")
+    ball = world.add_body(Disc(0.05), (-3.0, 0.0), velocity=(50.0, 0.0))
+    for _ in range(4):
+        world.step(FRAME)
+        if world.bodies.late[ball] > 0.0:
+            break
+    assert 0.0 < world.bodies.late[ball] < FRAME
+    going, motion = world._scratch.going[ball], world._scratch.motion[ball]
+    assert motion[DX] == pytest.approx(FRAME / 4 * going[0], rel=1e-12)
+    assert motion[DX] < 50.0 * FRAME
