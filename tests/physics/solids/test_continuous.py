@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import numba
 import numpy as np
 import pytest
 
 from game.physics.solids import Capsule, Chain, Disc, SolidSettings, SolidWorld, box
+from game.physics.solids.state import DA, DX, DY, MOTION_WIDTH, VX, VY, W
+from game.physics.solids.sweep import cut_motion
 from tests.physics.solids.setups import energy, run
 
 PLATES = {
@@ -93,3 +98,58 @@ def test_a_box_falling_on_the_ground_never_gains_energy():
         assert now <= before + 1e-9 * start
         before = now
     run(world, 1.0)
+
+
+class Stopped(NamedTuple):
+    """What `cut_motion` reads and writes of bodies."""
+
+    inverse_masses: np.ndarray
+    inverse_inertias: np.ndarray
+    late: np.ndarray
+
+
+class Ways(NamedTuple):
+    """And of scratch memory."""
+
+    motion: np.ndarray
+    accelerations: np.ndarray
+    going: np.ndarray
+
+
+@numba.njit
+def _cut(bodies, scratch, fractions, dt):
+    return cut_motion(bodies, scratch, fractions, dt)
+
+
+def energy_of_ways(bodies, scratch):
+    """J of each body, of motion and, from where the step began, in the field of its accelerations."""
+    mass, inertia = 1.0 / bodies.inverse_masses, 1.0 / bodies.inverse_inertias
+    vx, vy, w = scratch.motion[:, [VX, VY, W]].T
+    work = mass * (scratch.accelerations[:, :2] * scratch.motion[:, [DX, DY]]).sum(axis=1)
+    work += inertia * scratch.accelerations[:, 2] * scratch.motion[:, DA]
+    return 0.5 * (mass * (vx**2 + vy**2) + inertia * w**2) - work
+
+
+@pytest.mark.parametrize("rising", [False, True])
+def test_a_body_that_is_stopped_has_no_more_energy_than_at_the_end_of_the_step(rising):
+    """One that falls slows down by the rest of the step; one that has bounced in it would gain by that."""
+    dt, t = 1.0 / 60.0, 0.4
+    bodies = Stopped(np.array([0.5]), np.array([0.2]), np.zeros(1))
+    scratch = Ways(np.zeros((1, MOTION_WIDTH)), np.array([[1.0, -9.81, 0.5]]), np.full((1, 3), 7.0))
+    way = -0.195
+    scratch.motion[0, [VX, VY, W, DX, DY, DA]] = 0.7, 6.0 if rising else -12.0, 0.3, 0.01, way, 0.02
+    before = scratch.motion.copy()
+    end = float(energy_of_ways(bodies, scratch)[0])
+    assert _cut(bodies, scratch, np.array([t]), dt) == 1
+    assert bodies.late[0] == pytest.approx((1.0 - t) * dt)
+    assert scratch.motion[0, [DX, DY, DA]] == pytest.approx(t * before[0, [DX, DY, DA]])
+    assert scratch.going[0] == pytest.approx(7.0 * t)
+    after = float(energy_of_ways(bodies, scratch)[0])
+    velocity = scratch.motion[0, [VX, VY, W]]
+    if rising:
+        assert after == pytest.approx(end)
+        straight = before[0, [VX, VY, W]] - (1.0 - t) * dt * scratch.accelerations[0]
+        assert velocity / straight == pytest.approx(np.full(3, velocity[1] / straight[1]))
+    else:
+        assert velocity == pytest.approx(before[0, [VX, VY, W]] - (1.0 - t) * dt * scratch.accelerations[0])
+        assert after <= end + 1e-12
