@@ -124,6 +124,8 @@ ROW_WIDTH = 30
 # restitution, gap speeds before the step (negative: closing), largest impulses of any substep
 RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
 RARE_WIDTH = 5
+# columns of Batches.values behind those of Rows.rows: gaps of both points now, and their largest impulses
+BATCH_GAP, BATCH_MOST, BATCH_WIDTH = ROW_WIDTH, ROW_WIDTH + 2, ROW_WIDTH + 4
 POINTS_WIDTH = 8
 # columns of Rows.ends
 END_A, END_B, END_POINTS, END_PAIR = range(4)
@@ -140,6 +142,18 @@ class Rows(NamedTuple):
     ends: Ints  # (p, 4) body a, body b, points, pair
     rows: Floats  # (p, ROW_WIDTH)
     rare: Floats  # (p, RARE_WIDTH)
+
+
+class Batches(NamedTuple):
+    """Rows that share no moving body, side by side; see `solvers.abreast`. ``count[0]`` are in use."""
+
+    count: Longs  # type: ignore[assignment]  # (1,)
+    values: Floats  # (p, BATCH_WIDTH, LANES)
+    ends: Ints  # (p, 2, LANES) bodies a, bodies b
+    rows: Ints  # (p, LANES)
+    filled: Ints  # (p,) lanes that have a row of their own
+    kinds: Ints  # (p,) bits
+    lately: Ints  # (n,) the last batch that a body was put into
 
 
 class Scratch(NamedTuple):
@@ -171,6 +185,7 @@ class Scratch(NamedTuple):
     starts: Ints  # (n + 1,) of each body's part of touching
     touching: Ints  # (2 (p + j),) rows of contacts, then -1 - joint, that a body takes part in
     points: Floats  # (p, POINTS_WIDTH) both points' own numbers of a solver
+    batches: Batches
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
     # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when from the step's beginning
     # (negative: in the one before, which was cut short; beyond it: in the first substep of the next)
