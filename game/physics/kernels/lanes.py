@@ -186,6 +186,14 @@ def _store(typing_context: Any, array: Any, at: Any, value: Any) -> Any:
     return types.void(array, types.uint64, lanes), generate
 
 
+@intrinsic
+def _zeros(typing_context: Any) -> Any:
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return ir.Constant(_VECTOR, [0.0] * LANES)
+
+    return lanes(), generate
+
+
 def _swap_blocks(builder: Any, rows: list[Any]) -> list[Any]:
     """Four vectors in the place of which each block of four by four is turned over: rows become columns."""
     size = rows[0].type.count
@@ -279,10 +287,11 @@ if config.DISABLE_JIT:
     larger: Any = lambda one, other: np.where(other > one, other, one)  # noqa: E731
     smaller: Any = lambda one, other: np.where(other < one, other, one)  # noqa: E731
     any_of: Any = np.any
+    zeros: Any = lambda: np.zeros(LANES)  # noqa: E731
     all_of: Any = np.all
     load, store = _load_plainly, _store_plainly
     load_quads, store_quads = _load_quads_plainly, _store_quads_plainly
 else:
     choose, larger, smaller = _choose, _extreme(">"), _extreme("<")
-    any_of, all_of, load, store = _any_of, _all_of, _load, _store
+    any_of, all_of, zeros, load, store = _any_of, _all_of, _zeros, _load, _store
     load_quads, store_quads = _load_quads, _store_quads

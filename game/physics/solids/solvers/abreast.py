@@ -22,6 +22,7 @@ from game.physics.kernels.lanes import (
     smaller,
     store,
     store_quads,
+    zeros,
 )
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.solvers.impulses import FIRST, SECOND, TILT
@@ -55,6 +56,7 @@ from game.physics.solids.state import (
     ROW_MU,
     ROW_NX,
     ROW_NY,
+    ROW_POINT_WIDTH,
     ROW_WIDTH,
     SEP,
     STIFF_N,
@@ -126,10 +128,10 @@ def fill_batch(rows, batches, k, filled, kind):
                 values[k, COUPLING, lane], values[k, SECOND + STIFF_N, lane] = 0.0, 1.0
                 for column in SECOND_COLUMNS:
                     values[k, SECOND + column, lane] = 0.0
-    for lane in range(LANES):
-        values[k, BATCH_GAP, lane] = values[k, FIRST + SEP, lane]
-        values[k, BATCH_GAP + 1, lane] = values[k, SECOND + SEP, lane]
-        values[k, BATCH_MOST, lane], values[k, BATCH_MOST + 1, lane] = 0.0, 0.0
+    for point in range(2):
+        first = FIRST + SEP + point * ROW_POINT_WIDTH
+        store(values, at + (BATCH_GAP + point) * LANES, load(values, at + first * LANES))
+        store(values, at + (BATCH_MOST + point) * LANES, zeros())
 
 
 @inner_kernel
