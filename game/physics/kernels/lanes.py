@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from llvmlite import ir
 from numba import config, types
+from numba.core import cgutils
 from numba.core.datamodel import models
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
 from numba.extending import intrinsic, lower_builtin, register_model
@@ -72,7 +73,7 @@ def _let(symbol: Any, result: Any, make: Callable[[Any, Any, Any], Any]) -> None
     pairs = [(lanes, lanes), (lanes, types.float64), (types.float64, lanes)]
 
     class Rule(ConcreteTemplate):
-        cases = [signature(result, *pair) for pair in pairs]  # noqa: RUF012 (as numba has it)
+        cases = [signature(result, *pair) for pair in pairs]
 
     infer_global(symbol)(Rule)
     for pair in pairs:
@@ -98,7 +99,7 @@ for _name, _sign in (("gt", ">"), ("ge", ">="), ("lt", "<"), ("le", "<=")):
 
 @infer_global(operator.neg)
 class _Negative(ConcreteTemplate):
-    cases = [signature(lanes, lanes)]  # noqa: RUF012 (as numba has it)
+    cases = [signature(lanes, lanes)]
 
 
 @lower_builtin(operator.neg, lanes)
@@ -108,7 +109,7 @@ def _lower_negative(_context: Any, builder: Any, _signature: Any, args: Any) -> 
 
 @infer_global(operator.and_)
 class _Both(ConcreteTemplate):
-    cases = [signature(mask, mask, mask)]  # noqa: RUF012 (as numba has it)
+    cases = [signature(mask, mask, mask)]
 
 
 @lower_builtin(operator.and_, mask, mask)
@@ -142,6 +143,37 @@ def _extreme(sign: str) -> Any:
         return None
 
     return extreme
+
+
+@intrinsic
+def _either(typing_context: Any, one: Any, other: Any) -> Any:
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return builder.or_(*args)
+
+    return mask(mask, mask), generate
+
+
+@intrinsic
+def _root(typing_context: Any, value: Any) -> Any:
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kind = ir.FunctionType(_VECTOR, [_VECTOR])
+        name = f"llvm.sqrt.v{LANES}f64"
+        return builder.call(cgutils.get_or_insert_function(builder.module, kind, name), args)
+
+    return lanes(lanes), generate
+
+
+@intrinsic
+def _gather(typing_context: Any, table: Any, width: Any, numbers: Any, at: Any, column: Any) -> Any:
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        data, rows = (_data(context, builder, signature.args[k], args[k]) for k in (0, 2))
+        found = ir.Constant(_VECTOR, ir.Undefined)
+        for lane, place in enumerate(_places(builder, data, rows, args[3], args[1], args[4])):
+            number = builder.load(builder.bitcast(place, _DOUBLE.as_pointer()), align=8)
+            found = builder.insert_element(found, number, ir.Constant(_INT, lane))
+        return found
+
+    return lanes(table, types.uint64, numbers, types.uint64, types.uint64), generate
 
 
 @intrinsic
@@ -266,6 +298,12 @@ def _store_plainly(array: Any, at: Any, value: Any) -> None:
     array.reshape(-1)[int(at) : int(at) + LANES] = value
 
 
+def _gather_plainly(table: Any, width: Any, numbers: Any, at: Any, column: Any) -> Any:
+    """A column of the rows numbers[at + lane] of a table of ``width`` columns."""
+    rows = numbers.reshape(-1)[int(at) : int(at) + LANES]
+    return table.reshape(-1)[rows * int(width) + int(column)]
+
+
 def _load_quads_plainly(table: Any, width: Any, numbers: Any, at: Any, column: Any) -> Any:
     """Four columns from ``column`` on of the rows numbers[at + lane] of a table of ``width`` columns.
 
@@ -286,12 +324,14 @@ if config.DISABLE_JIT:
     choose: Any = np.where
     larger: Any = lambda one, other: np.where(other > one, other, one)  # noqa: E731
     smaller: Any = lambda one, other: np.where(other < one, other, one)  # noqa: E731
+    either: Any = np.logical_or
+    root: Any = np.sqrt
     any_of: Any = np.any
     zeros: Any = lambda: np.zeros(LANES)  # noqa: E731
     all_of: Any = np.all
     load, store = _load_plainly, _store_plainly
-    load_quads, store_quads = _load_quads_plainly, _store_quads_plainly
+    gather, load_quads, store_quads = _gather_plainly, _load_quads_plainly, _store_quads_plainly
 else:
     choose, larger, smaller = _choose, _extreme(">"), _extreme("<")
     any_of, all_of, zeros, load, store = _any_of, _all_of, _zeros, _load, _store
-    load_quads, store_quads = _load_quads, _store_quads
+    either, root, gather, load_quads, store_quads = _either, _root, _gather, _load_quads, _store_quads

@@ -111,6 +111,7 @@ def batches_of(bodies: int, pairs: int) -> Batches:
         aligned_zeros(pairs, BATCH_WIDTH * LANES).reshape(pairs, BATCH_WIDTH, LANES),
         np.zeros((pairs, 2, LANES), dtype=_INT),
         np.zeros((pairs, LANES), dtype=_INT),
+        np.zeros((pairs, LANES), dtype=_INT),
         np.zeros(pairs, dtype=_INT),
         np.zeros(pairs, dtype=_INT),
         np.zeros(bodies, dtype=_INT),

@@ -124,8 +124,10 @@ ROW_WIDTH = 30
 # restitution, gap speeds before the step (negative: closing), largest impulses of any substep
 RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
 RARE_WIDTH = 5
-# columns of Batches.values behind those of Rows.rows: gaps of both points now, and their largest impulses
-BATCH_GAP, BATCH_MOST, BATCH_WIDTH = ROW_WIDTH, ROW_WIDTH + 2, ROW_WIDTH + 4
+# columns of Batches.values behind those of Rows.rows: gaps of both points now, their largest impulses, how
+# many points there are, restitution
+BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_BOUNCE = (ROW_WIDTH + k for k in (0, 2, 4, 5))
+BATCH_WIDTH = ROW_WIDTH + 6
 POINTS_WIDTH = 8
 # columns of Rows.ends
 END_A, END_B, END_POINTS, END_PAIR = range(4)
@@ -145,12 +147,13 @@ class Rows(NamedTuple):
 
 
 class Batches(NamedTuple):
-    """Rows that share no moving body, side by side; see `solvers.abreast`. ``count[0]`` are in use."""
+    """Rows that share no moving body, side by side; see `rows`. ``count[0]`` are in use."""
 
     count: Longs  # type: ignore[assignment]  # (1,)
     values: Floats  # (p, BATCH_WIDTH, LANES)
     ends: Ints  # (p, 2, LANES) bodies a, bodies b
     rows: Ints  # (p, LANES)
+    pairs: Ints  # (p, LANES)
     filled: Ints  # (p,) lanes that have a row of their own
     kinds: Ints  # (p,) bits
     lately: Ints  # (n,) the last batch that a body was put into

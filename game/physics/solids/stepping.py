@@ -88,7 +88,7 @@ def begin_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
             return False
         update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers)
     else:
-        rows.count[0] = 0
+        rows.count[0], scratch.batches.count[0] = 0, 0
     start_motion(bodies, scratch, numbers)
     return True
 

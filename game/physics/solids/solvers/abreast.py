@@ -12,9 +12,7 @@ from __future__ import annotations
 
 from game.physics.kernels.lanes import (
     LANES,
-    QUAD,
     all_of,
-    any_of,
     choose,
     larger,
     load,
@@ -22,22 +20,19 @@ from game.physics.kernels.lanes import (
     smaller,
     store,
     store_quads,
-    zeros,
 )
 from game.physics.kernels.lean import inner_kernel
-from game.physics.solids.solvers.impulses import FIRST, SECOND, TILT
+from game.physics.solids.rows import CHILLED, FIRST, SECOND, SINGLE, SIZE
+from game.physics.solids.solvers.impulses import TILT
 from game.physics.solids.state import (
     BATCH_GAP,
     BATCH_MOST,
-    BATCH_WIDTH,
+    BATCH_POINTS,
     COUPLING,
     CROSS_A,
     CROSS_B,
     DOT_A,
     DOT_B,
-    DY,
-    END_A,
-    END_B,
     END_POINTS,
     JN,
     JT,
@@ -56,82 +51,10 @@ from game.physics.solids.state import (
     ROW_MU,
     ROW_NX,
     ROW_NY,
-    ROW_POINT_WIDTH,
-    ROW_WIDTH,
     SEP,
     STIFF_N,
     VX,
 )
-
-SIZE = BATCH_WIDTH * LANES  # numbers of a batch
-SINGLE, COLD = (
-    1,
-    2,
-)  # bits of Batches.kinds: a row of one point is among them; one whose impulses are no guess
-SECOND_COLUMNS = (
-    CROSS_A,
-    CROSS_B,
-    DOT_A,
-    DOT_B,
-    SEP,
-    MASS_T,
-    JN,
-    JT,
-)  # nothing, where there is no such point
-
-
-@inner_kernel
-def make_batches(rows, batches):
-    """Fill batches with all rows, in their order."""
-    lately, ends, row = batches.lately, rows.ends, rows.rows
-    lately[:] = -1
-    count, filled, kind = 0, 0, 0
-    for c in range(rows.count[0]):
-        a, b = ends[c, END_A], ends[c, END_B]
-        shared = (lately[a] == count and row[c, ROW_IMA] > 0.0) or (
-            lately[b] == count and row[c, ROW_IMB] > 0.0
-        )
-        if filled == LANES or shared:
-            fill_batch(rows, batches, count, filled, kind)
-            count, filled, kind = count + 1, 0, 0
-        batches.rows[count, filled] = c
-        batches.ends[count, END_A, filled], batches.ends[count, END_B, filled] = a, b
-        lately[a], lately[b] = count, count
-        kind |= (SINGLE if ends[c, END_POINTS] == 1 else 0) | (COLD if row[c, ROW_COLD] > 0.0 else 0)
-        filled += 1
-    if filled > 0:
-        fill_batch(rows, batches, count, filled, kind)
-        count += 1
-    batches.count[0] = count
-
-
-@inner_kernel
-def fill_batch(rows, batches, k, filled, kind):
-    """Numbers of batch k, of which ``filled`` lanes have a row."""
-    values, at = batches.values, k * SIZE
-    batches.filled[k], batches.kinds[k] = filled, kind
-    for lane in range(filled, LANES):
-        batches.rows[k, lane] = batches.rows[k, 0]
-        for end in (END_A, END_B):
-            batches.ends[k, end, lane] = batches.ends[k, end, 0]
-    for quad in range((ROW_WIDTH + QUAD - 1) // QUAD):
-        column = min(quad * QUAD, ROW_WIDTH - QUAD)
-        found = load_quads(rows.rows, ROW_WIDTH, batches.rows, k * LANES, column)
-        for i in range(QUAD):
-            store(values, at + (column + i) * LANES, found[i])
-    for lane in range(filled, LANES):
-        for column in (ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB):
-            values[k, column, lane] = 0.0
-    if kind & SINGLE:
-        for lane in range(LANES):
-            if rows.ends[batches.rows[k, lane], END_POINTS] == 1:
-                values[k, COUPLING, lane], values[k, SECOND + STIFF_N, lane] = 0.0, 1.0
-                for column in SECOND_COLUMNS:
-                    values[k, SECOND + column, lane] = 0.0
-    for point in range(2):
-        first = FIRST + SEP + point * ROW_POINT_WIDTH
-        store(values, at + (BATCH_GAP + point) * LANES, load(values, at + first * LANES))
-        store(values, at + (BATCH_MOST + point) * LANES, zeros())
 
 
 @inner_kernel
@@ -184,7 +107,7 @@ def warm_batches(batches, motion):
     values, ends = batches.values, batches.ends
     for k in range(batches.count[0]):
         at, end = k * SIZE, 2 * k * LANES
-        if batches.kinds[k] & COLD:
+        if batches.kinds[k] & CHILLED:
             cold = column(values, at, ROW_COLD) > 0.0
             for number in (FIRST + JN, FIRST + JT, SECOND + JN, SECOND + JT):
                 store(values, at + number * LANES, choose(cold, 0.0, column(values, at, number)))
@@ -294,7 +217,7 @@ def sweep_batches(batches, motion, springs, pushing, measuring):
         jn = d1 + d2
         turn_a, turn_b = iia * (ca1 * d1 + ca2 * d2), iib * (cb1 * d1 + cb2 * d2)
         if batches.kinds[k] & SINGLE:
-            single = column(values, at, SECOND + MASS_T) <= 0.0
+            single = column(values, at, BATCH_POINTS) < 2.0
             only = larger((k1 * n1 - v1) / alone, 0.0)
             j1, j2 = choose(single, only, j1), choose(single, 0.0, j2)
             jn = choose(single, only - n1, jn)

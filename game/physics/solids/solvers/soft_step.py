@@ -15,7 +15,6 @@ from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
 from game.physics.solids.solvers.abreast import (
-    make_batches,
     put_back,
     sweep_batches,
     take_impulses,
@@ -40,7 +39,6 @@ def _soft_step(joined: bool) -> Any:
     def solve_soft_step(bodies, contacts, rows, joints, scratch, numbers):
         """All substeps of one step. See the package."""
         motion, batches, springs = scratch.motion, scratch.batches, soft_springs(numbers)
-        make_batches(rows, batches)
         if joined:
             soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
             prepare_joints(bodies, joints, soft, numbers)
