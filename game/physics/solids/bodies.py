@@ -18,7 +18,7 @@ from game.physics.solids.shapes import (
     outward_normals,
     parts_mass,
 )
-from game.physics.solids.state import DYNAMIC, KEY_FRAMED, RESTLESS, SEGMENT, TOUCHING, USED, WAKING
+from game.physics.solids.state import DYNAMIC, FOUND, KEY_FRAMED, RESTLESS, SEGMENT, TOUCHING, USED, WAKING
 from game.physics.solids.store import SolidStore, arrays_of
 
 KINDS = {"fixed": USED, "dynamic": USED | DYNAMIC, "key-framed": USED | KEY_FRAMED}
@@ -165,6 +165,8 @@ class SolidBodies(SolidStore):
         turn = checked_number("angle", angle, -LARGEST, LARGEST)
         self.bodies.angles[body] = turn
         self.bodies.rotations[body] = elementary.cos(turn), elementary.sin(turn)
+        contacts = self.contacts
+        contacts.marks[(contacts.bodies == body).any(axis=1), FOUND] = 0  # what overlaps now was put there
         self.wake(body)
 
     def set_velocity(self, body: int, velocity: ArrayLike, spin: float = 0.0) -> None:

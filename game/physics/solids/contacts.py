@@ -27,6 +27,7 @@ from game.physics.solids.state import (
     FIRST_POINT,
     FOUND,
     GAP,
+    GIVEN,
     IN_A_X,
     IN_A_Y,
     IN_B_X,
@@ -80,7 +81,7 @@ def find_manifold(shapes, pool, scratch, a, b, place, near, reach):
 
 
 @inner_kernel
-def keep_manifold(contacts, p, points, place, angle, scratch):
+def keep_manifold(contacts, p, points, place, angle, scratch, slop):
     """Write a manifold that was found; points that were there before keep their impulses."""
     manifold, features, marks, kept = scratch.manifold, scratch.features, contacts.marks, contacts.manifolds
     x, y, c, s = place
@@ -93,9 +94,11 @@ def keep_manifold(contacts, p, points, place, angle, scratch):
         n1, t1 = kept[p, second + NORMAL_IMPULSE], kept[p, second + TANGENT_IMPULSE]
     kept[p, NORMAL_X] = manifold[0] if points > 0 else 0.0  # else the memory holds that of another pair
     kept[p, NORMAL_Y] = manifold[1] if points > 0 else 0.0
+    deepest = 0.0
     for k in range(points):
         at = FIRST_POINT + k * POINT_WIDTH
         px, py = manifold[2 + 3 * k], manifold[3 + 3 * k]
+        deepest = min(deepest, manifold[4 + 3 * k])
         kept[p, at + IN_A_X], kept[p, at + IN_A_Y] = px, py
         kept[p, at + IN_B_X] = c * (px - x) + s * (py - y)
         kept[p, at + IN_B_Y] = c * (py - y) - s * (px - x)
@@ -110,6 +113,10 @@ def keep_manifold(contacts, p, points, place, angle, scratch):
         marks[p, FEATURE_0 + k] = feature
     if points == 0:
         kept[p, FIRST_POINT + GAP] = manifold[8]
+    if marks[p, FOUND] == 0 and deepest < -slop:
+        marks[p, GIVEN] = 1
+    elif deepest > -slop:
+        marks[p, GIVEN] = 0
     marks[p, POINTS] = points
     marks[p, FOUND] = 1
     kept[p, PLACE_X], kept[p, PLACE_Y], kept[p, PLACE_ANGLE] = x, y, angle
@@ -145,7 +152,7 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
         cb, sb = bodies.rotations[j, 0], bodies.rotations[j, 1]
         place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
         points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
-        keep_manifold(contacts, p, points, place, angle, scratch)
+        keep_manifold(contacts, p, points, place, angle, scratch, numbers.slop)
     return points
 
 

@@ -1,6 +1,7 @@
 """Energy of a world of solids, as a ledger needs it.
 
-What soft contacts store is not counted: overlap comes mostly from impacts, which took the energy of motion.
+Soft contacts count by what sinking has paid into their springs, not by their overlap: most of that comes from
+impacts, which took the energy of motion for good. See solvers/governor.
 """
 
 from __future__ import annotations
@@ -18,11 +19,12 @@ class Energy(NamedTuple):
 
     kinetic: float
     potential: float  # in gravity, 0 at the origin
+    elastic: float = 0.0  # in the springs of soft contacts
 
     @property
     def total(self) -> float:
-        """Both."""
-        return self.kinetic + self.potential
+        """Of all kinds."""
+        return self.kinetic + self.potential + self.elastic
 
 
 def energy_of(bodies: Bodies, numbers: Numbers) -> Energy:
@@ -35,4 +37,4 @@ def energy_of(bodies: Bodies, numbers: Numbers) -> Energy:
     )
     x, y = bodies.positions[rows].T
     height = -(bodies.gravity_scales[rows] * mass * (x * numbers.gravity_x + y * numbers.gravity_y))
-    return Energy(float(kinetic.sum()), float(height.sum()))
+    return Energy(float(kinetic.sum()), float(height.sum()), float(bodies.stored[rows].sum()))

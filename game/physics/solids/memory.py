@@ -10,6 +10,7 @@ from game.physics.solids.joints.layout import IMPULSES, JOINT_ROW, LINES, NO_JOI
 from game.physics.solids.joints.plan import empty_plan
 from game.physics.solids.state import (
     BATCH_WIDTH,
+    DRIFTS_WIDTH,
     MANIFOLD_WIDTH,
     MARKS_WIDTH,
     MOST_CORNERS,
@@ -18,6 +19,7 @@ from game.physics.solids.state import (
     POINTS_WIDTH,
     RARE_WIDTH,
     ROW_WIDTH,
+    WORKS_WIDTH,
     Batches,
     Bodies,
     Contacts,
@@ -38,6 +40,7 @@ BODY_COLUMNS = {
     "velocities": Column(width=2), "spins": Column(), "inverse_masses": Column(),
     "inverse_inertias": Column(), "forces": Column(width=3), "gravity_scales": Column(empty=1.0),
     "flags": Column(_INT), "reaches": Column(), "cores": Column(), "quiet": Column(), "late": Column(),
+    "stored": Column(),
     "found": Column(width=4),
 }  # fmt: skip
 SHAPE_COLUMNS = {
@@ -139,7 +142,9 @@ def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch
         colour_of=np.zeros(pairs, dtype=_INT),
         parents=np.zeros(bodies, dtype=_INT),
         speeds=np.zeros((bodies, 6)),
-        works=np.zeros((bodies, 3)),
+        going=np.zeros((bodies, 3)),
+        works=np.zeros((bodies, WORKS_WIDTH)),
+        drifts=np.zeros((bodies, DRIFTS_WIDTH)),
         excused=np.zeros(bodies, dtype=_INT),
         fractions=np.ones(bodies),
         plan=empty_plan(),

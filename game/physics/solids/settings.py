@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary
 from game.physics.solids.effects import (
     CONTACTS_BIT,
     DRAG_BIT,
@@ -43,6 +44,7 @@ class Numbers(NamedTuple):
     spin_drag: float  # 1/s
     near: float  # m: how far apart two may be and yet be prepared as a contact
     recycle: float  # of near: how far two may move against each other before their manifold is found again
+    contact_pull: float  # 1/s²: square of the frequency (rad/s) of soft contacts
     contact_rate: float  # 1/s: soft contacts, speed of parting for each metre of overlap
     contact_mass: float  # part of the effective mass that a soft contact uses
     contact_give: float  # part of the impulse that a soft contact gives back
@@ -151,7 +153,7 @@ class SolidSettings:
         return Numbers(
             mask, self.substeps, self.iterations, float(dt), h, x, y,
             float(self.drag) if dragging else 0.0, float(self.spin_drag) if dragging else 0.0,
-            float(self.near), float(self.recycle),
+            float(self.near), float(self.recycle), elementary.square(2.0 * math.pi * hertz),
             *soft(hertz, self.contact_damping, h), *soft(2.0 * hertz, self.contact_damping, h),
             self.joint_solver == "direct", *self._joint_spring(h),
             float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),

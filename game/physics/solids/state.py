@@ -38,9 +38,9 @@ PLACE_X, PLACE_Y, PLACE_ANGLE = 16, 17, 18
 # stiffness N/m of both points along normal and tangent, that solvers by penalty have come to
 STIFF = 19
 MANIFOLD_WIDTH = 23
-# columns of Contacts.marks
-POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND = range(5)
-MARKS_WIDTH = 5
+# columns of Contacts.marks; GIVEN: they overlap by no motion of their own (born so, or pressed together)
+POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND, GIVEN = range(6)
+MARKS_WIDTH = 6
 
 
 class Bodies(NamedTuple):
@@ -60,6 +60,7 @@ class Bodies(NamedTuple):
     cores: Floats  # (n,) m, how far it may go in a step without passing through something thin
     quiet: Floats  # (n,) s, for how long it has been slow
     late: Floats  # (n,) s, of the last step, that continuous collision cut off
+    stored: Floats  # (n,) J, what sinking has paid into the springs of its contacts: see solvers/governor
     found: Floats  # (n, 4) pose (m, m, rad) when its boxes were made, and how much room these left, m
 
 
@@ -129,6 +130,7 @@ RARE_WIDTH = 5
 BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_BOUNCE = (ROW_WIDTH + k for k in (0, 2, 4, 5))
 BATCH_WIDTH = ROW_WIDTH + 6
 POINTS_WIDTH = 8
+WORKS_WIDTH, DRIFTS_WIDTH = 7, 8
 # columns of Rows.ends
 END_A, END_B, END_POINTS, END_PAIR = range(4)
 # columns of Motion: velocity, spin, what a body has moved since the step began, cosine and sine of what it
@@ -179,7 +181,9 @@ class Scratch(NamedTuple):
     colour_of: Ints  # (p,)
     parents: Ints  # (n,)
     speeds: Floats  # (n, 6) m/s, m/s, rad/s: in a substep, after the forces; and with the push of overlap
-    works: Floats  # (n, 3) J, of groups of bodies that touch
+    going: Floats  # (n, 3) m/s, m/s, rad/s: sum over the substeps of what bodies go on with, without push
+    works: Floats  # (n, WORKS_WIDTH) J, of groups of bodies that touch
+    drifts: Floats  # (n, DRIFTS_WIDTH) of these groups as if each were one rigid body
     excused: Ints  # (n,) 1: something else than contacts may give it energy
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     plan: JointPlan  # of the direct solve of joints

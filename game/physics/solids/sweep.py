@@ -163,10 +163,35 @@ def cut_motion(bodies, motion, pulls, fractions, dt):
         bodies.late[i] = (1.0 - t) * dt
         if t < 1.0:
             stopped += 1
+            before = motion[i, VX], motion[i, VY], motion[i, W]
+            gone = motion[i, DX], motion[i, DY], motion[i, DA]
             motion[i, DX] *= t
             motion[i, DY] *= t
             motion[i, DA] *= t
             motion[i, VX] -= (1.0 - t) * dt * pulls[i, 0]
             motion[i, VY] -= (1.0 - t) * dt * pulls[i, 1]
             motion[i, W] -= (1.0 - t) * dt * pulls[i, 2]
+            if bodies.inverse_masses[i] > 0.0:
+                slow_down(bodies, motion, pulls, i, before, gone)
     return stopped
+
+
+@inner_kernel
+def slow_down(bodies, motion, pulls, i, before, gone):
+    """Take motion from a body that was stopped, where it has more energy than it would at the step's end.
+
+    What has bounced in the step already would gain by having the forces of the rest of it taken back. before:
+    velocity and spin, gone: way and turn at the step's end.
+    """
+    m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+    x, y, w = before
+    gained = m * ((motion[i, VX] - x) * (motion[i, VX] + x) + (motion[i, VY] - y) * (motion[i, VY] + y))
+    gained = 0.5 * (gained + inertia * (motion[i, W] - w) * (motion[i, W] + w))
+    gained -= m * (pulls[i, 0] * (motion[i, DX] - gone[0]) + pulls[i, 1] * (motion[i, DY] - gone[1]))
+    gained -= inertia * pulls[i, 2] * (motion[i, DA] - gone[2])
+    if gained <= 0.0:
+        return
+    x, y, w = motion[i, VX], motion[i, VY], motion[i, W]
+    now = 0.5 * (m * (x * x + y * y) + inertia * w * w)
+    keep = math.sqrt(max(0.0, 1.0 - gained / now)) if now > 0.0 else 0.0
+    motion[i, VX], motion[i, VY], motion[i, W] = keep * x, keep * y, keep * w

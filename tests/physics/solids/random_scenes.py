@@ -20,7 +20,7 @@ from tests.physics.solids.setups import floor_world
 
 FRAME = 1.0 / 60.0
 PIECE = 100  # heaps
-GAINS_TOO_MUCH = 0.004  # of a heap's energy in a step: what the test of a few holds them to
+GAINS_TOO_MUCH = 1e-9  # of a heap's energy in a step
 
 
 class Worst(NamedTuple):
@@ -77,7 +77,7 @@ def piece(first, last):
             wrong.append({"seed": seed, "raised": repr(error)})
     worst = max(gains, default=Worst(-1.0, first, 0))
     wrong += [gain._asdict() for gain in gains if gain.gain > GAINS_TOO_MUCH]
-    above = {f"above {bound:g}": sum(gain.gain > bound for gain in gains) for bound in (1e-5, 1e-4, 1e-3)}
+    above = {f"above {bound:g}": sum(gain.gain > bound for gain in gains) for bound in (1e-12, 1e-10, 1e-9)}
     return {"first": first, "last": last, "worst": worst._asdict(), **above, "wrong": wrong}
 
 

@@ -6,16 +6,21 @@ import numpy as np
 import pytest
 
 from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
-from tests.physics.solids.random_scenes import largest_gain
+from tests.physics.solids.random_scenes import GAINS_TOO_MUCH, largest_gain
 from tests.physics.solids.setups import G, floor_world, run
 
+GAINED = (
+    156,
+    484,
+    511,
+    739,
+)  # once by more than 1e-3, where they were stopped in a step in which they bounced
 
-@pytest.mark.parametrize(("substeps", "most"), [(4, 4e-3), (12, 1e-3)])
-def test_random_heaps_gain_next_to_nothing_in_any_step(substeps, most):
-    """What is left is the height that overlap gives when it is driven apart."""
-    gains = [largest_gain(seed, 150, substeps=substeps).gain for seed in range(60)]
-    assert max(gains) < most
-    assert np.median(gains) < 1e-4
+
+@pytest.mark.parametrize("substeps", [4, 12])
+def test_random_heaps_gain_nothing_in_any_step(substeps):
+    gains = [largest_gain(seed, 150, substeps=substeps).gain for seed in (*range(50), *GAINED)]
+    assert max(gains) < GAINS_TOO_MUCH
 
 
 def test_boxes_that_overlap_by_half_part_slowly():
@@ -39,6 +44,7 @@ def test_energy_is_that_of_motion_and_of_height():
     energy = world.energy()
     assert energy.kinetic == pytest.approx(0.5 * mass * 25.0 + 0.5 * (0.5 * mass * 0.25) * 4.0)
     assert energy.potential == pytest.approx(mass * G * 7.0)
+    assert energy.elastic == 0.0  # nothing has sunk yet
     assert energy.total == energy.kinetic + energy.potential
 
 
@@ -51,7 +57,7 @@ def test_a_block_bounces_by_its_restitution_and_never_higher(e):
     for _ in range(120):
         world.step(1.0 / 60.0)
         now = world.energy().total
-        assert now <= before * (1.0 + 1e-3)
+        assert now <= before * (1.0 + 1e-9)
         before, up = now, world.bodies.velocities[body, 1] > 0.0
         down = down or up or world.bodies.positions[body, 1] < 0.26
         if down:

@@ -13,7 +13,7 @@ import pytest
 
 from game.physics.solids import Disc, SolidSettings, SolidWorld, box
 from game.physics.solids.effects import SLEEP, USUAL
-from tests.physics.solids.random_scenes import largest_gain
+from tests.physics.solids.random_scenes import GAINS_TOO_MUCH, largest_gain
 from tests.physics.solids.setups import energy, floor_world
 
 IN_FULL = bool(int(os.environ.get("CAROM_SOLID_DRAWS", "0")))
@@ -55,25 +55,19 @@ def shoot(seed, wall=None, **settings):
     return Shot(behind, gain)
 
 
+GAINED = 53  # what it hit at its end gave it 2.4e-6 of its energy, once
 THROUGH = (286, 486, 1023)  # an end hits first, and the rest comes round flat within the same step
 
 
 def test_no_shot_of_a_plate_gets_through_a_wall_or_gains_energy():
-    shots = [shoot(seed) for seed in draws(40, 3000)]
+    shots = [shoot(seed) for seed in {*draws(40, 3000), GAINED}]
     assert max(shot.behind for shot in shots) < 0.0
-    assert max(shot.gain for shot in shots) < 1e-5  # a few of a thousand gain more than 1e-9: see below
+    assert max(shot.gain for shot in shots) < 1e-9
 
 
 @pytest.mark.parametrize("seed", THROUGH)
 def test_a_plate_that_comes_round_flat_within_a_step_does_not_get_through(seed):
     assert shoot(seed).behind < 0.0
-
-
-@pytest.mark.xfail(
-    reason="of 3,000 shots 7 gain more than 1e-9 in a step, at most 2.4e-6: shot 53", strict=True
-)
-def test_a_plate_that_is_stopped_gains_nothing():
-    assert shoot(53).gain < 1e-9
 
 
 def test_plates_that_meet_do_not_pass_and_gain_nothing():
@@ -87,7 +81,7 @@ def test_plates_that_meet_do_not_pass_and_gain_nothing():
         for _ in range(4):  # they meet in the third step, and may slide round each other's ends later
             world.step(FRAME)
             now = energy(world, 0.0)
-            assert now <= before + 1e-5 * start, seed
+            assert now <= before + 1e-9 * start, seed
             x, y = world.bodies.positions[right] - world.bodies.positions[left]
             turn = float(world.bodies.angles[left])
             assert x * math.cos(turn) + y * math.sin(turn) > 0.0, seed
@@ -123,14 +117,14 @@ def test_the_time_of_an_impact_of_a_plate_is_known_to_rounding():
 
 
 def corner_fall(offset):
-    """A box on its corner on another's corner: largest gain of energy in a step, J of 14; where it ends."""
+    """A box on its corner on another's corner: largest gain of energy in a step, J; where it ends."""
     world, _ = floor_world(effects=USUAL.without(SLEEP))
     world.add_body(box(1.0, 1.0), (0.0, 0.5))
     body = world.add_body(box(1.0, 1.0), (1.0 + offset, 1.0 + math.sqrt(0.5)), math.pi / 4)
-    before, gain = energy(world), -math.inf
+    before, gain = world.energy().total, -math.inf
     for _ in range(90):
         world.step(FRAME)
-        now = energy(world)
+        now = world.energy().total
         gain, before = max(gain, now - before), now
     world.check()
     return gain, world.bodies.positions[body].tolist()
@@ -140,7 +134,7 @@ def test_corners_on_corners_fall_to_either_side():
     offsets = [(k - 500) * 1e-6 for k in range(1000)]
     offsets = offsets if IN_FULL else offsets[::40]
     found = [corner_fall(offset) for offset in offsets]
-    assert max(gain for gain, _ in found) < 1e-3
+    assert max(gain for gain, _ in found) < 1e-8  # of 14 J
     assert all(y < 1.45 for _, (_, y) in found)
 
 
@@ -149,18 +143,16 @@ def test_an_edge_that_is_all_but_level_lies_down_without_gain(tilt):
     world, _ = floor_world(effects=USUAL.without(SLEEP))
     world.add_body(box(2.0, 0.5), (0.0, 0.25), kind="fixed")
     body = world.add_body(box(1.0, 1.0), (0.0, 1.0), tilt)
-    before = energy(world)
+    before = world.energy().total
     for _ in range(120):
         world.step(FRAME)
-        now = energy(world)
-        assert now <= before + 1e-6
+        now = world.energy().total
+        assert now <= before + 1e-8
         before = now
     assert world.bodies.angles[body] == pytest.approx(0.0, abs=1e-5)
 
 
 @pytest.mark.skipif(not IN_FULL, reason="CAROM_SOLID_DRAWS; a few are in test_energy")
 @pytest.mark.timeout(0)
-def test_ten_thousand_heaps_stay_finite_and_gain_next_to_nothing():
-    gains = [largest_gain(seed).gain for seed in range(10_000)]
-    assert max(gains) < 4e-3
-    assert np.median(gains) < 1e-4
+def test_ten_thousand_heaps_stay_finite_and_gain_nothing():
+    assert max(largest_gain(seed).gain for seed in range(10_000)) < GAINS_TOO_MUCH

@@ -20,6 +20,7 @@ from game.physics.solids.solvers.abreast import (
     take_impulses,
     warm_batches,
 )
+from game.physics.solids.solvers.governor import hold_step, note_going, start_going
 from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.passive import (
@@ -42,6 +43,7 @@ def _soft_step(joined: bool) -> Any:
         if joined:
             soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
             prepare_joints(bodies, joints, soft, numbers)
+        start_going(scratch.going)
         violent = excuse(bodies, rows, joints, scratch, numbers.dt)
         for _ in range(numbers.substeps):
             accelerate(scratch, numbers)
@@ -67,10 +69,12 @@ def _soft_step(joined: bool) -> Any:
                 hold_energy(bodies, rows, scratch, numbers, False)
                 take_impulses(rows, batches)
                 hold_push(bodies, scratch, numbers)
+            note_going(motion, scratch.going)
         put_back(rows, batches)
         note_speeds(motion, scratch.speeds, FREE)
         if bounce_contacts(rows, motion, numbers) and violent:
             hold_energy(bodies, rows, scratch, numbers, True)
+        hold_step(bodies, contacts, rows, scratch, numbers)
 
     return solve_soft_step
 
