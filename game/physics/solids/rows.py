@@ -2,8 +2,7 @@
 
 Pairs follow each other by colours (`pairs.order_by_colours`), so that neighbours are mostly free of each
 other; a batch ends where one is not. What does not share a body can be solved in any order: a sweep over
-batches gives what a sweep over rows gives, bit for bit. Every row lies in `Rows`, too, for solvers that go
-row by row.
+batches gives what a sweep over rows gives, bit for bit. `copy_rows` is for what goes row by row.
 
 A batch's last lanes, where pairs are too few, repeat its first pair without masses: they change nothing.
 """
@@ -32,6 +31,7 @@ from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import (
     BATCH_BOUNCE,
     BATCH_GAP,
+    BATCH_IMPACT,
     BATCH_MOST,
     BATCH_POINTS,
     BATCH_WIDTH,
@@ -48,13 +48,13 @@ from game.physics.solids.state import (
     JT,
     MANIFOLD_WIDTH,
     MASS_T,
+    MOST_0,
     MOST_1,
     POINTS,
     RARE_WIDTH,
     RESTITUTION,
     ROUND_A,
     ROUND_B,
-    ROW_COLD,
     ROW_HARD,
     ROW_IIA,
     ROW_IIB,
@@ -102,7 +102,6 @@ def add_row(bodies, shapes, contacts, p, rows, batches, numbers):
     rows.count[0], batches.filled[k] = c + 1, lane + 1
     rows.ends[c, END_A], rows.ends[c, END_B] = i, j
     rows.ends[c, END_POINTS], rows.ends[c, END_PAIR] = points, p
-    rows.rare[c, MOST_1] = 0.0
     batches.rows[k, lane], batches.pairs[k, lane] = c, p
     batches.ends[k, END_A, lane], batches.ends[k, END_B, lane] = i, j
     values[k, ROW_MU, lane] = numbers.friction * math.sqrt(shapes.frictions[a] * shapes.frictions[b])
@@ -147,19 +146,28 @@ def finish_batch(frames, kept, rows, batches, limits):
     for lane in range(batches.filled[k], LANES):
         for column in (ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB):
             values[k, column, lane] = 0.0
-    for quad in range((ROW_WIDTH + QUAD - 1) // QUAD):
-        column = min(quad * QUAD, ROW_WIDTH - QUAD)
-        at = k * SIZE + column * LANES
-        four = (
-            load(values, at),
-            load(values, at + LANES),
-            load(values, at + 2 * LANES),
-            load(values, at + 3 * LANES),
-        )
-        store_quads(rows.rows, ROW_WIDTH, batches.rows, k * LANES, column, four)
     batches.count[0] = k + 1
     if k + 1 < batches.filled.shape[0]:
         batches.filled[k + 1], batches.kinds[k + 1] = 0, 0
+
+
+@inner_kernel
+def copy_rows(rows, batches):
+    """What is in batches to rows, for solvers and measures that go row by row."""
+    values = batches.values
+    for k in range(batches.count[0]):
+        for quad in range((ROW_WIDTH + QUAD - 1) // QUAD):
+            column = min(quad * QUAD, ROW_WIDTH - QUAD)
+            at = k * SIZE + column * LANES
+            four = (
+                load(values, at), load(values, at + LANES), load(values, at + 2 * LANES),
+                load(values, at + 3 * LANES),
+            )  # fmt: skip
+            store_quads(rows.rows, ROW_WIDTH, batches.rows, k * LANES, column, four)
+        for lane in range(batches.filled[k]):
+            c = batches.rows[k, lane]
+            rows.rare[c, MOST_0] = values[k, BATCH_MOST, lane]
+            rows.rare[c, MOST_1] = values[k, BATCH_MOST + 1, lane]
 
 
 @inner_kernel
@@ -231,7 +239,8 @@ def write_batch(frames, kept, rows, batches, k, limits):
         most2, lowest2 = choose(single, fastest, most2), choose(single, deepest, lowest2)
         clear_second(values, at, single)
     cold = either(most2 < limits[0], limits[1] * lowest2 < limits[2])
-    store(values, at + ROW_COLD * LANES, choose(cold, 1.0, zeros()))
+    hit = choose(cold, 1.0, zeros())
+    store(values, at + BATCH_IMPACT * LANES, hit)
     couple(values, at, ima + imb, iia, iib)
     for point in range(2):
         sep = at + (FIRST + SEP + point * ROW_POINT_WIDTH) * LANES
@@ -240,7 +249,7 @@ def write_batch(frames, kept, rows, batches, k, limits):
     if any_of(cold):
         batches.kinds[k] |= CHILLED
     bounce = load(values, at + BATCH_BOUNCE * LANES)
-    store_quads(rows.rare, RARE_WIDTH, batches.rows, one, RESTITUTION, (bounce, opens1, opens2, zeros()))
+    store_quads(rows.rare, RARE_WIDTH, batches.rows, one, RESTITUTION, (bounce, opens1, opens2, hit))
 
 
 @inner_kernel

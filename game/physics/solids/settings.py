@@ -22,6 +22,7 @@ MOST_TURNS = 10_000
 JOINT_SOLVERS = ("direct", "sweeps")
 JOINT_RATE = 0.4  # part of a stiff joint's gap that a substep restores
 USUAL_HERTZ = 0.135  # of soft contacts, as part of the substeps a second
+ABREAST = frozenset({"soft-step"})  # solvers that take rows in batches
 TIERS = {"play": 4, "teach": 12, "film": 24}  # substeps
 
 
@@ -60,6 +61,7 @@ class Numbers(NamedTuple):
     slop: float  # m of overlap that is left alone, by solvers that correct it
     friction: float  # 1, or 0 without friction
     calm: float  # m/s: slower than that is quiet
+    abreast: bool  # the solver takes rows in batches, and copies them when it is done
     patience: float  # s of quiet before a group falls asleep
 
 
@@ -158,7 +160,7 @@ class SolidSettings:
             self.joint_solver == "direct", *self._joint_spring(h),
             float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),
             1.0 if mask & FRICTION_BIT and mask & CONTACTS_BIT else 0.0,
-            float(self.calm), float(self.patience),
+            float(self.calm), self.solver in ABREAST, float(self.patience),
         )  # fmt: skip
 
     def _joint_spring(self, h: float) -> tuple[float, float, float]:

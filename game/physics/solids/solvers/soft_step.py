@@ -14,6 +14,7 @@ from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
+from game.physics.solids.rows import copy_rows
 from game.physics.solids.solvers.abreast import (
     put_back,
     sweep_batches,
@@ -45,6 +46,8 @@ def _soft_step(joined: bool) -> Any:
             prepare_joints(bodies, joints, soft, numbers)
         start_going(scratch.going)
         violent = excuse(bodies, rows, joints, scratch, numbers.dt)
+        if violent:
+            copy_rows(rows, batches)
         for _ in range(numbers.substeps):
             accelerate(scratch, numbers)
             if violent:
@@ -70,7 +73,7 @@ def _soft_step(joined: bool) -> Any:
                 take_impulses(rows, batches)
                 hold_push(bodies, scratch, numbers)
             note_going(motion, scratch.going)
-        put_back(rows, batches)
+        copy_rows(rows, batches)
         note_speeds(motion, scratch.speeds, FREE)
         if bounce_contacts(rows, motion, numbers) and violent:
             hold_energy(bodies, rows, scratch, numbers, True)
