@@ -13,7 +13,9 @@ from __future__ import annotations
 from game.physics.kernels.lanes import (
     LANES,
     all_of,
+    any_of,
     choose,
+    either,
     larger,
     load,
     load_quads,
@@ -138,10 +140,12 @@ def solve_pairs(k11, k12, k22, r1, r2):
     under = 1.0 / (k11 * k22 - k12 * k12)
     j1, j2 = j1 * under, j2 * under
     if not all_of(both):
+        j1, j2 = choose(both, j1, 0.0), choose(both, j2, 0.0)
         first = (r1 <= 0.0) & (r2 * k11 >= k12 * r1)
         second = (r2 <= 0.0) & (r1 * k22 >= k12 * r2)
-        other1, other2 = choose(first, -r1 / k11, 0.0), choose(second, -r2 / k22, 0.0)
-        j1, j2 = choose(both, j1, other1), choose(both, j2, choose(first, 0.0, other2))
+        if any_of(either(first, second)):
+            other1, other2 = choose(first, -r1 / k11, 0.0), choose(second, -r2 / k22, 0.0)
+            j1, j2 = choose(both, j1, other1), choose(both, j2, choose(first, 0.0, other2))
     return j1, j2
 
 
