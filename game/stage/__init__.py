@@ -33,8 +33,9 @@ from game.stage.series import StripSeries
 if TYPE_CHECKING:
     from game.stage.effect_costs import EffectMeter
     from game.stage.fault import Fault
+    from game.stage.playing.paced import FASTEST, SLOWEST
     from game.stage.records.replaying import begin, replay, replay_scene
-    from game.stage.stage import FASTEST, SLOWEST, Stage
+    from game.stage.stage import Stage
     from game.stage.states.interpolation import blend, blend_angles, blend_quaternions, jumped
     from game.stage.warming import Warming, WarmingProgress
 
@@ -90,9 +91,9 @@ __all__ = [
 
 _LATER = {
     "EffectMeter": "game.stage.effect_costs",
-    "FASTEST": "game.stage.stage",
+    "FASTEST": "game.stage.playing.paced",
     "Fault": "game.stage.fault",
-    "SLOWEST": "game.stage.stage",
+    "SLOWEST": "game.stage.playing.paced",
     "Stage": "game.stage.stage",
     "Warming": "game.stage.warming",
     "WarmingProgress": "game.stage.warming",

@@ -7,8 +7,17 @@ import inspect
 import pytest
 
 from game.scenes import CATALOGUE
+from game.stage import Choice
 
 NAMES = ("c01", "c02", "c03", "c04", "c12", "c13", "c14", "c15")
+
+
+@pytest.mark.parametrize("entry", list(CATALOGUE), ids=lambda entry: entry.name)
+def test_what_can_be_chosen_begins_with_a_capital(entry):
+    """All lists look alike; single letters stand for symbols."""
+    for parameter in entry.load().declared_parameters().values():
+        if isinstance(parameter, Choice):
+            assert [one for one in parameter.labels if len(one) > 2 and one[0].islower()] == []
 
 
 @pytest.mark.parametrize("name", NAMES)

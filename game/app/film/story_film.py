@@ -18,6 +18,7 @@ from game.app.stagehand.view import StageView
 from game.app.window.pictures import write_png
 from game.files import write_text
 from game.stage import Frame, Scene, Stage
+from game.stage.playing.paced import NEWEST
 from game.stage.story.course import Caption
 from game.stage.story.lines import Story
 from game.stage.story.rehearsal import Rehearsal, stage_of
@@ -28,7 +29,6 @@ from game.ui.look.theme import theme_named
 
 POSTER_AT = 0.5  # of the film's length
 LONGEST_GIF_S = 10.0
-NEWEST = 1.0 - 2.0**-53
 
 
 class FilmResult(NamedTuple):

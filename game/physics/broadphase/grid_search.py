@@ -8,16 +8,26 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from game.physics.broadphase.validation import Corners, Store
+from game.physics.broadphase.runs import (
+    HALF,
+    MANY,
+    NONE,
+    ONE,
+    SHORT,
+    UNSIGNED,
+    Sorted,
+    copy_boxes,
+    name_pairs,
+    note_run,
+    test_noted,
+    test_rest,
+)
+from game.physics.broadphase.validation import Store
 from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel
 
 GUARD = 2  # empty columns to the right: the run of cells x - 1 .. x + 1 never leaves the matrix
-PADDING = 8  # places after the sorted boxes that may be read but are never counted
 NEAR = 1  # cells: up to this reach the short search does
-ID_MASK = 0x7FFFFFFF
 
 
 class Matrix(NamedTuple):
@@ -28,17 +38,6 @@ class Matrix(NamedTuple):
     scale: float
     columns: int
     rows: int
-
-
-class Sorted(NamedTuple):
-    """Boxes sorted by cell (or bucket): where each came from, and the boxes themselves.
-
-    ``order``: (places,) ``cell << 32 | id``. ``boxes``: (places, 4) m. Both have PADDING places more,
-    and in a hash table room for copies.
-    """
-
-    order: NDArray[np.int64]
-    boxes: Corners
 
 
 @kernel(inline="always", _nrt=False)
@@ -56,172 +55,126 @@ def place_boxes(store, matrix, cells, start, reach):
     ``reach``: (2,) written: the greatest number of columns and rows between a box's two corners.
     """
     boxes, alive, top = store
+    corners = boxes.reshape(-1)  # as one row, and counted in a loop of its own: so cells come in vectors
     origin_x, origin_y, inverse, columns, rows = matrix
     last_column, last_row = columns - 1.0, rows - 1.0
     stride = columns + GUARD
     reach_x = 0
     reach_y = 0
+    for box in range(top):
+        column = cell_coordinate(corners[4 * box], origin_x, inverse, last_column)
+        row = cell_coordinate(corners[4 * box + 1], origin_y, inverse, last_row)
+        wide = cell_coordinate(corners[4 * box + 2], origin_x, inverse, last_column) - column
+        high = cell_coordinate(corners[4 * box + 3], origin_y, inverse, last_row) - row
+        here = alive[box] != 0
+        reach_x = max(reach_x, wide if here else 0)
+        reach_y = max(reach_y, high if here else 0)
+        cells[box] = row * stride + column if here else -1
     for cell in range(len(start)):
         start[cell] = 0
     for box in range(top):
-        if alive[box] == 0:
-            cells[box] = -1
-            continue
-        column = cell_coordinate(boxes[box, 0], origin_x, inverse, last_column)
-        row = cell_coordinate(boxes[box, 1], origin_y, inverse, last_row)
-        reach_x = max(reach_x, cell_coordinate(boxes[box, 2], origin_x, inverse, last_column) - column)
-        reach_y = max(reach_y, cell_coordinate(boxes[box, 3], origin_y, inverse, last_row) - row)
-        cell = row * stride + column
-        cells[box] = cell
-        start[cell] += 1
+        if cells[box] >= 0:
+            start[cells[box]] += 1
     reach[0] = reach_x
     reach[1] = reach_y
 
 
-@kernel(_nrt=False)
+@inner_kernel
 def sort_by_cell(store, cells, start, ordered):
     """Counting sort of the boxes by cell; within a cell by id. Returns their number.
 
     ``start``: boxes per cell; becomes the first place of each cell. ``ordered``: written.
     """
     boxes, _, top = store
-    order, sorted_boxes = ordered
+    order = ordered.order
     total = 0
     for cell in range(len(start)):
         total += start[cell]
         start[cell] = total
     for box in range(top - 1, -1, -1):
-        cell = cells[box]
-        if cell >= 0:
+        if cells[box] >= 0:
+            cell = UNSIGNED(cells[box])
             place = start[cell] - 1
             start[cell] = place
-            order[place] = (int(cell) << 32) | box
-    for place in range(total):
-        box = order[place] & ID_MASK
-        sorted_boxes[place, 0] = boxes[box, 0]
-        sorted_boxes[place, 1] = boxes[box, 1]
-        sorted_boxes[place, 2] = boxes[box, 2]
-        sorted_boxes[place, 3] = boxes[box, 3]
+            order[UNSIGNED(place)] = (int(cells[box]) << 32) | box
+    copy_boxes(boxes, ordered, total)
     return total
 
 
-@kernel(_nrt=False)
+@inner_kernel
 def search_near(ordered, count, start, stride, keys, tests):
     """All pairs, where no box reaches beyond the next cell: two runs of cells for each box.
 
     Half of a box's neighbourhood is enough: the rest of its own cell and the next in the row, and three
     cells of the row after. Writes pairs of places, ``p << 32 | q``; returns their number, or -1 if ``keys``
-    is too short. The first candidates of each run are tested without asking whether there are any: a
-    pair is kept by adding 0 or 1, so that there is no branch to mispredict.
+    is too short. ``tests``: (1,) box tests, written.
     """
-    order, sorted_boxes = ordered
+    order, noted = ordered.order, ordered.noted
+    to_left, to_right = UNSIGNED(stride - 1), UNSIGNED(stride + 2)
     found = 0
-    tested = 0
-    for place in range(count):
-        x0 = sorted_boxes[place, 0]
-        y0 = sorted_boxes[place, 1]
-        x1 = sorted_boxes[place, 2]
-        y1 = sorted_boxes[place, 3]
-        cell = order[place] >> 32
-        end = int(start[cell + 2])
-        first = int(start[cell + stride - 1])
-        last = int(start[cell + stride + 2])
-        tested += end - place - 1 + last - first
-        if found + end - place + last - first + 4 > len(keys):
-            return -1
-        tag = place << 32
-        other = (place + 1) & ID_MASK
-        keys[found] = tag | other
-        found += (
-            (other < end)
-            & (sorted_boxes[other, 0] <= x1)
-            & (y0 <= sorted_boxes[other, 3])
-            & (sorted_boxes[other, 1] <= y1)
-            & (x0 <= sorted_boxes[other, 2])
-        )
-        for candidate in range(place + 2, end):
-            other = candidate & ID_MASK
-            keys[found] = tag | other
-            found += (
-                (sorted_boxes[other, 0] <= x1)
-                & (y0 <= sorted_boxes[other, 3])
-                & (sorted_boxes[other, 1] <= y1)
-                & (x0 <= sorted_boxes[other, 2])
-            )
-        for step in range(2):
-            other = (first + step) & ID_MASK
-            keys[found] = tag | other
-            found += (
-                (other < last)
-                & (sorted_boxes[other, 0] <= x1)
-                & (x0 <= sorted_boxes[other, 2])
-                & (sorted_boxes[other, 1] <= y1)
-            )
-        for candidate in range(first + 2, last):
-            other = candidate & ID_MASK
-            keys[found] = tag | other
-            found += (
-                (sorted_boxes[other, 0] <= x1)
-                & (x0 <= sorted_boxes[other, 2])
-                & (sorted_boxes[other, 1] <= y1)
-            )
+    tested = NONE
+    many = NONE
+    for box in range(count):
+        place = UNSIGNED(box)
+        cell = UNSIGNED(order[place]) >> HALF
+        own, end = place + ONE, UNSIGNED(start[cell + UNSIGNED(2)])
+        first, last = UNSIGNED(start[cell + to_left]), UNSIGNED(start[cell + to_right])
+        tested += end - own + last - first
+        many = note_run(noted, many, place, own, end)
+        many = note_run(noted, many, place, first, last)
+        if max(end - own, last - first) > UNSIGNED(SHORT):
+            found = test_rest(ordered, place, own, end, keys, found)
+            found = test_rest(ordered, place, first, last, keys, found)
+            if found < 0:
+                return -1
+        if many > UNSIGNED(MANY):
+            found = test_noted(ordered, many, keys, found)
+            if found < 0:
+                return -1
+            many = NONE
     tests[0] = tested
-    return found
+    return test_noted(ordered, many, keys, found)
 
 
-@kernel(_nrt=False)
+@inner_kernel
 def search_far(ordered, count, start, matrix, reach_x, keys, tests):
-    """All pairs, for boxes that reach over any number of cells. As ``search_near`` else.
+    """All pairs, for boxes that reach over any number of cells. As `search_near` else.
 
     A row's run begins ``reach_x`` columns before the box's own, where the widest box that could still
     touch it would have its lower corner.
     """
-    sorted_boxes = ordered.boxes
+    boxes, noted = ordered.boxes, ordered.noted
     origin_x, origin_y, inverse, columns, rows = matrix
     last_column, last_row = columns - 1.0, rows - 1.0
     stride = columns + GUARD
     found = 0
-    tested = 0
-    for place in range(count):
-        x0 = sorted_boxes[place, 0]
-        y0 = sorted_boxes[place, 1]
-        x1 = sorted_boxes[place, 2]
-        y1 = sorted_boxes[place, 3]
-        before = max(cell_coordinate(x0, origin_x, inverse, last_column) - reach_x, 0)
-        after = cell_coordinate(x1, origin_x, inverse, last_column) + 1
-        row = cell_coordinate(y0, origin_y, inverse, last_row)
-        last_of_box = cell_coordinate(y1, origin_y, inverse, last_row)
-        tag = place << 32
-        first = place + 1
+    tested = NONE
+    many = NONE
+    for box in range(count):
+        place = UNSIGNED(box)
+        before = max(cell_coordinate(boxes[box, 0], origin_x, inverse, last_column) - reach_x, 0)
+        after = cell_coordinate(boxes[box, 2], origin_x, inverse, last_column) + 1
+        row = cell_coordinate(boxes[box, 1], origin_y, inverse, last_row)
+        last_of_box = cell_coordinate(boxes[box, 3], origin_y, inverse, last_row)
+        first = place + ONE
         while True:
-            last = int(start[row * stride + after])
-            tested += max(last - first, 0)
-            if found + last - first + 1 > len(keys):
+            last = UNSIGNED(start[UNSIGNED(row * stride + after)])
+            tested += last - first
+            many = note_run(noted, many, place, first, last)
+            found = test_rest(ordered, place, first, last, keys, found)
+            if found < 0:
                 return -1
-            for candidate in range(first, last):
-                other = candidate & ID_MASK
-                keys[found] = tag | other
-                found += (
-                    (sorted_boxes[other, 0] <= x1)
-                    & (x0 <= sorted_boxes[other, 2])
-                    & (sorted_boxes[other, 1] <= y1)
-                    & (y0 <= sorted_boxes[other, 3])
-                )
+            if many > UNSIGNED(MANY):
+                found = test_noted(ordered, many, keys, found)
+                if found < 0:
+                    return -1
+                many = NONE
             row += 1
             if row > last_of_box:
                 break
-            first = int(start[row * stride + before])
+            first = UNSIGNED(start[UNSIGNED(row * stride + before)])
     tests[0] = tested
-    return found
-
-
-@kernel(_nrt=False)
-def name_pairs(keys, count, order):
-    """Turn pairs of places into pairs of ids, the smaller first: ``a << 32 | b``. ``keys``: written."""
-    for i in range(count):
-        a = order[keys[i] >> 32] & ID_MASK
-        b = order[keys[i] & ID_MASK] & ID_MASK
-        keys[i] = (min(a, b) << 32) | max(a, b)
+    return test_noted(ordered, many, keys, found)
 
 
 @kernel(_nrt=False)
@@ -238,6 +191,5 @@ def find_pairs(store, matrix, cells, start, ordered, keys, reach):
         found = search_near(ordered, count, start, matrix.columns + GUARD, keys, reach[2:])
     else:
         found = search_far(ordered, count, start, matrix, reach[0], keys, reach[2:])
-    if found > 0:
-        name_pairs(keys, found, ordered.order)
+    name_pairs(keys, found, ordered.order)
     return found

@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.grid_search import ID_MASK
+from game.physics.broadphase.runs import UNSIGNED, copy_boxes
 from game.physics.kernels.jit import kernel
 
 LEVELS = 64
@@ -84,6 +84,12 @@ def bucket_of(column, row, mask, factor):
 
 
 @kernel(_nrt=False)
+def reaches_next(x0, y0, x1, y1, scale):
+    """Whether a box, m, reaches no further than into the next column and row, at ``scale`` cells per m."""
+    return cell_at(x1, scale) - cell_at(x0, scale) <= 1 and cell_at(y1, scale) - cell_at(y0, scale) <= 1
+
+
+@kernel(_nrt=False)
 def level_of(x0, y0, x1, y1, step, scales):
     """Level of a box, m: the finest whose cells hold it, among every ``step``-th one.
 
@@ -97,10 +103,7 @@ def level_of(x0, y0, x1, y1, step, scales):
         mantissa, exponent = math.frexp(size)
         level = max((exponent - 1 if mantissa == 0.5 else exponent) - LOWEST, 0)
         level += (-level) % step
-    while level < TOP and (
-        cell_at(x1, scales[level]) - cell_at(x0, scales[level]) > 1
-        or cell_at(y1, scales[level]) - cell_at(y0, scales[level]) > 1
-    ):
+    while level < TOP and not reaches_next(x0, y0, x1, y1, scales[level]):
         level += step
     return min(level, TOP)
 
@@ -152,10 +155,14 @@ def place_boxes(store, ladder, placed):
     Of the last, levels are read as a first guess, for few boxes change size, and written, -1 for ids not in
     use; written are the layout's counts, buckets, and boxes per bucket. Returns False if a level has no
     table, or one that is much too small or large now: then only levels and counts are right.
+
+    Cells are powers of two wide. So corners in cells are exact, and a box whose rounded size is below a cell
+    reaches no further than into the next one: the cells of the upper corner are asked for at one cell alone.
     """
     boxes, alive, top = store
     step, scales = ladder
     levels, layout, buckets, start = placed
+    corners = boxes.reshape(-1)
     for level in range(LEVELS):
         layout[level, COUNT] = 0
     for bucket in range(len(start)):
@@ -166,33 +173,22 @@ def place_boxes(store, ladder, placed):
         if alive[box] == 0:
             levels[box] = -1
             continue
-        x0, y0, x1, y1 = (
-            float(boxes[box, 0]),
-            float(boxes[box, 1]),
-            float(boxes[box, 2]),
-            float(boxes[box, 3]),
-        )
-        level = max(levels[box], 0)
+        x0, y0, x1, y1 = corners[4 * box], corners[4 * box + 1], corners[4 * box + 2], corners[4 * box + 3]
+        level = max(int(levels[box]), 0)
         scale = scales[level]
-        column, row = cell_at(x0, scale), cell_at(y0, scale)
-        share = max(x1 - x0, y1 - y0) * float(scale) if scale > 0.0 else 0.0
-        if (
-            not (smallest < share <= 1.0)
-            or cell_at(x1, scale) - column > 1
-            or cell_at(y1, scale) - row > 1
-        ):  # fmt: skip
-            level = level_of(x0, y0, x1, y1, step, scales)
-            scale = scales[level]
-            column, row = cell_at(x0, scale), cell_at(y0, scale)
+        share = max(x1 - x0, y1 - y0) * scale if scale > 0.0 else 0.0
+        if not smallest < share < 1.0 and not (share == 1.0 and reaches_next(x0, y0, x1, y1, scale)):
+            level = int(level_of(x0, y0, x1, y1, step, scales))
         levels[box] = level
-        layout[level, COUNT] += 1
-        mask = layout[level, MASK]
-        if mask < 0:
+        row = layout[level]
+        row[COUNT] += 1
+        if row[MASK] < 0:
             fits = False
         else:
-            bucket = layout[level, OFFSET] + bucket_of(column, row, mask, layout[level, FACTOR])
+            scale = scales[level]
+            bucket = row[OFFSET] + bucket_of(cell_at(x0, scale), cell_at(y0, scale), row[MASK], row[FACTOR])
             buckets[box] = bucket
-            start[bucket] += 1
+            start[UNSIGNED(bucket)] += 1
     for level in range(LEVELS):
         count = layout[level, COUNT]
         size = layout[level, MASK] + 1
@@ -210,7 +206,7 @@ def sort_by_bucket(store, placed, ordered):
     """
     boxes, _, top = store
     levels, layout, buckets, start = placed
-    order, sorted_boxes = ordered
+    order = ordered.order
     total = 0
     for level in range(LEVELS):
         if layout[level, COUNT] == 0:
@@ -227,17 +223,13 @@ def sort_by_bucket(store, placed, ordered):
         start[after + 2] = total
     for box in range(top - 1, -1, -1):
         if levels[box] >= 0:
-            place = start[buckets[box]] - 1
-            start[buckets[box]] = place
-            order[place] = (int(buckets[box]) << 32) | box
+            bucket = UNSIGNED(buckets[box])
+            place = start[bucket] - 1
+            start[bucket] = place
+            order[UNSIGNED(place)] = (int(buckets[box]) << 32) | box
     for level in range(LEVELS):
         if layout[level, COUNT] > 0:
             after = layout[level, OFFSET] + layout[level, MASK] + 1
             for i in range(start[after + 2] - start[after]):
                 order[start[after] + i] = order[start[layout[level, OFFSET]] + i]
-    for place in range(total):
-        box = order[place] & ID_MASK
-        sorted_boxes[place, 0] = boxes[box, 0]
-        sorted_boxes[place, 1] = boxes[box, 1]
-        sorted_boxes[place, 2] = boxes[box, 2]
-        sorted_boxes[place, 3] = boxes[box, 3]
+    copy_boxes(boxes, ordered, total)

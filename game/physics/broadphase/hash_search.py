@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 
-from game.physics.broadphase.grid_search import ID_MASK, Sorted, name_pairs
 from game.physics.broadphase.hash_levels import (
     COUNT,
     LEVELS,
@@ -23,114 +22,95 @@ from game.physics.broadphase.hash_levels import (
     sort_by_bucket,
     table_of,
 )
+from game.physics.broadphase.runs import (
+    ID_MASK,
+    MANY,
+    NONE,
+    ONE,
+    SHORT,
+    SIGNED,
+    UNSIGNED,
+    Sorted,
+    name_pairs,
+    note_run,
+    test_noted,
+    test_rest,
+    test_run,
+)
 from game.physics.broadphase.validation import Store
 from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel
 
 # Costs of looking between levels, measured, in tests: a run of fine cells, a look at the coarse cells around.
 RUN_COST, LOOK_COST = 6, 16
 
 
-@kernel(_nrt=False)
+@inner_kernel
 def search_level(ordered, start, table, keys, found, tests):
     """All pairs within one level, as `grid_search.search_near`: the same half of the neighbourhood.
 
     Adds pairs of places to ``keys`` from ``found`` on; returns how many there are then, or -1 if ``keys``
     is too short. ``tests``: (1,) added to.
     """
-    order, sorted_boxes = ordered
+    order, noted = ordered.order, ordered.noted
     offset, mask, factor, _ = table
-    tested = 0
-    for place in range(int(start[offset]), int(start[offset + mask + 1])):
-        x0 = sorted_boxes[place, 0]
-        y0 = sorted_boxes[place, 1]
-        x1 = sorted_boxes[place, 2]
-        y1 = sorted_boxes[place, 3]
-        bucket = (order[place] >> 32) & ID_MASK
-        end = int(start[bucket + 2])
-        above = (offset + ((bucket - offset + factor - 1) & mask)) & ID_MASK
-        first = int(start[above])
-        last = int(start[above + 3])
-        tested += end - place - 1 + last - first
-        if found + end - place + last - first + 4 > len(keys):
-            return -1
-        tag = place << 32
-        other = (place + 1) & ID_MASK
-        keys[found] = tag | other
-        found += (
-            (other < end)
-            & (sorted_boxes[other, 0] <= x1)
-            & (x0 <= sorted_boxes[other, 2])
-            & (sorted_boxes[other, 1] <= y1)
-            & (y0 <= sorted_boxes[other, 3])
-        )
-        for candidate in range(place + 2, end):
-            other = candidate & ID_MASK
-            keys[found] = tag | other
-            found += (
-                (sorted_boxes[other, 0] <= x1)
-                & (x0 <= sorted_boxes[other, 2])
-                & (sorted_boxes[other, 1] <= y1)
-                & (y0 <= sorted_boxes[other, 3])
-            )
-        for step in range(2):
-            other = (first + step) & ID_MASK
-            keys[found] = tag | other
-            found += (
-                (other < last)
-                & (sorted_boxes[other, 0] <= x1)
-                & (x0 <= sorted_boxes[other, 2])
-                & (sorted_boxes[other, 1] <= y1)
-                & (y0 <= sorted_boxes[other, 3])
-            )
-        for candidate in range(first + 2, last):
-            other = candidate & ID_MASK
-            keys[found] = tag | other
-            found += (
-                (sorted_boxes[other, 0] <= x1)
-                & (x0 <= sorted_boxes[other, 2])
-                & (sorted_boxes[other, 1] <= y1)
-                & (y0 <= sorted_boxes[other, 3])
-            )
-    tests[0] += tested
-    return found
+    tested = NONE
+    many = NONE
+    for box in range(int(start[offset]), int(start[offset + mask + 1])):
+        place = UNSIGNED(box)
+        bucket = order[place] >> 32
+        above = UNSIGNED(offset + ((bucket - offset + factor - 1) & mask))
+        own, end = place + ONE, UNSIGNED(start[UNSIGNED(bucket + 2)])
+        first, last = UNSIGNED(start[above]), UNSIGNED(start[above + UNSIGNED(3)])
+        tested += end - own + last - first
+        many = note_run(noted, many, place, own, end)
+        many = note_run(noted, many, place, first, last)
+        if max(end - own, last - first) > UNSIGNED(SHORT):
+            found = test_rest(ordered, place, own, end, keys, found)
+            found = test_rest(ordered, place, first, last, keys, found)
+            if found < 0:
+                return -1
+        if many > UNSIGNED(MANY):
+            found = test_noted(ordered, many, keys, found)
+            if found < 0:
+                return -1
+            many = NONE
+    tests[0] += SIGNED(tested)
+    return test_noted(ordered, many, keys, found)
 
 
-@kernel(_nrt=False)
-def look_up(sorted_boxes, start, fine, coarse, keys, found, tests):
+@inner_kernel
+def look_up(ordered, start, fine, coarse, keys, found, tests):
     """All pairs of two levels' tables: each finer box looks up the coarse cells that may hold a partner.
 
-    Those are the cells it touches and the ones before them, 3 x 3 at most. As ``search_level`` else.
+    Those are the cells it touches and the ones before them, 3 x 3 at most. As `search_level` else.
     """
+    boxes, noted = ordered.boxes, ordered.noted
     scale = coarse.scale
-    tested = 0
-    for place in range(int(start[fine.offset]), int(start[fine.offset + fine.mask + 1])):
-        x0 = sorted_boxes[place, 0]
-        y0 = sorted_boxes[place, 1]
-        x1 = sorted_boxes[place, 2]
-        y1 = sorted_boxes[place, 3]
-        before = cell_at(x0, scale) - 1
-        run = cell_at(x1, scale) - before + 1
-        tag = place << 32
-        for row in range(cell_at(y0, scale) - 1, cell_at(y1, scale) + 1):
+    tested = NONE
+    many = NONE
+    for box in range(int(start[fine.offset]), int(start[fine.offset + fine.mask + 1])):
+        place = UNSIGNED(box)
+        before = cell_at(boxes[place, 0], scale) - 1
+        run = cell_at(boxes[place, 2], scale) - before + 1
+        for row in range(cell_at(boxes[place, 1], scale) - 1, cell_at(boxes[place, 3], scale) + 1):
             bucket = coarse.offset + bucket_of(before, row, coarse.mask, coarse.factor)
-            first, last = int(start[bucket]), int(start[bucket + run])
+            first, last = UNSIGNED(start[UNSIGNED(bucket)]), UNSIGNED(start[UNSIGNED(bucket + run)])
             tested += last - first
-            if found + last - first + 1 > len(keys):
+            many = note_run(noted, many, place, first, last)
+            found = test_rest(ordered, place, first, last, keys, found)
+        if found < 0:
+            return -1
+        if many > UNSIGNED(MANY):
+            found = test_noted(ordered, many, keys, found)
+            if found < 0:
                 return -1
-            for candidate in range(first, last):
-                other = candidate & ID_MASK
-                keys[found] = tag | other
-                found += (
-                    (sorted_boxes[other, 0] <= x1)
-                    & (x0 <= sorted_boxes[other, 2])
-                    & (sorted_boxes[other, 1] <= y1)
-                    & (y0 <= sorted_boxes[other, 3])
-                )
-    tests[0] += tested
-    return found
+            many = NONE
+    tests[0] += SIGNED(tested)
+    return test_noted(ordered, many, keys, found)
 
 
-@kernel(_nrt=False)
+@inner_kernel
 def rows_share_buckets(table, run, rows):
     """Whether among so many rows of ``run`` cells, one above the other, two have a bucket in common."""
     size = table.mask + 1
@@ -142,58 +122,61 @@ def rows_share_buckets(table, run, rows):
     return False
 
 
-@kernel(_nrt=False)
-def run_over(sorted_boxes, start, fine, coarse, keys, found, tests):
+@inner_kernel
+def run_over(ordered, start, fine, coarse, keys, found, tests):
     """All pairs of two levels' tables: each coarse box runs over the rows of finer cells around it.
 
     Where rows of one box share buckets, which is rare, the row of each box that is hit is compared. A row
-    is shorter than the table, or the caller would have chosen ``look_up``. As ``search_level`` else.
+    is shorter than the table, or the caller would have chosen `look_up`. As `search_level` else.
     """
+    boxes, noted = ordered.boxes, ordered.noted
     offset, mask, factor, scale = fine
-    tested = 0
+    tested = NONE
+    many = NONE
     size = mask + 1
-    for place in range(int(start[coarse.offset]), int(start[coarse.offset + coarse.mask + 1])):
-        x0 = sorted_boxes[place, 0]
-        y0 = sorted_boxes[place, 1]
-        x1 = sorted_boxes[place, 2]
-        y1 = sorted_boxes[place, 3]
-        before = cell_at(x0, scale) - 1
-        run = cell_at(x1, scale) - before + 1
-        below, above = cell_at(y0, scale) - 1, cell_at(y1, scale)
+    for box in range(int(start[coarse.offset]), int(start[coarse.offset + coarse.mask + 1])):
+        place = UNSIGNED(box)
+        before = cell_at(boxes[place, 0], scale) - 1
+        run = cell_at(boxes[place, 2], scale) - before + 1
+        below, above = cell_at(boxes[place, 1], scale) - 1, cell_at(boxes[place, 3], scale)
         shared = rows_share_buckets(fine, run, above - below + 1)
-        tag = place << 32
         for row in range(below, above + 1):
             bucket = bucket_of(before, row, mask, factor)
             left = run
             while left > 0:
                 part = min(left, size - bucket)
-                first, last = int(start[offset + bucket]), int(start[offset + bucket + part])
+                first = UNSIGNED(start[UNSIGNED(offset + bucket)])
+                last = UNSIGNED(start[UNSIGNED(offset + bucket + part)])
                 tested += last - first
-                if found + last - first + 1 > len(keys):
+                if shared:
+                    hits = test_run(ordered, place, first, last, keys, found)
+                    found = of_row(boxes, keys, found, hits, row, scale)
+                    first = last
+                while first < last:  # mostly two or three times SHORT
+                    many = note_run(noted, many, place, first, last)
+                    first += UNSIGNED(SHORT)
+                    if many > UNSIGNED(MANY):
+                        found = test_noted(ordered, many, keys, found)
+                        many = NONE
+                if found < 0:
                     return -1
-                hits = found
-                for candidate in range(first, last):
-                    other = candidate & ID_MASK
-                    keys[hits] = tag | other
-                    hits += (
-                        (sorted_boxes[other, 0] <= x1)
-                        & (x0 <= sorted_boxes[other, 2])
-                        & (sorted_boxes[other, 1] <= y1)
-                        & (y0 <= sorted_boxes[other, 3])
-                    )
-                found = of_row(sorted_boxes, keys, found, hits, row, scale) if shared else hits
                 left -= part
                 bucket = 0
-    tests[0] += tested
-    return found
+    tests[0] += SIGNED(tested)
+    return test_noted(ordered, many, keys, found)
 
 
-@kernel(_nrt=False)
-def of_row(sorted_boxes, keys, found, hits, row, scale):
-    """Of the hits from ``found`` on, keep those whose lower corner lies in a row of cells; their end."""
+@inner_kernel
+def of_row(boxes, keys, found, hits, row, scale):
+    """Of the hits from ``found`` on, keep those whose lower corner lies in a row of cells.
+
+    Their end, or -1 if there was no room for the hits.
+    """
+    if hits < 0:
+        return -1
     for hit in range(found, hits):
         keys[found] = keys[hit]
-        found += cell_at(sorted_boxes[keys[hit] & ID_MASK, 1], scale) == row
+        found += cell_at(boxes[keys[hit] & ID_MASK, 1], scale) == row
     return found
 
 
@@ -235,11 +218,10 @@ def find_pairs(store, ladder, placed, ordered, keys, tests):
                 continue
             coarser = table_of(layout, ladder.scales, coarse)
             if runs_over(layout, fine, coarse):
-                found = run_over(ordered.boxes, start, finer, coarser, keys, found, tests)
+                found = run_over(ordered, start, finer, coarser, keys, found, tests)
             else:
-                found = look_up(ordered.boxes, start, finer, coarser, keys, found, tests)
+                found = look_up(ordered, start, finer, coarser, keys, found, tests)
             if found < 0:
                 return -1
-    if found > 0:
-        name_pairs(keys, found, ordered.order)
+    name_pairs(keys, found, ordered.order)
     return found

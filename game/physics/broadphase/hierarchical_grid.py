@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
-from game.physics.broadphase.grid_search import PADDING
 from game.physics.broadphase.hash_levels import (
     COUNT,
     FACTOR,
@@ -35,6 +34,7 @@ from game.physics.broadphase.hash_levels import (
     place_boxes,
 )
 from game.physics.broadphase.hash_search import find_pairs
+from game.physics.broadphase.runs import ROOM
 from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
 from game.physics.broadphase.walks.hash import LevelVisit, Tables, level_visits
 from game.physics.kernels.jit import kernel
@@ -113,13 +113,14 @@ class HierarchicalGrid(BroadPhase):
         self._lists = CellLists(64, self.capacity)
         self._lists.fresh = False
         self._list_levels: NDArray[np.int8] = np.full(self.capacity, -1, dtype=np.int8)
+        self._noted: NDArray[np.int64] = np.zeros(ROOM, dtype=np.int64)
         self._make_room_to_sort(self.capacity)
 
     def _make_room_to_sort(self, capacity: int) -> None:
         self._sort_levels: NDArray[np.int8] = np.zeros(capacity, dtype=np.int8)
         self._buckets: NDArray[np.int32] = np.zeros(capacity, dtype=np.int32)
-        self._order: NDArray[np.int64] = np.zeros(2 * capacity + PADDING, dtype=np.int64)
-        self._sorted: Corners = np.zeros((2 * capacity + PADDING, 4))
+        self._order: NDArray[np.int64] = np.zeros(2 * capacity, dtype=np.int64)
+        self._sorted: Corners = np.zeros((2 * capacity, 4))
 
     def _grow(self, capacity: int) -> None:
         super()._grow(capacity)
@@ -222,7 +223,8 @@ class HierarchicalGrid(BroadPhase):
         while found < 0:
             found = find_pairs(
                 self._store(), (self._step, self._scales),
-                (self._sort_levels, self._layout, self._buckets, self._start), (self._order, self._sorted),
+                (self._sort_levels, self._layout, self._buckets, self._start),
+                (self._order, self._sorted, self._noted),
                 self._sorter.keys, self._tests,
             )  # fmt: skip
             if found == -1:

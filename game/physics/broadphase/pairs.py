@@ -179,7 +179,7 @@ class PairManager:
             keys = self._sorter.keys[:count]
             pairs = np.stack([keys >> 32, (keys & ID_FIELD).astype(np.int32)], axis=1)
             return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
-        return self._sorter.sorted(count, int(self.table.numbers[GREATEST]) + 1)
+        return self._sorter.sorted(count, int(self.table.numbers[GREATEST]) + 1).copy()
 
     def _pair(self, a: Any, b: Any) -> tuple[int, int]:
         for box in (a, b):

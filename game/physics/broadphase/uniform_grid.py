@@ -27,13 +27,12 @@ from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
 from game.physics.broadphase.grid_search import (
     GUARD,
-    ID_MASK,
-    PADDING,
     Matrix,
     cell_coordinate,
     find_pairs,
     place_boxes,
 )
+from game.physics.broadphase.runs import ID_MASK, ROOM
 from game.physics.broadphase.validation import Corners, Ids, Pairs, corner
 from game.physics.broadphase.walks.grid import CellRuns, Visit, corner_visits
 from game.physics.kernels.jit import kernel
@@ -97,12 +96,13 @@ class UniformGrid(BroadPhase):
         cells = (self.rows + 1) * (self.columns + GUARD) + 1
         self._start: NDArray[np.int32] = np.zeros(cells, dtype=np.int32)
         self._lists = CellLists(cells, self.capacity)
+        self._noted: NDArray[np.int64] = np.zeros(ROOM, dtype=np.int64)
         self._make_room_to_sort(self.capacity)
 
     def _make_room_to_sort(self, capacity: int) -> None:
         self._cells: NDArray[np.int32] = np.full(capacity, -1, dtype=np.int32)
-        self._order: NDArray[np.int64] = np.zeros(capacity + PADDING, dtype=np.int64)
-        self._sorted: Corners = np.zeros((capacity + PADDING, 4))
+        self._order: NDArray[np.int64] = np.zeros(capacity, dtype=np.int64)
+        self._sorted: Corners = np.zeros((capacity, 4))
 
     def _grow(self, capacity: int) -> None:
         super()._grow(capacity)
@@ -174,7 +174,8 @@ class UniformGrid(BroadPhase):
         found = -1
         while found < 0:
             found = find_pairs(
-                self._store(), self._matrix, self._cells, self._start, (self._order, self._sorted),
+                self._store(), self._matrix, self._cells, self._start,
+                (self._order, self._sorted, self._noted),
                 self._sorter.keys, self._reach,
             )  # fmt: skip
             if found < 0:

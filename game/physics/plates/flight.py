@@ -85,11 +85,11 @@ def law_at(b, i):
 
 
 @inner_kernel(forceinline=True)
-def rates(motion, wind, fall, law, per):
+def rates(motion, wind, fall, law, per, bent):
     """Accelerations (x, y, spin, bend) of a plate.
 
     motion: cos and sin of its angle, vx, vy, spin, bend and its rate; wind: its velocity, and its rate
-    along the way; law: see `law_at`; per: one over its four inertias.
+    along the way; law: see `law_at`; per: one over its four inertias. bent: False only if the bend is 0.
     """
     c, s, vx, vy, spin, q, rate = motion
     wx, wy, dwx, dwy = wind
@@ -101,11 +101,12 @@ def rates(motion, wind, fall, law, per):
     py = uy + spin * offset  # of the middle, which the air pushes
     gx, gy = -dwx, -fall - dwy
     bx, by = c * gx + s * gy, c * gy - s * gx
-    up, level = sine(q), cosine(q)
+    # of no bend they have these very bits, and the quotients of the series are most of a stage's time
+    up, level = (sine(q), cosine(q)) if bent else (q, 1.0)
     slow = 1.0 / (math.sqrt(ux * ux + py * py) + 1e-300)
     lift = turn * spin - glide * (ux * py * slow + CAMBER * up * ux)
     # the halves: where their middles are, how these move with the bend, and how much each is on its own
-    apart = q * q / (q * q + HALF_BEND * HALF_BEND)
+    apart = q * q / (q * q + HALF_BEND * HALF_BEND) if bent else 0.0
     arm, rise = 0.5 * half * level, 0.5 * half * HEAVY * up
     arm_q, rise_q = -0.5 * half * up, 0.5 * half * HEAVY * level
     turned = apart * spin
@@ -132,52 +133,65 @@ def energy(motion, y, fall, law):
     return moving, 0.5 * law[12] * (q - law[14]) * (q - law[14]) + law[4] * fall * y
 
 
-@inner_kernel
-def stage(b, part, weight, rules):
-    """A stage of Runge-Kutta of all lanes: slopes ``part`` of the substep on, weighed into sums."""
+@inner_kernel(forceinline=True)
+def stage_of(b, i, part, weight, rules, bent):
+    """`stage` of the lane i."""
     fall, inertia, bends, _, _ = rules
-    for i in range(LANES):
-        law = law_at(b, i)
-        per = b[PER_X * LANES + i], b[PER_Y * LANES + i], b[PER_TURN * LANES + i], b[PER_BEND * LANES + i]
-        h = part * b[LENGTH * LANES + i]
-        x, y = (
-            b[X * LANES + i] + h * b[(SLOPE + X) * LANES + i],
-            b[Y * LANES + i] + h * b[(SLOPE + Y) * LANES + i],
-        )
-        vx, vy = (
-            b[VX * LANES + i] + h * b[(SLOPE + VX) * LANES + i],
-            b[VY * LANES + i] + h * b[(SLOPE + VY) * LANES + i],
-        )
-        spin = b[SPIN * LANES + i] + h * b[(SLOPE + SPIN) * LANES + i]
-        q = b[BEND * LANES + i] + h * b[(SLOPE + BEND) * LANES + i]
-        rate = bends * (b[BEND_RATE * LANES + i] + h * b[(SLOPE + BEND_RATE) * LANES + i])
-        c, s = (
-            b[COS * LANES + i] + h * b[COS_SLOPE * LANES + i],
-            b[SIN * LANES + i] + h * b[SIN_SLOPE * LANES + i],
-        )
-        dx, dy, dt = x - b[FROM_X * LANES + i], y - b[FROM_Y * LANES + i], b[TIME * LANES + i] + h
-        xx, xy, xt = b[(AIR + WX_X) * LANES + i], b[(AIR + WX_Y) * LANES + i], b[(AIR + WX_T) * LANES + i]
-        yx, yy, yt = b[(AIR + WY_X) * LANES + i], b[(AIR + WY_Y) * LANES + i], b[(AIR + WY_T) * LANES + i]
-        wx = b[(AIR + WX) * LANES + i] + xx * dx + xy * dy + xt * dt
-        wy = b[(AIR + WY) * LANES + i] + yx * dx + yy * dy + yt * dt
-        dwx, dwy = inertia * (xt + xx * vx + xy * vy), inertia * (yt + yx * vx + yy * vy)
-        ax, ay, turning, opening = rates((c, s, vx, vy, spin, q, rate), (wx, wy, dwx, dwy), fall, law, per)
-        opening = opening * bends
-        b[(SLOPE + X) * LANES + i], b[(SLOPE + Y) * LANES + i] = vx, vy
-        b[(SLOPE + THETA) * LANES + i], b[(SLOPE + SPIN) * LANES + i] = spin, turning
-        b[(SLOPE + VX) * LANES + i], b[(SLOPE + VY) * LANES + i] = ax, ay
-        b[(SLOPE + BEND) * LANES + i], b[(SLOPE + BEND_RATE) * LANES + i] = rate, opening
-        b[COS_SLOPE * LANES + i], b[SIN_SLOPE * LANES + i] = -spin * s, spin * c
-        b[(SUM + X) * LANES + i] += weight * vx
-        b[(SUM + Y) * LANES + i] += weight * vy
-        b[(SUM + THETA) * LANES + i] += weight * spin
-        b[(SUM + VX) * LANES + i] += weight * ax
-        b[(SUM + VY) * LANES + i] += weight * ay
-        b[(SUM + SPIN) * LANES + i] += weight * turning
-        b[(SUM + BEND) * LANES + i] += weight * rate
-        b[(SUM + BEND_RATE) * LANES + i] += weight * opening
-        b[COS_SUM * LANES + i] += weight * -spin * s
-        b[SIN_SUM * LANES + i] += weight * spin * c
+    law = law_at(b, i)
+    per = b[PER_X * LANES + i], b[PER_Y * LANES + i], b[PER_TURN * LANES + i], b[PER_BEND * LANES + i]
+    h = part * b[LENGTH * LANES + i]
+    x, y = (
+        b[X * LANES + i] + h * b[(SLOPE + X) * LANES + i],
+        b[Y * LANES + i] + h * b[(SLOPE + Y) * LANES + i],
+    )
+    vx, vy = (
+        b[VX * LANES + i] + h * b[(SLOPE + VX) * LANES + i],
+        b[VY * LANES + i] + h * b[(SLOPE + VY) * LANES + i],
+    )
+    spin = b[SPIN * LANES + i] + h * b[(SLOPE + SPIN) * LANES + i]
+    q = b[BEND * LANES + i] + h * b[(SLOPE + BEND) * LANES + i]
+    rate = bends * (b[BEND_RATE * LANES + i] + h * b[(SLOPE + BEND_RATE) * LANES + i])
+    c, s = (
+        b[COS * LANES + i] + h * b[COS_SLOPE * LANES + i],
+        b[SIN * LANES + i] + h * b[SIN_SLOPE * LANES + i],
+    )
+    dx, dy, dt = x - b[FROM_X * LANES + i], y - b[FROM_Y * LANES + i], b[TIME * LANES + i] + h
+    xx, xy, xt = b[(AIR + WX_X) * LANES + i], b[(AIR + WX_Y) * LANES + i], b[(AIR + WX_T) * LANES + i]
+    yx, yy, yt = b[(AIR + WY_X) * LANES + i], b[(AIR + WY_Y) * LANES + i], b[(AIR + WY_T) * LANES + i]
+    wx = b[(AIR + WX) * LANES + i] + xx * dx + xy * dy + xt * dt
+    wy = b[(AIR + WY) * LANES + i] + yx * dx + yy * dy + yt * dt
+    dwx, dwy = inertia * (xt + xx * vx + xy * vy), inertia * (yt + yx * vx + yy * vy)
+    ax, ay, turning, opening = rates((c, s, vx, vy, spin, q, rate), (wx, wy, dwx, dwy), fall, law, per, bent)
+    opening = opening * bends
+    b[(SLOPE + X) * LANES + i], b[(SLOPE + Y) * LANES + i] = vx, vy
+    b[(SLOPE + THETA) * LANES + i], b[(SLOPE + SPIN) * LANES + i] = spin, turning
+    b[(SLOPE + VX) * LANES + i], b[(SLOPE + VY) * LANES + i] = ax, ay
+    b[(SLOPE + BEND) * LANES + i], b[(SLOPE + BEND_RATE) * LANES + i] = rate, opening
+    b[COS_SLOPE * LANES + i], b[SIN_SLOPE * LANES + i] = -spin * s, spin * c
+    b[(SUM + X) * LANES + i] += weight * vx
+    b[(SUM + Y) * LANES + i] += weight * vy
+    b[(SUM + THETA) * LANES + i] += weight * spin
+    b[(SUM + VX) * LANES + i] += weight * ax
+    b[(SUM + VY) * LANES + i] += weight * ay
+    b[(SUM + SPIN) * LANES + i] += weight * turning
+    b[(SUM + BEND) * LANES + i] += weight * rate
+    b[(SUM + BEND_RATE) * LANES + i] += weight * opening
+    b[COS_SUM * LANES + i] += weight * -spin * s
+    b[SIN_SUM * LANES + i] += weight * spin * c
+
+
+@inner_kernel
+def stage(b, part, weight, rules, bent):
+    """A stage of Runge-Kutta of all lanes: slopes ``part`` of the substep on, weighed into sums.
+
+    Two loops, as a loop that asks does not come in vectors.
+    """
+    if bent:
+        for i in range(LANES):
+            stage_of(b, i, part, weight, rules, True)
+    else:
+        for i in range(LANES):
+            stage_of(b, i, part, weight, rules, False)
 
 
 @inner_kernel
@@ -214,28 +228,31 @@ def finish(b, rules):
 
 
 @inner_kernel
-def substep(b, rules):
-    """One substep of all lanes of the buffer b, as long as each says; a length of 0 changes nothing."""
+def substep(b, rules, bent):
+    """One substep of all lanes of the buffer b, as long as each says; a length of 0 changes nothing.
+
+    bent: see `any_bent`.
+    """
     for k in range(SLOPE, ROWS):
         for i in range(LANES):
             b[k * LANES + i] = 0.0
     method = rules[4]
     if method == RK4:
-        stage(b, 0.0, 1.0, rules)
-        stage(b, 0.5, 2.0, rules)
-        stage(b, 0.5, 2.0, rules)
-        stage(b, 1.0, 1.0, rules)
+        stage(b, 0.0, 1.0, rules, bent)
+        stage(b, 0.5, 2.0, rules, bent)
+        stage(b, 0.5, 2.0, rules, bent)
+        stage(b, 1.0, 1.0, rules, bent)
     elif method == MIDPOINT:
-        stage(b, 0.0, 0.0, rules)
-        stage(b, 0.5, 6.0, rules)
+        stage(b, 0.0, 0.0, rules, bent)
+        stage(b, 0.5, 6.0, rules, bent)
     else:
-        stage(b, 0.0, 6.0, rules)
+        stage(b, 0.0, 6.0, rules, bent)
     finish(b, rules)
 
 
-@inner_kernel
-def substeps_of(b, i, fall, dt):
-    """How many substeps the lane i needs for dt (s)."""
+@inner_kernel(forceinline=True)
+def parts_of(b, i, fall, dt):
+    """How many of the substeps that the lane i bears are in dt (s)."""
     rx, ry = b[VX * LANES + i] - b[(AIR + WX) * LANES + i], b[VY * LANES + i] - b[(AIR + WY) * LANES + i]
     light = b[(LAW + MASS_X) * LANES + i]
     speed = math.sqrt(rx * rx + ry * ry) + math.sqrt(fall * b[(LAW + HALF) * LANES + i] * light) + 1e-9
@@ -249,20 +266,53 @@ def substeps_of(b, i, fall, dt):
     bending = b[(LAW + STIFF) * LANES + i] / b[(LAW + BEND_INERTIA) * LANES + i]
     swing = math.sqrt(heavy * speed * speed / (light * b[(LAW + INERTIA) * LANES + i]))
     fastest = max(max(along, about), max(math.sqrt(bending), swing))
-    parts = fastest * dt / PART
-    if not parts < MOST_SUBSTEPS:
-        return MOST_SUBSTEPS
-    return int(parts) + 1
+    return fastest * dt / PART
+
+
+@inner_kernel
+def any_bent(b):
+    """Whether a lane is bent or can be."""
+    bent = False
+    for i in range(LANES):
+        bent |= (b[BEND * LANES + i] != 0.0) | (b[BEND_RATE * LANES + i] != 0.0)
+        bent |= b[PER_BEND * LANES + i] != 0.0
+    return bent
 
 
 @inner_kernel
 def load(b, row, rows, first, many):
     """Copy ``many`` columns of rows (k, n) from ``first`` on; lanes without one get the first of them."""
+    if many == LANES:  # in vectors
+        for k in range(rows.shape[0]):
+            for i in range(LANES):
+                b[(row + k) * LANES + i] = rows[k, first + i]
+        return
     for k in range(rows.shape[0]):
         for i in range(many):
             b[(row + k) * LANES + i] = rows[k, first + i]
         for i in range(many, LANES):
             b[(row + k) * LANES + i] = rows[k, first]
+
+
+@inner_kernel
+def prepare(b, counts, fall, dt):
+    """What a step needs of each lane, and how many substeps: in loops apart, for some come in vectors."""
+    for i in range(LANES):
+        theta = b[THETA * LANES + i]
+        b[COS * LANES + i], b[SIN * LANES + i] = elementary.cos(theta), elementary.sin(theta)
+    for i in range(LANES):
+        b[FROM_X * LANES + i], b[FROM_Y * LANES + i] = b[X * LANES + i], b[Y * LANES + i]
+        b[TIME * LANES + i] = 0.0
+        b[PER_X * LANES + i] = 1.0 / b[(LAW + MASS_X) * LANES + i]
+        b[PER_Y * LANES + i] = 1.0 / b[(LAW + MASS_Y) * LANES + i]
+        b[PER_TURN * LANES + i] = 1.0 / b[(LAW + INERTIA) * LANES + i]
+        gives = b[(LAW + STIFF) * LANES + i] > 0.0
+        b[PER_BEND * LANES + i] = 1.0 / b[(LAW + BEND_INERTIA) * LANES + i] if gives else 0.0
+        b[LENGTH * LANES + i] = parts_of(b, i, fall, dt)
+    for i in range(LANES):
+        parts = b[LENGTH * LANES + i]
+        counts[i] = int(parts) + 1 if parts < MOST_SUBSTEPS else MOST_SUBSTEPS
+        b[LENGTH * LANES + i] = dt / counts[i]
 
 
 @lean_kernel
@@ -273,26 +323,14 @@ def fly(state, laws, air, buffer, counts, settings, dt):
     settings: gravity (m/s²), 1 if a changing wind pushes, 1 if plates bend, 1 if the air is still, the
     method's place in METHODS.
     """
-    fall = settings[0]
     n = state.shape[1]
     for first in range(0, n, LANES):
         many = min(LANES, n - first)
         load(buffer, 0, state, first, many)
         load(buffer, LAW, laws, first, many)
         load(buffer, AIR, air, first, many)
-        for i in range(LANES):
-            theta = buffer[THETA * LANES + i]
-            buffer[COS * LANES + i], buffer[SIN * LANES + i] = elementary.cos(theta), elementary.sin(theta)
-            buffer[FROM_X * LANES + i] = buffer[X * LANES + i]
-            buffer[FROM_Y * LANES + i] = buffer[Y * LANES + i]
-            buffer[TIME * LANES + i] = 0.0
-            buffer[PER_X * LANES + i] = 1.0 / buffer[(LAW + MASS_X) * LANES + i]
-            buffer[PER_Y * LANES + i] = 1.0 / buffer[(LAW + MASS_Y) * LANES + i]
-            buffer[PER_TURN * LANES + i] = 1.0 / buffer[(LAW + INERTIA) * LANES + i]
-            gives = buffer[(LAW + STIFF) * LANES + i] > 0.0
-            buffer[PER_BEND * LANES + i] = 1.0 / buffer[(LAW + BEND_INERTIA) * LANES + i] if gives else 0.0
-            counts[i] = substeps_of(buffer, i, fall, dt)
-            buffer[LENGTH * LANES + i] = dt / counts[i]
+        prepare(buffer, counts, settings[0], dt)
+        bent = any_bent(buffer)
         most = 1
         for i in range(LANES):
             most = max(most, counts[i])
@@ -301,7 +339,7 @@ def fly(state, laws, air, buffer, counts, settings, dt):
                 for i in range(LANES):
                     if k >= counts[i]:
                         buffer[LENGTH * LANES + i] = 0.0
-            substep(buffer, settings)
+            substep(buffer, settings, bent)
         for k in range(STATE):
             for i in range(many):
                 state[k, first + i] = buffer[k * LANES + i]

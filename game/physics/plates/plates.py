@@ -256,7 +256,8 @@ class Plates:
         """The wind at each plate, with its slopes."""
         if self.wind is None or WINDS not in self.effects:
             self.air[:] = 0.0
-        elif isinstance(self.wind, GustyWind) or hasattr(self.wind, "feel"):
+            return
+        if isinstance(self.wind, GustyWind) or hasattr(self.wind, "feel"):
             self.wind.feel(self.rows, self.time, self.air)
         else:
             slopes_of(self.wind, self.rows[:2], self.time, self.air)

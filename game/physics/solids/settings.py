@@ -20,6 +20,7 @@ from game.physics.solids.effects import (
 
 MOST_TURNS = 10_000
 JOINT_SOLVERS = ("direct", "sweeps")
+GOVERNED = "soft-step"  # others show how they are, as printed
 JOINT_RATE = 0.4  # part of a stiff joint's gap that a substep restores
 USUAL_HERTZ = 0.135  # of soft contacts, as part of the substeps a second
 ABREAST = frozenset({"soft-step"})  # solvers that take rows in batches
@@ -60,6 +61,7 @@ class Numbers(NamedTuple):
     bounce: float  # m/s, slower impacts do not bounce
     slop: float  # m of overlap that is left alone, by solvers that correct it
     friction: float  # 1, or 0 without friction
+    passive: bool  # the energy of what has no source is kept from rising
     calm: float  # m/s: slower than that is quiet
     abreast: bool  # the solver takes rows in batches, and copies them when it is done
     patience: float  # s of quiet before a group falls asleep
@@ -159,7 +161,7 @@ class SolidSettings:
             *soft(hertz, self.contact_damping, h), *soft(2.0 * hertz, self.contact_damping, h),
             self.joint_solver == "direct", *self._joint_spring(h),
             float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),
-            1.0 if mask & FRICTION_BIT and mask & CONTACTS_BIT else 0.0,
+            1.0 if mask & FRICTION_BIT and mask & CONTACTS_BIT else 0.0, self.solver == GOVERNED,
             float(self.calm), self.solver in ABREAST, float(self.patience),
         )  # fmt: skip
 

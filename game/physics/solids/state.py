@@ -38,7 +38,7 @@ PLACE_X, PLACE_Y, PLACE_ANGLE = 16, 17, 18
 # stiffness N/m of both points along normal and tangent, that solvers by penalty have come to
 STIFF = 19
 MANIFOLD_WIDTH = 23
-# columns of Contacts.marks; GIVEN: they overlap by no motion of their own (born so, or pressed together)
+# columns of Contacts.marks; GIVEN: they overlap by no motion of their own (born so, or put so)
 POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND, GIVEN = range(6)
 MARKS_WIDTH = 6
 

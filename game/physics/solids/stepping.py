@@ -26,6 +26,7 @@ from game.physics.solids.joints.layout import (
 from game.physics.solids.joints.lines import joint_load
 from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
 from game.physics.solids.rows import copy_rows
+from game.physics.solids.solvers.governor import hold_step
 from game.physics.solids.solvers.motion import start_motion
 from game.physics.solids.state import (
     APPROACH_0,
@@ -192,6 +193,8 @@ def finish_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
         wake_islands(bodies, contacts, joints, scratch)
     if numbers.mask & CONTINUOUS_BIT and numbers.mask & CONTACTS_BIT:
         scratch.events[STOPPED] = stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers)
+    if numbers.passive:
+        hold_step(bodies, contacts, rows, scratch, numbers)
     scratch.events[WRONG] = place_bodies(bodies, scratch)
     if numbers.mask & SLEEP_BIT:
         send_to_sleep(bodies, rows, contacts, joints, scratch, numbers)

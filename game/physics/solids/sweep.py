@@ -151,13 +151,13 @@ def stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers):
             for k in (i, j):
                 if bodies.flags[k] & DYNAMIC:
                     fractions[k] = min(fractions[k], t)
-    return cut_motion(bodies, motion, scratch.accelerations, fractions, numbers.dt)
+    return cut_motion(bodies, scratch, fractions, numbers.dt)
 
 
 @inner_kernel
-def cut_motion(bodies, motion, pulls, fractions, dt):
+def cut_motion(bodies, scratch, fractions, dt):
     """Let bodies go only a fraction of their way; how many."""
-    stopped = 0
+    motion, pulls, stopped = scratch.motion, scratch.accelerations, 0
     for i in range(fractions.shape[0]):
         t = fractions[i]
         bodies.late[i] = (1.0 - t) * dt
@@ -168,6 +168,8 @@ def cut_motion(bodies, motion, pulls, fractions, dt):
             motion[i, DX] *= t
             motion[i, DY] *= t
             motion[i, DA] *= t
+            for k in range(3):
+                scratch.going[i, k] *= t
             motion[i, VX] -= (1.0 - t) * dt * pulls[i, 0]
             motion[i, VY] -= (1.0 - t) * dt * pulls[i, 1]
             motion[i, W] -= (1.0 - t) * dt * pulls[i, 2]

@@ -34,7 +34,7 @@ from game.physics.solids.joints.layout import (
 from game.physics.solids.joints.lines import load_of
 from game.physics.solids.joints.options import JointOptions
 from game.physics.solids.joints.plan import plan_joints
-from game.physics.solids.settings import SolidSettings
+from game.physics.solids.settings import GOVERNED, SolidSettings
 from game.physics.solids.shapes import (
     checked_number,
     checked_pair,
@@ -97,6 +97,8 @@ class SolidWorld(SolidBodies):
         if settings.solver not in SOLVERS:
             raise ValueError(f"solver = {settings.solver!r}: expected one of {', '.join(SOLVERS)}")
         self._settings = settings
+        if settings.solver != GOVERNED:
+            self.bodies.stored[:] = 0.0  # no other solver knows of it
         self.bodies.flags[self.ids()] |= WAKING
         self._numbers: Any = None
         self._fitting = False

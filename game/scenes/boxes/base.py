@@ -34,6 +34,7 @@ class BoxesScene(Scene):
 
     effects = MOTION | BOUNDARY
     content_type = BoxesContent
+    default_content: ClassVar[BoxesContent] = BoxesContent()
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     may_be_infinite = frozenset(("lowers", "uppers", "swept_lowers", "swept_uppers"))
     parameters_type = BoxesParameters
@@ -65,7 +66,7 @@ class BoxesScene(Scene):
     )
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else BoxesContent()
+        content = self.content_of(level)
         self.model = self.model_type(self.parameters, self.active, self.seed)
         self.model.begin(content)
         self.hand = self.make_hand()

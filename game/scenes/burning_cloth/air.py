@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.cloth import Breeze, GasAt
-from game.physics.combustion import Flames, GasFuel
 from game.physics.combustion.burning import lift_cells
 from game.physics.effects import EffectSet
-from game.physics.gas import Gas, GasSettings, GasState
+from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
 from game.scenes.burning_cloth.tables import DEEP, HALF, ROOM, TALL
-from game.scenes.shared.flames_seen import FlameLook, flame_height, paint_veil
-from game.stage import Part
+from game.scenes.shared.burning_air import FIELDS, BurningAir
+from game.scenes.shared.flames_seen import FlameLook
 
 Floats = NDArray[np.float64]
-FIELDS = ("temperature", "fuel", "oxygen", "soot")
 FRESH = 0.27  # kg/m³ of oxygen
 GRAVITY_NOW = 9.81  # m/s²
 MIXES = 1.3  # 1/s at which the layer takes on the wind before and behind it
@@ -37,56 +34,33 @@ MATCH_WIDE = 0.03  # m
 GLOWING, PILOT = 700.0, 0.4  # K, share: vapour that leaves what is hotter begins to burn as it leaves
 
 
-class AirState(NamedTuple):
-    """gas; books (6,) of what burnt, a metre deep; flows (4,): J from the match, J through the sides; m/s of
-    the wind now; rad, how far its swell has run.
+class Air(BurningAir):
+    """cells: across. wind: m/s that it goes to.
+
+    Its books are of a layer a metre deep; its flows: J from the match, J through the sides; m/s of the wind
+    now; rad, how far its swell has run.
     """
 
-    gas: GasState
-    books: Floats
-    flows: Floats
-
-
-class Air(Part):
-    """cells: across. wind: m/s that it goes to."""
+    vapour, flame_look = VAPOUR, LOOK
 
     def __init__(self, cells: int, cycles: int, active: EffectSet, gas_effects: EffectSet):
-        self.cell = 2.0 * HALF / cells
-        tall = round(TALL / self.cell)
+        cell = 2.0 * HALF / cells
         borders = Borders(Border("open"), Border("open"), Border("wall"), Border("open"))
-        self.gas = Gas(
-            Grid(cells, tall, self.cell, (-HALF, 0.0)), borders,
+        gas = Gas(
+            Grid(cells, round(TALL / cell), cell, (-HALF, 0.0)), borders,
             GasSettings(
                 effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=ROOM,
                 conservative=("temperature",),
             ),
             FIELDS, {"oxygen": FRESH},
         )  # fmt: skip
-        self.flames = Flames(range(4), self.cell, GasFuel(**VAPOUR, effects=active))
-        self.flows: Floats = np.zeros(4)
-        self.lifts, self.wind = BUOYANCY in gas_effects, 0.0
+        super().__init__(gas, _edge_of(gas.grid.shape), active, BUOYANCY in gas_effects)
+        self.wind = 0.0
         self.speed_now = np.zeros(self.gas.grid.shape)
         self._nothing = np.zeros(self.gas.grid.shape)  # of expansion, which this layer leaves out
-        self._veil = np.zeros((*self.gas.grid.shape, 2), np.float32)
-        self._edge = _edge_of(self.gas.grid.shape)
         self._centres = self.gas.grid.centres()
 
     # -- what it is made of -----------------------------------------------------------------------------
-
-    def set_cycles(self, cycles: int) -> None:
-        """So many V-cycles in a step."""
-        self._change(turns=cycles)
-
-    def set_effects(self, active: EffectSet, gas_effects: EffectSet) -> None:
-        """Compute these from now on."""
-        self.flames.made_of = GasFuel(**VAPOUR, effects=active)
-        self.lifts = BUOYANCY in gas_effects
-        self._change(effects=gas_effects.without(BUOYANCY))
-
-    def _change(self, **changes: object) -> None:
-        now = self.gas.settings
-        kept = {name: getattr(now, name) for name in ("effects", "turns", "ambient", "conservative")}
-        self.gas.settings = GasSettings(**(kept | changes))
 
     def at_cloth(self) -> GasAt:
         """For the cloth."""
@@ -184,11 +158,6 @@ class Air(Part):
     # -- what there is ------------------------------------------------------------------------------------
 
     @property
-    def temperature(self) -> Floats:
-        """(ny, nx) K."""
-        return self.gas.field("temperature")
-
-    @property
     def power(self) -> float:
         """W of flames in the last step."""
         return self.flames.power * DEEP
@@ -212,25 +181,6 @@ class Air(Part):
             slope = np.where(both > 0.0, both / np.where(both > 0.0, one + two, 1.0), 0.0)
             total.append(float(np.sum(speed * (cell + slope))))
         return math.fsum(total) * VAPOUR["capacity"] * self.cell * DEEP
-
-    def veil(self) -> NDArray[np.float32]:
-        """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
-        cells = self.gas.scalars
-        paint_veil(LOOK, cells[..., 0], cells[..., 3], self._edge, self._veil)
-        return self._veil
-
-    def flame_height(self) -> float:
-        """m, of the highest gas that is seen to burn."""
-        return flame_height(LOOK, self.temperature, self.cell)
-
-    def state(self) -> AirState:
-        """All that later steps depend on."""
-        return AirState(self.gas.state(), self.flames.books, self.flows)
-
-    def restore(self, state: AirState) -> None:
-        """Take over a copy of a state."""
-        self.gas.restore(state.gas)
-        self.flames.books[:], self.flows[:] = state.books, state.flows
 
 
 def _edge_of(shape: tuple[int, int]) -> Floats:

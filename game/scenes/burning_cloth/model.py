@@ -17,7 +17,7 @@ from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
 from game.physics.heat.effects import HEAT
-from game.scenes.burning_cloth.air import Air, AirState
+from game.scenes.burning_cloth.air import Air
 from game.scenes.burning_cloth.ashes import Ashes
 from game.scenes.burning_cloth.ashes import X as ASH_X
 from game.scenes.burning_cloth.ashes import Y as ASH_Y
@@ -31,6 +31,7 @@ from game.scenes.burning_cloth.tables import (
     TOP,
     WIDTH,
 )
+from game.scenes.shared.burning_air import AirState
 from game.scenes.shared.heard import HEARD_TIME, HEARD_WIDTH
 from game.stage import Part
 

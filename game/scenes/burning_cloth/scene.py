@@ -16,7 +16,7 @@ from game.scenes.burning_cloth.figure import draw_front
 from game.scenes.burning_cloth.hand import BurningClothHand
 from game.scenes.burning_cloth.level import DEFAULT, BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
-from game.scenes.burning_cloth.parameters import OF_PICTURE, OF_TOOLS, BurningClothParameters
+from game.scenes.burning_cloth.parameters import OF_PICTURE, BurningClothParameters
 from game.scenes.burning_cloth.readouts import readouts_of
 from game.scenes.burning_cloth.saving import content_of
 from game.scenes.burning_cloth.sheet_painter import warm_up_sheet
@@ -24,6 +24,8 @@ from game.scenes.burning_cloth.sounds import hearing_of
 from game.scenes.burning_cloth.targets import story_targets
 from game.scenes.burning_cloth.view import BurningClothView
 from game.scenes.burning_cloth.yard import warm_up_yard
+from game.scenes.shared.backdrops import warm_up_backdrop
+from game.scenes.shared.flames_seen import warm_up_gas
 from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
@@ -56,6 +58,8 @@ class BurningCloth(BuiltScene):
     hand: BurningClothHand
     effects = ADVECTION | PRESSURE | BUOYANCY | FLAMES | SOOT_LOSS | HEAT.known | CLOTH.known
     content_type = BurningClothContent
+    not_of_model = OF_PICTURE
+    of_tier = ("meshes",)
     default_content = DEFAULT
     study = front_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
@@ -104,6 +108,8 @@ class BurningCloth(BuiltScene):
             WarmUp("step", lambda: cls(parameters={"tier": "own", "meshes": 16}).advance(cls.dt)),
             WarmUp("polygons", warm_up_painter),
             WarmUp("cloth", warm_up_sheet),
+            WarmUp("backdrop", warm_up_backdrop),
+            WarmUp("gas", warm_up_gas),
             WarmUp("yard", warm_up_yard),
         )
 
@@ -116,18 +122,13 @@ class BurningCloth(BuiltScene):
         self.view = BurningClothView(self.model, self.hand)
         self.check_content(content)
 
-    def parameter_changed(self, name: str) -> None:
-        if name in OF_TOOLS:
-            self.hand.let_go()
-        elif name not in OF_PICTURE:
-            self.model.change_parameter(name)
+    def tool_changed(self) -> None:
+        self.hand.let_go()
 
     def why_idle(self, name: str) -> str:
-        if name == "meshes" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
         if name == "word" and self.model.content.words is not None:
             return "The level says what is written."
-        return ""
+        return super().why_idle(name)
 
     def save_content(self) -> BurningClothContent:
         return content_of(self.model)

@@ -9,7 +9,7 @@ import numpy as np
 
 from game.physics.cloth.layout import CHAR, FUEL, HOT, PATCH_ROWS, SALT, WATER
 from game.physics.kernels.lean import inner_kernel, lean_kernel
-from game.ui.raster.pixels import blend
+from game.ui.raster.pixels import OPAQUE, blend
 
 # columns of vertices: px, px, red, green, blue (0 to 255), share of the cloth that is left
 PX, PY, RED, GREEN, BLUE, LEFT = range(6)
@@ -18,54 +18,72 @@ NOTHING, ALL = 0.14, 0.34  # shares between which it is thinner and thinner to b
 LINEN, SALTED = (232.0, 222.0, 200.0), (204.0, 202.0, 196.0)
 BROWN, BLACK = (112.0, 70.0, 36.0), (24.0, 20.0, 19.0)
 GLOW_FROM, GLOW_TO = 620.0, 1050.0  # K between which it begins to glow and is brightest
+SURE = 1e-6  # more than what rounding can take from a share between vertices
 FLAT = 1e-6  # px² of a triangle that is not worth painting
 
 
 @inner_kernel
-def _triangle(pixels: Any, clip: Any, v: Any, a: Any, b: Any, c: Any) -> None:
-    """One, by rows; a, b, c: row and column of its corners among the vertices."""
-    ax, ay = v[a[0], a[1], PX], v[a[0], a[1], PY]
-    bx, by = v[b[0], b[1], PX] - ax, v[b[0], b[1], PY] - ay
-    cx, cy = v[c[0], c[1], PX] - ax, v[c[0], c[1], PY] - ay
+def _is_plain(v: Any) -> bool:
+    """True if a vertex hides what is behind it, in a colour that needs no clipping."""
+    return (
+        v[LEFT] > ALL + SURE and 0.0 <= v[RED] <= 255.0 and 0.0 <= v[GREEN] <= 255.0
+        and 0.0 <= v[BLUE] <= 255.0
+    )  # fmt: skip
+
+
+@inner_kernel
+def _triangle(pixels: Any, clip: Any, a: Any, b: Any, c: Any) -> None:
+    """One between three vertices (COLUMNS,), row by row between the edge from the highest to the lowest
+    corner and the two others.
+    """
+    ax, ay = a[PX], a[PY]
+    bx, by, cx, cy = b[PX] - ax, b[PY] - ay, c[PX] - ax, c[PY] - ay
     det = bx * cy - cx * by
     if not abs(det) > FLAT:
         return
-    low, high = min(min(by, cy), 0.0) + ay, max(max(by, cy), 0.0) + ay
-    first, last = max(math.ceil(low - 0.5), clip[1]), min(math.ceil(high - 0.5), clip[3])
+    # the corners by height, from the first one
+    x0, y0, x1, y1, x2, y2 = 0.0, 0.0, bx, by, cx, cy
+    if y1 < y0:
+        x0, y0, x1, y1 = x1, y1, x0, y0
+    if y2 < y1:
+        x1, y1, x2, y2 = x2, y2, x1, y1
+        if y1 < y0:
+            x0, y0, x1, y1 = x1, y1, x0, y0
+    first, last = max(math.ceil(y0 + ay - 0.5), clip[1]), min(math.ceil(y2 + ay - 0.5), clip[3])
     if first >= last:
         return
-    r0, g0, b0, s0 = v[a[0], a[1], RED], v[a[0], a[1], GREEN], v[a[0], a[1], BLUE], v[a[0], a[1], LEFT]
-    r1, g1 = v[b[0], b[1], RED] - r0, v[b[0], b[1], GREEN] - g0
-    b1, s1 = v[b[0], b[1], BLUE] - b0, v[b[0], b[1], LEFT] - s0
-    r2, g2 = v[c[0], c[1], RED] - r0, v[c[0], c[1], GREEN] - g0
-    b2, s2 = v[c[0], c[1], BLUE] - b0, v[c[0], c[1], LEFT] - s0
-    rx, gx, ex, sx = (
-        (r1 * cy - r2 * by) / det,
-        (g1 * cy - g2 * by) / det,
-        (b1 * cy - b2 * by) / det,
-        (s1 * cy - s2 * by) / det,
+    whole, upper, lower = (x2 - x0) / (y2 - y0), (x1 - x0) / (y1 - y0), (x2 - x1) / (y2 - y1)
+    part = 1.0 / det
+    r0, g0, e0, s0 = a[RED], a[GREEN], a[BLUE], a[LEFT]
+    r1, g1, e1, s1 = (
+        (b[RED] - r0) * part,
+        (b[GREEN] - g0) * part,
+        (b[BLUE] - e0) * part,
+        (b[LEFT] - s0) * part,
     )
-    ry, gy, ey, sy = (
-        (r2 * bx - r1 * cx) / det,
-        (g2 * bx - g1 * cx) / det,
-        (b2 * bx - b1 * cx) / det,
-        (s2 * bx - s1 * cx) / det,
+    r2, g2, e2, s2 = (
+        (c[RED] - r0) * part,
+        (c[GREEN] - g0) * part,
+        (c[BLUE] - e0) * part,
+        (c[LEFT] - s0) * part,
     )
+    rx, gx, ex, sx = r1 * cy - r2 * by, g1 * cy - g2 * by, e1 * cy - e2 * by, s1 * cy - s2 * by
+    ry, gy, ey, sy = r2 * bx - r1 * cx, g2 * bx - g1 * cx, e2 * bx - e1 * cx, s2 * bx - s1 * cx
+    plain = _is_plain(a) and _is_plain(b) and _is_plain(c)
     for y in range(first, last):
         at = y + 0.5 - ay
-        start, end = math.inf, -math.inf
-        for side in range(3):  # where the row crosses the edges
-            x1, y1 = (0.0, 0.0) if side == 0 else ((bx, by) if side == 1 else (cx, cy))
-            x2, y2 = (bx, by) if side == 0 else ((cx, cy) if side == 1 else (0.0, 0.0))
-            if (y1 <= at) != (y2 <= at):
-                x = x1 + (at - y1) * (x2 - x1) / (y2 - y1)
-                start, end = min(start, x), max(end, x)
-        if start > end:
-            continue
+        one = x0 + (at - y0) * whole
+        two = x0 + (at - y0) * upper if at < y1 else x1 + (at - y1) * lower
+        start, end = (one, two) if one < two else (two, one)
         left, right = max(math.ceil(start + ax - 0.5), clip[0]), min(math.ceil(end + ax - 0.5), clip[2])
         away = left + 0.5 - ax
         red, green = r0 + away * rx + at * ry, g0 + away * gx + at * gy
-        blue, share = b0 + away * ex + at * ey, s0 + away * sx + at * sy
+        blue, share = e0 + away * ex + at * ey, s0 + away * sx + at * sy
+        if plain:
+            for x in range(left, right):
+                pixels[y, x] = np.uint32(OPAQUE | int(red) << 16 | int(green) << 8 | int(blue))
+                red, green, blue = red + rx, green + gx, blue + ex
+            continue
         for x in range(left, right):
             if share > NOTHING:
                 ink = (
@@ -73,7 +91,7 @@ def _triangle(pixels: Any, clip: Any, v: Any, a: Any, b: Any, c: Any) -> None:
                     | min(max(int(blue), 0), 255)
                 )  # fmt: skip
                 if share >= ALL:
-                    pixels[y, x] = np.uint32(0xFF000000 | ink)
+                    pixels[y, x] = np.uint32(OPAQUE | ink)
                 else:
                     blend(pixels, y, x, ink, int(256.0 * (share - NOTHING) / (ALL - NOTHING)))
             red, green, blue, share = red + rx, green + gx, blue + ex, share + sx
@@ -92,9 +110,9 @@ def paint_sheet(pixels: Any, clip: Any, vertices: Any, drawn: Any) -> None:
             step = 2 // parts
             for q in range(parts * parts):
                 row, column = 2 * j + step * (q // parts), 2 * i + step * (q % parts)
-                upper, lower = (row, column + step), (row + step, column)
-                _triangle(pixels, clip, vertices, (row, column), upper, lower)
-                _triangle(pixels, clip, vertices, (row + step, column + step), lower, upper)
+                upper, lower = vertices[row, column + step], vertices[row + step, column]
+                _triangle(pixels, clip, vertices[row, column], upper, lower)
+                _triangle(pixels, clip, vertices[row + step, column + step], lower, upper)
 
 
 @inner_kernel

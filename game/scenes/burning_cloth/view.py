@@ -99,8 +99,8 @@ class BurningClothView:
         rows, columns = SOURCES
         ny, nx = veil.shape[:2]
         across, up = np.arange(nx) * columns // nx, np.arange(ny) * rows // ny
-        found = np.zeros(SOURCES)
-        np.add.at(found, (up[:, None], across[None, :]), veil[..., 1])
+        block = (up[:, None] * columns + across[None, :]).ravel()
+        found = np.bincount(block, veil[..., 1].ravel(), rows * columns).reshape(SOURCES)
         found *= 0.5 * rows * columns / (nx * ny)
         b, a = np.nonzero(glow > 0.05)
         nodes = self.model.cloth.nodes

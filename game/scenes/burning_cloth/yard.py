@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.scenes.burning_cloth.tables import BOX, BOX_HIGH, HALF, SPAN, TABLE, TABLE_FROM, TABLE_TO, TALL, TOP
-from game.scenes.shared.backdrops import Painted, cells_seen
+from game.scenes.shared.backdrops import Painted, Seen
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[Any]  # of single precision, for pictures
@@ -28,6 +28,9 @@ WARM = (430, 235, 100)  # red, green, blue of firelight where it is strongest
 NIGHT = (0x070D1C, 0x242440, 0x10161C, 0x6E675F, 0x3B3733, 0x5C554C, 0x6A4A30, 120)
 DAY = (0x8DB7D6, 0xF3E3C4, 0x6F8A66, 0xB9AD9A, 0x8E8474, 0xB3A48C, 0x8E6440, 246)
 
+MOST, OPAQUE = np.int32(255), np.uint32(0xFF000000)  # of a channel; the alpha of a pixel
+DULL = np.float32(0.004)  # light that is not seen
+
 
 class YardPicture(NamedTuple):
     """colors (h, w) 0xFFRRGGBB in the light of the sky; takes (h, w) 0 to 255: how much firelight shows
@@ -39,76 +42,85 @@ class YardPicture(NamedTuple):
     own: float
 
 
-@lean_kernel
-def paint_yard(pixels, clip, picture, cells, light, work, gain):
-    """Lay cell (rows[y], columns[x]) at each pixel, and firelight on it.
+@inner_kernel
+def _light_row(row, colors, takes, near, more_red, more_green, more_blue):
+    """In 32 bits throughout, which compilers make vector instructions of; no product is beyond 2 ** 27."""
+    for x in range(row.size):
+        ink = np.int32(colors[x] & np.uint32(0xFFFFFF))
+        strong = np.int32(near[x] * np.float32(np.int32(takes[x])))
+        red, green, blue = np.int32(ink >> 16), np.int32(np.int32(ink >> 8) & 255), np.int32(ink & 255)
+        red = np.int32(red + np.int32(np.int32(np.int32(red * more_red) * strong) >> 16))
+        green = np.int32(green + np.int32(np.int32(np.int32(green * more_green) * strong) >> 16))
+        blue = np.int32(blue + np.int32(np.int32(np.int32(blue * more_blue) * strong) >> 16))
+        word = np.int32(min(red, MOST) << 16) | np.int32(min(green, MOST) << 8) | min(blue, MOST)
+        row[x] = np.uint32(word) | OPAQUE
 
-    picture: colors, takes (h, w); cells: rows, columns (int64). light (ROWS, COLUMNS) float32 over the
-    picture, linear between the middles of its cells: 1 is as bright again as ``gain`` (3,) 256ths of the
-    colour. work: firsts (w,) int64 and parts (w,) float32, where a column of the picture lies in a row of
-    light, and a row of light (COLUMNS,) float32 to work in.
+
+@lean_kernel
+def paint_yard(pixels, clip, colors, takes, light, places, gain, work):
+    """Lay colors (h, w) into the clip, and firelight on it as takes (h, w) has it.
+
+    light (ROWS, COLUMNS) float32 over the picture, linear between the middles of its cells: 1 is as bright
+    again as ``gain`` (3,) 256ths of the colour. places: between which of its rows and columns those of pixels
+    lie (first row (h,) int64 and share (h,) float32 of the next one, first column (w,), share (w,)). work: a
+    row of light (COLUMNS,) and a row of pixels (w,), float32.
     """
-    colors, takes = picture
-    rows, columns = cells
-    firsts, parts, row_light = work
-    left, top, count = clip[0], clip[1], light.shape[1]
-    down = light.shape[0] / colors.shape[0]
-    more_red, more_green, more_blue = gain[0], gain[1], gain[2]
-    for y in range(rows.shape[0]):
-        row = rows[y]
-        at = min(max((row + 0.5) * down - 0.5, 0.0), light.shape[0] - 1.001)
-        upper = int(at)
-        part = np.float32(at - upper)
-        brightest = np.float32(0.0)
-        for k in range(count):
+    left, top, wide = clip[0], clip[1], colors.shape[1]
+    first_rows, row_parts, first_columns, column_parts = places
+    row_light, near = work
+    red, green, blue = np.int32(gain[0]), np.int32(gain[1]), np.int32(gain[2])
+    for y in range(colors.shape[0]):
+        row = pixels[top + y, left : left + wide]
+        upper, part, brightest = first_rows[y], row_parts[y], np.float32(0.0)
+        for k in range(row_light.size):
             row_light[k] = light[upper, k] + part * (light[upper + 1, k] - light[upper, k])
             brightest = max(brightest, row_light[k])
-        dull = brightest < np.float32(0.004)
-        for x in range(columns.shape[0]):
-            column = columns[x]
-            ink = np.int64(colors[row, column])
-            shows = np.int64(takes[row, column])
-            if shows > 0 and not dull:
-                first = firsts[column]
-                near = row_light[first] + parts[column] * (row_light[first + 1] - row_light[first])
-                strong = np.int64(near * np.float32(shows))
-                red, green, blue = ink >> 16 & 255, ink >> 8 & 255, ink & 255
-                red = min(red + (red * more_red * strong >> 16), np.int64(255))
-                green = min(green + (green * more_green * strong >> 16), np.int64(255))
-                blue = min(blue + (blue * more_blue * strong >> 16), np.int64(255))
-                ink = 0xFF000000 | red << 16 | green << 8 | blue
-            pixels[top + y, left + x] = np.uint32(ink)
+        if brightest < DULL:
+            for x in range(wide):
+                row[x] = colors[y, x]
+            continue
+        for x in range(wide):
+            k = first_columns[x]
+            near[x] = row_light[k] + column_parts[x] * (row_light[k + 1] - row_light[k])
+        _light_row(row, colors[y], takes[y], near, red, green, blue)
+
+
+def _between(count: int, cells: int) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
+    """Of each of ``count`` places: the cell, of so many in their stead, whose middle is before it, and its
+    share of the next one.
+    """
+    at = np.clip((np.arange(count) + 0.5) * cells / count - 0.5, 0.0, cells - 1.001)
+    first = at.astype(np.int64)
+    return first, (at - first).astype(np.float32)
 
 
 class Yard:
     """Paints all that is behind the cloth."""
 
     def __init__(self) -> None:
-        wide = round((RIGHT - LEFT) / CELL)
-        at = np.clip((np.arange(wide) + 0.5) * COLUMNS / wide - 0.5, 0.0, COLUMNS - 1.001)
-        firsts = at.astype(np.int64)
-        self._work = (firsts, (at - firsts).astype(np.float32), np.zeros(COLUMNS, np.float32))
+        self._seen = Seen()
+        self._down = _between(round((TOP_EDGE - BOTTOM) / CELL), ROWS)
+        self._across = _between(round((RIGHT - LEFT) / CELL), COLUMNS)
 
     def draw(self, canvas: Canvas, dark: bool, light: Floats) -> None:
         """light (ROWS, COLUMNS) float32: see `light_on_yard`."""
         picture = yard_picture(dark)
         pixels, clip = canvas.raster_target
-        rows, columns = cells_seen(canvas, Painted(LEFT, TOP_EDGE, CELL), picture.colors.shape)
-        if not (rows.size and columns.size):
-            return
+        colors, takes = self._seen.of(canvas, Painted(LEFT, TOP_EDGE, CELL), (picture.colors, picture.takes))
+        rows, columns = self._seen.rows, self._seen.columns
+        places = (*(part[rows] for part in self._down), *(part[columns] for part in self._across))
         gain = np.array([int(part * 256.0 / picture.own) for part in WARM], dtype=np.int64)
-        paint_yard(pixels, clip, (picture.colors, picture.takes), (rows, columns), light, self._work, gain)
+        work = np.empty(COLUMNS, np.float32), np.empty(len(columns), np.float32)
+        paint_yard(pixels, clip, colors, takes, light, places, gain, work)
 
 
 def warm_up_yard() -> None:
     """Compile what paints, on a tiny picture."""
-    none = np.zeros(4, np.int64)
+    longs, shares = np.zeros(4, np.int64), np.zeros(4, np.float32)
     paint_yard(
-        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64),
-        (np.zeros((2, 2), np.uint32), np.zeros((2, 2), np.uint8)), (none, none),
-        np.zeros((ROWS, COLUMNS), np.float32),
-        (np.zeros(2, np.int64), np.zeros(2, np.float32), np.zeros(COLUMNS, np.float32)),
-        np.zeros(3, np.int64),
+        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((4, 4), np.uint32),
+        np.zeros((4, 4), np.uint8), np.zeros((ROWS, COLUMNS), np.float32), (longs, shares, longs, shares),
+        np.zeros(3, np.int64), (np.zeros(COLUMNS, np.float32), shares),
     )  # fmt: skip
 
 

@@ -15,7 +15,7 @@ class CavityParameters(Parameters):
     """The flow, the grid, the method, and what is shown."""
 
     flow = Choice(
-        "lid", ("lid", "heated"), labels=("moving lid", "hot and cold wall"), group="Flow", rebuild=True
+        "lid", ("lid", "heated"), labels=("Moving lid", "Hot and cold wall"), group="Flow", rebuild=True
     )
     number = Param(1000.0, 1.0, 10_000.0, log=True, group="Flow", rebuild=True, label="Reynolds number",
                    help="of the lid; Ghia's tables are for 100, 400, 1000")  # fmt: skip

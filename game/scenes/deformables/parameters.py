@@ -26,7 +26,7 @@ class DeformablesParameters(Parameters):
     )
     step_length = Param(1.0 / 60.0, 1.0 / 2000.0, 1.0 / 20.0, unit="s", log=True, group="Steps",
                         label="Time step")  # fmt: skip
-    view = Choice("meshes", GROUNDS, labels=("meshes", "cells", "cells by slot"), group="Shown",
+    view = Choice("meshes", GROUNDS, labels=("Meshes", "Cells", "Cells by slot"), group="Shown",
                   label="Ground",
                   help="cells by how many vertices they have; or coloured by their slot")  # fmt: skip
     contacts = Toggle(True, group="Shown", help="vertices in triangles, edges that cross the rim, ways out")

@@ -15,7 +15,7 @@ from game.scenes.domino.hand import DominoHand
 from game.scenes.domino.landscape import warm_up_landscape
 from game.scenes.domino.level import DominoContent, FloorEntry, PieceEntry, RowEntry, View
 from game.scenes.domino.model import DominoModel
-from game.scenes.domino.parameters import OF_PICTURE, OF_TOOLS, DominoParameters
+from game.scenes.domino.parameters import OF_PICTURE, DominoParameters
 from game.scenes.domino.readouts import readouts
 from game.scenes.domino.saving import content_of
 from game.scenes.domino.sounds import hearing_of
@@ -56,6 +56,7 @@ class Domino(BuiltScene):
     hand: DominoHand
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = DominoContent
+    not_of_model = OF_PICTURE
     study = domino_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     covers = True
@@ -123,11 +124,8 @@ class Domino(BuiltScene):
         self.view = DominoView(self.model, self.hand)
         self.check_content(content)
 
-    def parameter_changed(self, name: str) -> None:
-        if name in OF_TOOLS:
-            self.hand.let_go()
-        elif name not in OF_PICTURE:
-            self.model.change_parameter(name)
+    def tool_changed(self) -> None:
+        self.hand.let_go()
 
     def why_idle(self, name: str) -> str:
         if name == "spacing" and all(row.gap is not None for row in self.model.content.rows):

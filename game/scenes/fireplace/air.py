@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.combustion import Flames, GasFuel
 from game.physics.combustion.burning import lift_cells
 from game.physics.effects import EffectSet
-from game.physics.gas import Gas, GasSettings, GasState
+from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY, EXPANSION
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
@@ -28,11 +26,10 @@ from game.scenes.fireplace.tables import (
     THROAT,
     WALL,
 )
-from game.scenes.shared.flames_seen import FlameLook, flame_height, paint_veil
-from game.stage import Part
+from game.scenes.shared.burning_air import FIELDS, BurningAir
+from game.scenes.shared.flames_seen import FlameLook
 
 Floats = NDArray[np.float64]
-FIELDS = ("temperature", "fuel", "oxygen", "soot")
 FRESH = 0.27  # kg/m³ of oxygen
 GRAVITY_NOW = 9.81  # m/s²
 SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
@@ -46,37 +43,30 @@ LOOK = FlameLook(520.0, 1150.0, 0.3, 2.0e-4, 4.0e-3, 0.85, 950.0)
 COLDEST = 250.0  # K to which wood can cool gas
 QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
 SIDES = 0.62  # m beside the middle: beyond, a draught takes the air along
-EDGE = 2  # cells within the box at which the picture of the gas fades
 
 
-class AirState(NamedTuple):
-    """gas; books (6,) of what burnt; flows (4,) J/m: from the match (less what water took), through the
-    sides, lost in carrying, asked of gas that was too cold to give it.
+class Air(BurningAir):
+    """cells: across.
+
+    Its flows: J/m from the match (less what water took), through the sides, lost in carrying, asked of gas
+    that was too cold to give it.
     """
 
-    gas: GasState
-    books: Floats
-    flows: Floats
-
-
-class Air(Part):
-    """cells: across. power: W/m of flames in the last step."""
+    vapour, flame_look = VAPOUR, LOOK
 
     def __init__(
         self, cells: int, cycles: int, damper: float, sealed: bool, active: EffectSet, gas_effects: EffectSet
     ):  # fmt: skip
-        self.cell = 2.0 * HALF / cells
-        tall = round(TALL / self.cell)
+        cell = 2.0 * HALF / cells
         kind = "wall" if sealed else "open"
         borders = Borders(Border(kind), Border(kind), Border("wall"), Border(kind))
-        self.gas = Gas(
-            Grid(cells, tall, self.cell, (-HALF, 0.0)), borders,
+        gas = Gas(
+            Grid(cells, round(TALL / cell), cell, (-HALF, 0.0)), borders,
             GasSettings(effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=ROOM),
             FIELDS, {"oxygen": FRESH},
         )  # fmt: skip
-        self.flames = Flames(range(4), self.cell, GasFuel(**VAPOUR, effects=active))
-        self.flows: Floats = np.zeros(4)
-        self.lifts, self.wind, self.damper = BUOYANCY in gas_effects, 0.0, -1.0
+        super().__init__(gas, _edge_of(gas.grid.shape), active, BUOYANCY in gas_effects)
+        self.wind, self.damper = 0.0, -1.0
         self._shell = SolidWorld()
         stone = Material(density=2000.0)
         for side in (-1.0, 1.0):
@@ -92,8 +82,6 @@ class Air(Part):
         x, _ = self.gas.grid.centres()
         self._rise = np.zeros(self.gas.grid.shape)  # K that wood and match have warmed cells by in this step
         self._outside = np.abs(x) > SIDES
-        self._veil = np.zeros((*self.gas.grid.shape, 2), np.float32)
-        self._edge = _edge_of(self.gas.grid.shape)
         self.set_damper(damper)
 
     # -- what it is made of -----------------------------------------------------------------------------
@@ -106,21 +94,6 @@ class Air(Part):
         for side, body in zip((-1.0, 1.0), self._plates, strict=True):
             self._shell.set_pose(body, (side * _plate_middle(share), DAMPER_AT), 0.0)
         self.gas.set_solids(SolidSurface(self._shell))
-
-    def set_cycles(self, cycles: int) -> None:
-        """So many V-cycles in a step."""
-        self._change(turns=cycles)
-
-    def set_effects(self, active: EffectSet, gas_effects: EffectSet) -> None:
-        """Compute these from now on."""
-        self.flames.made_of = GasFuel(**VAPOUR, effects=active)
-        self.lifts = BUOYANCY in gas_effects
-        self._change(effects=gas_effects.without(BUOYANCY))
-
-    def _change(self, **changes: object) -> None:
-        now = self.gas.settings
-        kept = {name: getattr(now, name) for name in ("effects", "turns", "ambient")}
-        self.gas.settings = GasSettings(**(kept | changes))
 
     def plates(self) -> list[Floats]:
         """Corners (4, 2) m of the damper's two plates."""
@@ -278,11 +251,6 @@ class Air(Part):
 
     # -- what there is ------------------------------------------------------------------------------------
 
-    @property
-    def temperature(self) -> Floats:
-        """(ny, nx) K."""
-        return self.gas.field("temperature")
-
     def speeds(self) -> Floats:
         """(ny, nx) m/s."""
         upward = 0.5 * (self.gas.v[1:] + self.gas.v[:-1])
@@ -292,16 +260,6 @@ class Air(Part):
     def fresh(self) -> Floats:
         """(ny, nx) share of the oxygen of fresh air."""
         return np.asarray(self.gas.field("oxygen") / FRESH)
-
-    def veil(self) -> NDArray[np.float32]:
-        """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
-        cells = self.gas.scalars
-        paint_veil(LOOK, cells[..., 0], cells[..., 3], self._edge, self._veil)
-        return self._veil
-
-    def flame_height(self) -> float:
-        """m, of the highest gas that is seen to burn."""
-        return flame_height(LOOK, self.temperature, self.cell)
 
     def rise(self) -> float:
         """m/s upwards above the fire, by which it is seen to puff."""
@@ -319,15 +277,6 @@ class Air(Part):
     def heat(self) -> float:
         """J/m in the gas above that of the room."""
         return float(np.sum(self._heats())) * (self.cell * self.cell)
-
-    def state(self) -> AirState:
-        """All that later steps depend on."""
-        return AirState(self.gas.state(), self.flames.books, self.flows)
-
-    def restore(self, state: AirState) -> None:
-        """Take over a copy of a state."""
-        self.gas.restore(state.gas)
-        self.flames.books[:], self.flows[:] = state.books, state.flows
 
 
 def _plate_middle(share: float) -> float:

@@ -16,7 +16,7 @@ from game.physics.heat.effects import HEAT
 from game.physics.heat.nodes import AMBIENT, AREA, FUEL, OF_FUEL, RADIATED, STEAM, WATER, WATER_HEAT
 from game.physics.kernels import elementary
 from game.physics.solids.effects import SOLIDS
-from game.scenes.fireplace.air import Air, AirState
+from game.scenes.fireplace.air import Air
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
 from game.scenes.fireplace.match import Match
 from game.scenes.fireplace.parameters import FireplaceParameters
@@ -30,6 +30,7 @@ from game.scenes.fireplace.tables import (
     WHOLE,
 )
 from game.scenes.fireplace.wood import SPENT, Wood, WoodState
+from game.scenes.shared.burning_air import AirState
 from game.scenes.shared.heard import HEARD_TIME, HEARD_WIDTH
 from game.stage import Part
 

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.scenes.fireplace.tables import HOOD_FOOT, HOOD_IN, HOOD_OUT, THROAT, WALL
-from game.scenes.shared.backdrops import Painted, cells_seen
+from game.scenes.shared.backdrops import Painted, Seen
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[Any]  # of single precision, for pictures
@@ -27,6 +27,8 @@ NIGHT = (0x6A5A4C, 0x7A4430, 0x2E2520, 0x6A6259, 0x6A4630, 92)
 DAY = (0xE9DFCB, 0xA8624A, 0xB9A894, 0xA8A198, 0x9A6B44, 232)
 WARM = (400, 240, 120)  # red, green, blue of firelight where it is strongest, at full strength
 
+MOST, OPAQUE = np.int32(255), np.uint32(0xFF000000)  # of a channel; the alpha of a pixel
+
 
 class RoomPicture(NamedTuple):
     """colors (h, w) 0xFFRRGGBB; lit (h, w) 0 to 255: how much firelight comes there; own: light of the
@@ -38,42 +40,51 @@ class RoomPicture(NamedTuple):
     own: int
 
 
+@inner_kernel
+def _lay_row(row, colors, lit, own, red_warm, green_warm, blue_warm):
+    """In 32 bits throughout, which compilers make vector instructions of; no product is beyond 2 ** 20."""
+    for x in range(row.size):
+        ink, near = np.int32(colors[x] & np.uint32(0xFFFFFF)), np.int32(lit[x])
+        red = np.int32(own + np.int32(np.int32(red_warm * near) >> 8))
+        green = np.int32(own + np.int32(np.int32(green_warm * near) >> 8))
+        blue = np.int32(own + np.int32(np.int32(blue_warm * near) >> 8))
+        red = np.int32(np.int32(np.int32(ink >> 16) * red) >> 8)
+        green = np.int32(np.int32(np.int32(np.int32(ink >> 8) & 255) * green) >> 8)
+        blue = np.int32(np.int32(np.int32(ink & 255) * blue) >> 8)
+        word = np.int32(min(red, MOST) << 16) | np.int32(min(green, MOST) << 8) | min(blue, MOST)
+        row[x] = np.uint32(word) | OPAQUE
+
+
 @lean_kernel
-def paint_room(pixels, clip, colors, lit, rows, columns, own, warm):
-    """Lay cell (rows[y], columns[x]) at each pixel, times own + warm (3,) lit / 256 (256: as it is)."""
-    left, top = clip[0], clip[1]
-    red_warm, green_warm, blue_warm = warm[0], warm[1], warm[2]
-    for y in range(rows.shape[0]):
-        row = rows[y]
-        for x in range(columns.shape[0]):
-            column = columns[x]
-            ink = np.int64(colors[row, column])
-            near = np.int64(lit[row, column])
-            red = min((ink >> 16 & 255) * (own + (red_warm * near >> 8)) >> 8, 255)
-            green = min((ink >> 8 & 255) * (own + (green_warm * near >> 8)) >> 8, 255)
-            blue = min((ink & 255) * (own + (blue_warm * near >> 8)) >> 8, 255)
-            pixels[top + y, left + x] = np.uint32(0xFF000000 | red << 16 | green << 8 | blue)
+def paint_room(pixels, clip, colors, lit, own, warm):
+    """Lay colors (h, w) into the clip, times own + warm (3,) lit (h, w) / 256 (256: as it is)."""
+    left, top, wide = clip[0], clip[1], colors.shape[1]
+    red, green, blue = np.int32(warm[0]), np.int32(warm[1]), np.int32(warm[2])
+    for y in range(colors.shape[0]):
+        row = pixels[top + y, left : left + wide]
+        _lay_row(row, colors[y], lit[y], np.int32(own), red, green, blue)
 
 
 class Room:
     """Paints the room behind all else."""
 
+    def __init__(self) -> None:
+        self._seen = Seen()
+
     def draw(self, canvas: Canvas, dark: bool, strength: float) -> None:
         """strength: of the firelight, 0 to 1."""
         picture = room_picture(dark)
         pixels, clip = canvas.raster_target
-        rows, columns = cells_seen(canvas, Painted(LEFT, TOP, CELL), picture.colors.shape)
-        if not (rows.size and columns.size):
-            return
+        colors, lit = self._seen.of(canvas, Painted(LEFT, TOP, CELL), (picture.colors, picture.lit))
         warm = np.array([int(part * strength) for part in WARM], dtype=np.int64)
-        paint_room(pixels, clip, picture.colors, picture.lit, rows, columns, picture.own, warm)
+        paint_room(pixels, clip, colors, lit, picture.own, warm)
 
 
 def warm_up_room() -> None:
     """Compile what paints, on a tiny picture."""
     paint_room(
-        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((2, 2), np.uint32),
-        np.zeros((2, 2), np.uint8), np.zeros(4, np.int64), np.zeros(4, np.int64), 256, np.zeros(3, np.int64),
+        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((4, 4), np.uint32),
+        np.zeros((4, 4), np.uint8), 256, np.zeros(3, np.int64),
     )  # fmt: skip
 
 

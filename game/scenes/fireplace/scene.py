@@ -16,13 +16,15 @@ from game.scenes.fireplace.figure import draw_ember
 from game.scenes.fireplace.hand import FireplaceHand
 from game.scenes.fireplace.level import DEFAULT, FireplaceContent
 from game.scenes.fireplace.model import FireplaceModel
-from game.scenes.fireplace.parameters import OF_PICTURE, OF_TOOLS, FireplaceParameters
+from game.scenes.fireplace.parameters import OF_PICTURE, FireplaceParameters
 from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
 from game.scenes.fireplace.saving import content_of
 from game.scenes.fireplace.sounds import hearing_of
 from game.scenes.fireplace.targets import story_targets
 from game.scenes.fireplace.view import FireplaceView
+from game.scenes.shared.backdrops import warm_up_backdrop
+from game.scenes.shared.flames_seen import warm_up_gas
 from game.scenes.shared.model_scene import BuiltScene
 from game.scenes.shared.polygons import warm_up_painter
 from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
@@ -52,6 +54,8 @@ class Fireplace(BuiltScene):
     hand: FireplaceHand
     effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS
     content_type = FireplaceContent
+    not_of_model = OF_PICTURE
+    of_tier = ("cells",)
     default_content = DEFAULT
     study = conduction_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
@@ -96,6 +100,8 @@ class Fireplace(BuiltScene):
         return (
             WarmUp("step", lambda: cls(parameters={"tier": "own", "cells": 16}).advance(cls.dt)),
             WarmUp("polygons", warm_up_painter),
+            WarmUp("backdrop", warm_up_backdrop),
+            WarmUp("gas", warm_up_gas),
             WarmUp("room", warm_up_room),
         )
 
@@ -108,16 +114,8 @@ class Fireplace(BuiltScene):
         self.view = FireplaceView(self.model, self.hand)
         self.check_content(content)
 
-    def parameter_changed(self, name: str) -> None:
-        if name in OF_TOOLS:
-            self.hand.let_go()
-        elif name not in OF_PICTURE:
-            self.model.change_parameter(name)
-
-    def why_idle(self, name: str) -> str:
-        if name == "cells" and self.parameters.tier != "own":
-            return "The quality says how many there are; choose Own."
-        return ""
+    def tool_changed(self) -> None:
+        self.hand.let_go()
 
     def save_content(self) -> FireplaceContent:
         return content_of(self.model)

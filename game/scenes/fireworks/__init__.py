@@ -11,6 +11,7 @@ A09 = Entry(
     module="game.scenes.fireworks.scene",
     class_name="Fireworks",
     keywords="fireworks stars shells bursts sparks smoke wind drag ballistics sound thunder night story",
+    roomy=True,
     card="draw_burst",
 )
 ENTRIES = (A09,)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -75,6 +75,7 @@ class Fireworks(Scene):
     parameters_type = FireworksParameters
     parameters: FireworksParameters
     content_type = FireworksContent
+    default_content: ClassVar[FireworksContent] = FireworksContent()
     study = star_study
     takes = frozenset(("right",))
     covers = True
@@ -132,7 +133,7 @@ class Fireworks(Scene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else FireworksContent()
+        content = self.content_of(level)
         self.model = FireworksModel(content, self.parameters, self.active, self.seed)
         self.hand = FireworksHand(self.model)
         self.view = FireworksView(self.model, self.hand)

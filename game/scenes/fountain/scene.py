@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 from game.lab.studies.particles import bounce_study
 from game.levels import Level
@@ -60,6 +60,7 @@ class Fountain(ModelScene):
     parameters: FountainParameters
     model: FountainModel
     content_type = FountainContent
+    default_content: ClassVar[FountainContent] = FountainContent()
     study = bounce_study
     takes = frozenset(("right",))
 
@@ -130,7 +131,7 @@ class Fountain(ModelScene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else FountainContent()
+        content = self.content_of(level)
         self.model = FountainModel(content, self.parameters, self.active, self.seed)
         self.hand = FountainHand(self.model)
         self.view = FountainView(self.model)
@@ -196,4 +197,5 @@ class Fountain(ModelScene):
         if content.zoom is not None:
             self.view.draw_inset(canvas, content.zoom, self.previous, alpha)
         top = (0.5 * (content.view.left + content.view.right), content.view.top)
-        draw_captions(canvas, top, captions_of(content.expected, self.readouts()), self.repeat.left)
+        captions = captions_of(content.expected, self.readouts()) if content.expected else []
+        draw_captions(canvas, top, captions, self.repeat.left)

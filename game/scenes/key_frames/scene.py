@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -55,6 +55,7 @@ class KeyFraming(ModelScene):
     name, task, title = C01.names
     effects = EASING | CONSTANT_SPEED
     content_type = Motion
+    default_content: ClassVar[Motion] = Motion()
     parameters_type = KeyFrameParameters
     parameters: KeyFrameParameters
     model: KeyFrameModel
@@ -135,7 +136,7 @@ class KeyFraming(ModelScene):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else Motion()
+        content = self.content_of(level)
         self.model = KeyFrameModel(self.parameters, self.active, content)
         self.hand = Hand(self.model)
         self.view = KeyFramingView(self.model)
@@ -185,8 +186,9 @@ class KeyFraming(ModelScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
         motion = self.model.motion
-        top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
-        draw_captions(canvas, top, captions_of(motion.expected, self.readouts()))
+        if motion.expected:
+            top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
+            draw_captions(canvas, top, captions_of(motion.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

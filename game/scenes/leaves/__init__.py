@@ -11,6 +11,7 @@ A18 = Entry(
     module="game.scenes.leaves.scene",
     class_name="Leaves",
     keywords="leaf leaves autumn park wind gust basket flutter tumble glide bend maple oak birch story",
+    roomy=True,
     card="draw_leaves",
 )
 ENTRIES = (A18,)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from game.ui.canvas.canvas import Canvas
 from game.ui.canvas.lights import sky_picture
+from game.ui.canvas.standing import Standing
 
 Points = NDArray[np.float64]
 HALF = 14.0  # m to each side of what is there
@@ -124,6 +125,7 @@ class Park:
     """Paints what is behind the leaves and before them."""
 
     def __init__(self) -> None:
+        self._standing = Standing()
         self._sky: NDArray[np.uint32] = np.zeros((0, 0), np.uint32)
         self._made_for: tuple[object, ...] = ()
         chance = np.random.default_rng(4)
@@ -142,6 +144,9 @@ class Park:
 
     def behind(self, canvas: Canvas) -> None:
         """Sky, sun, trees, lawn, path, bench and lamp."""
+        self._standing.draw(canvas, self._paint_behind)
+
+    def _paint_behind(self, canvas: Canvas) -> None:
         hour = self.hour(canvas)
         self._draw_sky(canvas, hour)
         shift = canvas.camera.center[0]

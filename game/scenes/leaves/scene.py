@@ -51,6 +51,7 @@ class Leaves(BuiltScene):
     view: LeavesView
     effects = PLATES.known
     content_type = LeavesContent
+    not_of_model = OF_PICTURE
     default_content = DEFAULT
     study = leaf_study
     takes = frozenset(("right",))
@@ -105,10 +106,6 @@ class Leaves(BuiltScene):
         self.hand = LeavesHand(self.model)
         self.view = LeavesView(self.model, self.hand)
         self.check_content(content)
-
-    def parameter_changed(self, name: str) -> None:
-        if name not in OF_PICTURE:
-            self.model.change_parameter(name)
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)

@@ -20,10 +20,10 @@ class LevitationParameters(Parameters):
         help="of the focus, once it is up to it; also the fastest that it follows the hand",
     )  # fmt: skip
     acceleration = Param(1.0, 0.01, 100.0, unit="m/s²", log=True, group="Figure", help="of the focus")
-    rows = Choice("2", ("2", "4"), labels=("below and above", "all around"), group="Sound", rebuild=True,
+    rows = Choice("2", ("2", "4"), labels=("Below and above", "All around"), group="Sound", rebuild=True,
                   label="Transducers")  # fmt: skip
     pattern = Choice(
-        "focus", PATTERNS, labels=("focus", "plane waves"), group="Sound",
+        "focus", PATTERNS, labels=("Focus", "Plane waves"), group="Sound",
         help="phases for one place, or the same for all of a row",
     )  # fmt: skip
     strength = Param(

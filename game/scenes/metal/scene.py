@@ -59,6 +59,7 @@ class MetalBalls(BuiltScene):
     hand: MetalHand
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = MetalContent
+    not_of_model = (*OF_PICTURE, *OF_TOOLS)
     study = marble_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     covers = True
@@ -133,11 +134,8 @@ class MetalBalls(BuiltScene):
         self.view = MetalView(self.model, self.hand)
         self.check_content(content)
 
-    def parameter_changed(self, name: str) -> None:
-        if name == "tool":
-            self.hand.let_go()
-        elif name not in OF_PICTURE and name not in OF_TOOLS:
-            self.model.change_parameter(name)
+    def tool_changed(self) -> None:
+        self.hand.let_go()
 
     def save_content(self) -> MetalContent:
         return content_of(self.model)

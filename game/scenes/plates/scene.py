@@ -40,6 +40,7 @@ class FallingPlates(BuiltScene):
     hand: PlatesHand
     effects = PLATES.known
     content_type = PlatesContent
+    not_of_model = OF_PICTURE
     default_content = DEFAULT
     study = plate_study
     takes = frozenset(("right",))
@@ -89,10 +90,6 @@ class FallingPlates(BuiltScene):
         self.hand = PlatesHand(self.model)
         self.view = PlatesView(self.model, self.hand)
         self.check_content(content)
-
-    def parameter_changed(self, name: str) -> None:
-        if name not in OF_PICTURE:
-            self.model.change_parameter(name)
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)

@@ -175,5 +175,6 @@ class RigidBodyScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self.previous, canvas, alpha)
-        captions = captions_of(self.model.content.expected, self.readouts())
-        draw_captions(canvas, (0.0, self.frame().top), captions)
+        expected = self.model.content.expected
+        if expected:
+            draw_captions(canvas, (0.0, self.frame().top), captions_of(expected, self.readouts()))

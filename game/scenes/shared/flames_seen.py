@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from game.physics.kernels.lean import lean_kernel
 
 Floats = NDArray[np.float64]
 
@@ -25,14 +27,27 @@ class FlameLook(NamedTuple):
     burns: float
 
 
-def paint_veil(
-    look: FlameLook, temperature: Floats, soot: Floats, edge: Floats, veil: NDArray[np.float32]
-) -> None:
-    """veil (ny, nx, 2), written: how thick the smoke and how bright the flames are, 0 to 1."""
-    soot = np.maximum(soot, 0.0)
-    warm = np.clip((temperature - look.glows) / (look.brightest - look.glows), 0.0, 1.0)
-    veil[..., 1] = warm * (look.bare + (1.0 - look.bare) * np.minimum(soot / look.shining, 1.0)) * edge
-    veil[..., 0] = np.minimum(soot / look.thick, look.most) * (1.0 - np.minimum(2.0 * warm, 1.0)) * edge
+@lean_kernel
+def see_gas(look: Any, temperature: Any, soot: Any, edge: Any, veil: Any) -> None:
+    """veil (ny, nx, 2) float32, written: how thick the smoke and how bright the flames are, 0 to 1.
+
+    temperature K, soot kg/m³, edge: share that is seen of each cell; all (ny, nx).
+    """
+    for j in range(veil.shape[0]):
+        for i in range(veil.shape[1]):
+            there = max(soot[j, i], 0.0)
+            warm = min(max((temperature[j, i] - look.glows) / (look.brightest - look.glows), 0.0), 1.0)
+            full = look.bare + (1.0 - look.bare) * min(there / look.shining, 1.0)
+            veil[j, i, 1] = warm * full * edge[j, i]
+            thick = min(there / look.thick, look.most)
+            veil[j, i, 0] = thick * (1.0 - min(2.0 * warm, 1.0)) * edge[j, i]
+
+
+def warm_up_gas() -> None:
+    """Compile what gas is seen by."""
+    cells, veil = np.zeros((2, 2, 5)), np.zeros((2, 2, 2), np.float32)
+    look = FlameLook(1.0, 2.0, 0.5, 1.0, 1.0, 1.0, 1.0)
+    see_gas(look, cells[..., 0], cells[..., 3], np.ones((2, 2)), veil)
 
 
 def flame_height(look: FlameLook, temperature: Floats, cell: float) -> float:

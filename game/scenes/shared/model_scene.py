@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from collections.abc import Collection, Sequence
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 from game.physics.effects import EffectSet
 from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
@@ -30,6 +30,9 @@ class BuiltModel(Model, Protocol):
     @property
     def content(self) -> Any:
         """The content of the level."""
+
+    def change_parameter(self, name: str) -> None:
+        """Take over a parameter's new value."""
 
 
 class Hand(Protocol):
@@ -68,11 +71,15 @@ class BuiltScene(ModelScene):
     """A scene in which a person builds: of a model, a hand and a view.
 
     The content of its levels has a ``view`` (the part of the world to show, m) and what is ``expected``.
+    ``not_of_model``: parameters of the picture and of the tools; the model is told of all others.
+    ``of_tier``: those that go by the quality unless that is one's own.
     """
 
     model: BuiltModel
     hand: Hand
     view: View
+    not_of_model: ClassVar[Collection[str]] = ()
+    of_tier: ClassVar[Collection[str]] = ("substeps",)
 
     def check_content(self, content: Any) -> None:
         """ValueError if it expects a readout that there is not; to be called when all is built."""
@@ -85,9 +92,18 @@ class BuiltScene(ModelScene):
     def messages(self) -> Sequence[str]:
         return self.said.take()
 
+    def parameter_changed(self, name: str) -> None:
+        if name == "tool":
+            self.tool_changed()
+        elif name not in self.not_of_model:
+            self.model.change_parameter(name)
+
+    def tool_changed(self) -> None:
+        """Another tool is in the hand."""
+
     def why_idle(self, name: str) -> str:
-        """Substeps go by the quality unless that is one's own."""
-        if name == "substeps" and self.values.get("tier", "own") != "own":
+        """The quality says some of them, unless it is one's own."""
+        if name in self.of_tier and self.values.get("tier", "own") != "own":
             return "The quality says how many there are; choose Own."
         return ""
 
@@ -108,6 +124,8 @@ class BuiltScene(ModelScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
-        frame = self.frame()
-        top = (0.5 * (frame.left + frame.right), frame.top)
-        draw_captions(canvas, top, captions_of(self.model.content.expected, self.readouts()))
+        expected = self.model.content.expected
+        if expected:
+            frame = self.frame()
+            top = (0.5 * (frame.left + frame.right), frame.top)
+            draw_captions(canvas, top, captions_of(expected, self.readouts()))

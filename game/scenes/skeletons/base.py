@@ -128,7 +128,8 @@ class FigureScene(ModelScene):
         """What is expected and measured, above the figure."""
         frame, expected = self.frame(), self.model.content.expected
         top = (0.5 * (frame.left + frame.right), frame.top)
-        draw_captions(canvas, top, [*captions_of(expected, self.readouts()), *self.guide()])
+        captions = captions_of(expected, self.readouts()) if expected else []
+        draw_captions(canvas, top, [*captions, *self.guide()])
 
 
 def warm_ups_of_figures() -> tuple[WarmUp, ...]:

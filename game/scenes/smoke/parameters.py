@@ -23,7 +23,7 @@ class SmokeParameters(Parameters):
     confinement = Param(0.0, 0.0, 1.0, group="Gas", help="of vorticity (Fedkiw, Stam and Jensen 2001)")
     method = Choice(
         "maccormack", METHODS,
-        labels=("time-centred", "MacCormack", "cubic", "linear", "Stam 1999, printed", "Stam 2003, printed"),
+        labels=("Time-centred", "MacCormack", "Cubic", "Linear", "Stam 1999, printed", "Stam 2003, printed"),
         group="Method", rebuild=True, help="how the gas is carried along",
     )  # fmt: skip
     pressure = Choice("multigrid", SOLVERS, group="Method", help="how the pressure is found")

@@ -10,6 +10,7 @@ from game.levels import Level
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import GAS
 from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.flames_seen import warm_up_gas
 from game.scenes.shared.model_scene import ModelScene
 from game.scenes.smoke import SMOKE
 from game.scenes.smoke.figure import draw_projection
@@ -19,7 +20,7 @@ from game.scenes.smoke.model import TALL, WIDE, SmokeModel
 from game.scenes.smoke.parameters import OF_PICTURE, PRINTED, SmokeParameters
 from game.scenes.smoke.readouts import readouts_of
 from game.scenes.smoke.view import SmokeView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, SetParameter, Strip
+from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, SetParameter, Strip, WarmUp
 from game.stage.messages import Messages
 
 
@@ -73,6 +74,10 @@ class Smoke(ModelScene):
         "Set a long time step: nothing blows up, but all is smeared.",
         "Open the books: what carrying makes of heat is a row of its own; then choose flux form.",
     )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        return (*super().warm_ups(), WarmUp("gas", warm_up_gas))
 
     def build(self, level: Level | None) -> None:
         self.content = self.content_of(level)

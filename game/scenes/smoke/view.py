@@ -6,6 +6,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.scenes.shared.flames_seen import FlameLook, see_gas
 from game.scenes.smoke.books import draw_books
 from game.scenes.smoke.hand import SmokeHand
 from game.scenes.smoke.model import ROOM, SMOKE, SOOT, TALL, WARM, WIDE, SmokeModel
@@ -23,7 +24,9 @@ HEAT = ((0.0, "stage"), (0.3, "violet"), (0.6, "vermilion"), (0.85, "amber"), (1
 SPEED = ((0.0, "stage"), (0.4, "body"), (0.75, "chalk"), (1.0, "text1"))
 SIGNED = ((0.0, "vermilion"), (0.5, "stage"), (1.0, "chalk"))
 LINES = ((0.0, "stage"), (1.0, "text1"))
-FLAME_FROM, FLAME_TO = 520.0, 1300.0  # K
+LOOK = FlameLook(
+    glows=520.0, brightest=1300.0, bare=0.0, shining=2e-6, thick=8e-3, most=0.8, burns=520.0,
+)  # fmt: skip
 FULL = {"speed": 1.5, "vorticity": 25.0, "divergence": 0.5}  # m/s, 1/s, 1/s drawn in the last colour
 EVERY = 0.09  # m from arrow to arrow
 WORDS = {
@@ -39,6 +42,7 @@ class SmokeView:
     def __init__(self, model: SmokeModel, hand: SmokeHand):
         self.model, self.hand = model, hand
         self._veil = np.zeros((*model.grid.shape, 2), np.float32)
+        self._whole = np.ones(model.grid.shape)
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the picture shows."""
@@ -74,11 +78,9 @@ class SmokeView:
             canvas.circle(self.hand.point, self.model.parameters.brush, outline="accent", width=1.4)
 
     def _draw_smoke(self, canvas: Canvas, dark: bool, cells: Floats) -> None:
-        warm = np.clip((cells[..., WARM] - FLAME_FROM) / (FLAME_TO - FLAME_FROM), 0.0, 1.0)
-        thick = np.clip(0.9 * cells[..., SMOKE], 0.0, 0.92) + np.clip(cells[..., SOOT] / 0.008, 0.0, 0.8)
-        self._veil[..., 0] = np.minimum(thick, 0.94)
-        burns = cells[..., SOOT] > 2e-6
-        self._veil[..., 1] = warm * burns
+        see_gas(LOOK, cells[..., WARM], cells[..., SOOT], self._whole, self._veil)
+        dyed = np.clip(0.9 * cells[..., SMOKE], 0.0, 0.92)
+        self._veil[..., 0] = np.minimum(self._veil[..., 0] + dyed, 0.94)
         canvas.veil(self._veil, *BOX, SMOKE_INK[dark], FLAME, dark)
         self._draw_light(canvas)
 

@@ -32,7 +32,7 @@ SPRING = JOINT_NAMES.index("spring")
 
 
 class Energies(NamedTuple):
-    """J; momentum N s, (2,)."""
+    """J; momentum N s, (2,). elastic: of springs, and of soft contacts what they give back."""
 
     moving: float
     turning: float
@@ -58,13 +58,13 @@ def energies(world: SolidWorld) -> Energies:
         float(0.5 * (mass * (velocities * velocities).sum(axis=1)).sum()),
         float(0.5 * (inertia * (rows.spins[there] * rows.spins[there])).sum()),
         float(-(weights * (gx * places[:, 0] + gy * places[:, 1])).sum()),
-        _elastic(world),
+        _elastic(world) + float(rows.stored[there].sum()),
         (mass[:, None] * velocities).sum(axis=0),
     )
 
 
 def _elastic(world: SolidWorld) -> float:
-    """Of springs, J: half of k times the squared excess; k by their frequency on the masses they join."""
+    """Of joints, J: half of k times the squared excess; k by their frequency on the masses they join."""
     rows, total = world.joints, 0.0
     soft = ((rows.kinds == DISTANCE) | (rows.kinds == SPRING)) & (rows.flags & BROKEN == 0)
     for k in np.flatnonzero(soft & (rows.parameters[:, HERTZ] > 0.0)).tolist():

@@ -25,7 +25,7 @@ class SpaceTimeParameters(Parameters):
                         label="Time step")  # fmt: skip
     first = Param(1, 1, 40, whole=True, group="Shown", label="First body", help="of the two looked at")
     second = Param(2, 1, 40, whole=True, group="Shown", label="Second body", help="of the two looked at")
-    circles = Choice("reached", CIRCLES, labels=("that are left", "of the two bodies", "none"),
+    circles = Choice("reached", CIRCLES, labels=("That are left", "Of the two bodies", "None"),
                      group="Shown", help="at the end of the step's budget")  # fmt: skip
     horns = Toggle(True, group="Shown", help="space-time bounds of the two, up to when they may touch")
     queue = Toggle(True, group="Shown", help="the next possible times of contact")

@@ -216,7 +216,8 @@ class SphereCollisions(Scene):
             frame = Frame(view.left, view.bottom, view.right, view.top)
             draw_inset(canvas, frame, content.zoom, lambda: self.view.draw(self.previous, canvas, alpha))
         top = (0.5 * (view.left + view.right), self.frame().top)
-        draw_captions(canvas, top, captions_of(content.expected, self.readouts()), self.repeat.left)
+        captions = captions_of(content.expected, self.readouts()) if content.expected else []
+        draw_captions(canvas, top, captions, self.repeat.left)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

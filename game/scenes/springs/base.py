@@ -128,7 +128,7 @@ class MassSpringScene(ModelScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         content = self.model.content
-        captions = captions_of(content.expected, self.readouts())
+        captions = captions_of(content.expected, self.readouts()) if content.expected else []
         if self.model.at_rest:
             captions.append(Caption(STILL, met=False))
         draw_captions(canvas, (0.5 * (content.view.left + content.view.right), content.view.top), captions)

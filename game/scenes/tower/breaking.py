@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels import linear
+from game.physics.kernels import elementwise, linear
 from game.physics.solids import Material, Polygon, SolidWorld
 
 Floats = NDArray[np.float64]
@@ -30,6 +30,17 @@ def cuts_of(wide: float, tall: float, count: int, random: np.random.Generator) -
         )
         pieces.append(piece if wide >= tall else np.stack([-piece[:, 1], piece[:, 0]], axis=1))
     return pieces
+
+
+def halves_of(corners: Floats, random: np.random.Generator) -> list[Floats]:
+    """A convex quadrangle in two, across its longer pair of sides."""
+    sides = elementwise.hypot(*(np.roll(corners, -1, axis=0) - corners).T)
+    if sides[0] + sides[2] < sides[1] + sides[3]:
+        corners = np.roll(corners, -1, axis=0)
+    s, t = linear.uniform(random, 0.35, 0.65, 2)
+    a, b, c, d = corners
+    p, q = a + s * (b - a), d + t * (c - d)
+    return [np.array([a, p, q, d]), np.array([p, b, c, q])]
 
 
 def middle_of(corners: Floats) -> tuple[float, float, float]:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from game.physics.accretion import strike_times
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.kernels import elementwise, linear
@@ -17,21 +15,19 @@ from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.shared.heard import HEARD_WIDTH
 from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.tower.air import AirState, TowerAir
-from game.scenes.tower.breaking import break_up, cuts_of, speed_of_stop
+from game.scenes.tower.breaking import break_up, cuts_of, halves_of, speed_of_stop
 from game.scenes.tower.building import (
     build,
-    columns_mass,
     floor_height,
     frame_stuff,
     half_width,
     rubble_stuff,
-    slab_mass,
 )
 from game.scenes.tower.dust import advance_dust, puffs
 from game.scenes.tower.effects import AIR
-from game.scenes.tower.hearing import heard_now
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
+from game.scenes.tower.sounds import heard_now
 from game.scenes.tower.tables import (
     BODY,
     COLUMN,
@@ -167,7 +163,7 @@ class TowerModel(Part):
         if part[KIND] == SLAB:
             pieces = cuts_of(float(part[WIDE]), float(part[TALL]), count, random)
         else:
-            pieces = _halves(self._corners(int(part[BODY])), random)
+            pieces = halves_of(self._corners(int(part[BODY])), random)
         self._replace(row, pieces, SHARD)
 
     def _corners(self, body: int) -> Floats:
@@ -326,60 +322,15 @@ class TowerModel(Part):
         for row in sorted(breaking):
             self.break_floor(row)
 
-    # -- what is measured -----------------------------------------------------------------------------
+    # -- how it stands --------------------------------------------------------------------------------
 
     def awake(self) -> int:
         """How many bodies are computed."""
         return int(np.count_nonzero(self.world.bodies.flags & (DYNAMIC | ASLEEP) == DYNAMIC))
 
-    def pieces(self) -> int:
-        """How many parts there are."""
-        return int(np.count_nonzero(self.parts[:, BODY] >= 0.0))
-
-    def mass(self) -> float:
-        """kg, of all that is in the world, by the solver's own numbers."""
-        bodies = self.parts[self.parts[:, BODY] >= 0.0, BODY].astype(np.int64)
-        return math.fsum((1.0 / self.world.bodies.inverse_masses[bodies]).tolist())
-
-    def standing(self) -> int:
-        """Storeys whose columns are all there."""
-        whole = (self.parts[:, KIND] == COLUMN) & (self.parts[:, BODY] >= 0.0)
-        counts = np.bincount(self.parts[whole, STOREY].astype(np.int64), minlength=self.content.storeys + 1)
-        return int(np.count_nonzero(counts[1:] == self.content.bays + 1))
-
-    def struck(self) -> int:
-        """Floors below the charges that have been struck."""
-        return int(np.count_nonzero(self.storeys[: self.first_storey() - 1, STRUCK] != NOT_YET))
-
     def gravity(self) -> float:
         """m/s², as it acts now."""
         return self.parameters.gravity if GRAVITY in self.active else 0.0
-
-    def fall(self) -> tuple[float, float, float]:
-        """s from the last cut of the first storey to the last floor struck, s by the law, m the front fell.
-
-        NaN before any floor was struck, and without gravity.
-        """
-        first, content = self.first_storey(), self.content
-        begun, count = self.storeys[first - 1, CUT], self.struck()
-        if begun == NOT_YET or not count or self.gravity() <= 0.0:
-            return math.nan, math.nan, math.nan
-        begun += self.parameters.delay * content.bays
-        floor, above = slab_mass(content), content.storeys - first
-        moving, drop = floor + above * (floor + columns_mass(content)), content.storey - content.slab
-        law = strike_times(moving, [floor] * count, drop, self.gravity())
-        return float(self.storeys[: first - 1, STRUCK].max() - begun), law[-1], drop * count
-
-    def front(self) -> tuple[float, float]:
-        """Where the floors meet now, m."""
-        first, struck = self.first_storey(), self.struck()
-        storey = max(first - struck, 0) if self.storeys[first - 1, CUT] != NOT_YET else first
-        return 0.0, floor_height(self.content, storey)
-
-    def roof(self) -> float:
-        """Height (m) of the highest part."""
-        bodies = self.parts[self.parts[:, BODY] >= 0.0, BODY].astype(np.int64)
-        return float(self.world.bodies.positions[bodies, 1].max())
 
     def state(self) -> ModelState:
         """All that later steps depend on."""
@@ -395,14 +346,3 @@ class TowerModel(Part):
         self.dust, self.heard = state.dust.copy(), state.heard.copy()
         self.fired, self.steps = float(state.clock[0]), int(state.clock[1])
         self.air.restore(state.air)
-
-
-def _halves(corners: Floats, random: np.random.Generator) -> list[Floats]:
-    """A convex quadrangle in two, across its longer pair of sides."""
-    sides = elementwise.hypot(*(np.roll(corners, -1, axis=0) - corners).T)
-    if sides[0] + sides[2] < sides[1] + sides[3]:
-        corners = np.roll(corners, -1, axis=0)
-    s, t = linear.uniform(random, 0.35, 0.65, 2)
-    a, b, c, d = corners
-    p, q = a + s * (b - a), d + t * (c - d)
-    return [np.array([a, p, q, d]), np.array([p, b, c, q])]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from game.physics.accretion import LIMIT
+from game.scenes.tower.measures import fall_of, mass_of, pieces_of, roof_of, standing, struck
 from game.scenes.tower.model import NOT_FIRED, TowerModel
 from game.stage import Readout
 
@@ -13,21 +14,21 @@ TONNE = 1000.0  # kg
 
 def readouts(model: TowerModel) -> list[Readout]:
     """The fall first, then the debris."""
-    took, law, way = model.fall()
-    mass = model.mass()
+    took, law, way = fall_of(model)
+    mass = mass_of(model)
     since = model.time - model.fired if model.fired != NOT_FIRED else math.nan
     return [
         Readout("since the firing", since, "s"),
-        Readout("storeys standing", model.standing()),
-        Readout("floors struck", model.struck()),
+        Readout("storeys standing", standing(model)),
+        Readout("floors struck", struck(model)),
         Readout("fall", took, "s"),
         Readout("law", law, "s"),
         Readout("law error", 100.0 * (took / law - 1.0), "%"),
         Readout("front", 2.0 * way / (took * took), "m/s²"),
         Readout("front by law", 2.0 * way / (law * law), "m/s²"),
         Readout("a third of g", LIMIT * model.gravity(), "m/s²"),
-        Readout("roof", model.roof(), "m"),
-        Readout("pieces", model.pieces()),
+        Readout("roof", roof_of(model), "m"),
+        Readout("pieces", pieces_of(model)),
         Readout("mass", mass / TONNE, "t"),
         Readout("mass lost", abs(mass - model.built_mass) / model.built_mass, ""),
         Readout("awake", model.awake()),

@@ -17,7 +17,7 @@ from game.scenes.tower.figure import draw_front
 from game.scenes.tower.hand import TowerHand
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.model import TowerModel
-from game.scenes.tower.parameters import OF_PICTURE, OF_TOOLS, TowerParameters
+from game.scenes.tower.parameters import OF_PICTURE, TowerParameters
 from game.scenes.tower.readouts import readouts
 from game.scenes.tower.saving import content_of
 from game.scenes.tower.sounds import hearing_of
@@ -59,6 +59,7 @@ class Tower(BuiltScene):
     hand: TowerHand
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS | AIR
     content_type = TowerContent
+    not_of_model = OF_PICTURE
     study = collapse_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     covers = True
@@ -110,10 +111,6 @@ class Tower(BuiltScene):
         self.view = TowerView(self.model)
         self.check_content(content)
 
-    def parameter_changed(self, name: str) -> None:
-        if name not in OF_PICTURE and name not in OF_TOOLS:
-            self.model.change_parameter(name)
-
     def why_idle(self, name: str) -> str:
         if name == "joints":
             return "" if self.model.time == 0.0 else "Joints are as they were built; reset the tower."
@@ -142,4 +139,4 @@ class Tower(BuiltScene):
         return story_targets(self.model)
 
     def hearing(self) -> Hearing:
-        return hearing_of(self.model)
+        return hearing_of(self.model.heard, self.model.time)

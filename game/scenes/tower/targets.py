@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from game.scenes.tower.building import floor_height
+from game.scenes.tower.measures import front_of, roof_of
 from game.scenes.tower.model import TowerModel
 
 
@@ -10,8 +11,8 @@ def story_targets(model: TowerModel) -> dict[str, tuple[float, float]]:
     """Where the floors meet, the roof as it was and as it is, the storey that is cut first, the foot; m."""
     content = model.content
     return {
-        "front": model.front(),
-        "roof": (0.0, model.roof()),
+        "front": front_of(model),
+        "roof": (0.0, roof_of(model)),
         "top": (0.0, floor_height(content, content.storeys)),
         "charges": (0.0, floor_height(content, model.first_storey()) - 0.5 * content.storey),
         "middle": (0.0, 0.5 * floor_height(content, content.storeys)),

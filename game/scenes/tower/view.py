@@ -14,6 +14,7 @@ from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.shared.touching import contact_places
 from game.scenes.tower.building import floor_height, half_width
 from game.scenes.tower.effects import AIR
+from game.scenes.tower.measures import fall_of, front_of
 from game.scenes.tower.model import ModelState, TowerModel
 from game.scenes.tower.tables import (
     AGE,
@@ -33,6 +34,7 @@ from game.scenes.tower.tables import (
     Floats,
 )
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
+from game.ui.canvas.standing import Standing
 
 Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
@@ -78,6 +80,7 @@ class TowerView:
 
     def __init__(self, model: TowerModel):
         self.model = model
+        self._standing = Standing()
         random = np.random.default_rng(3)
         self._towns = [_town(random, scale) for _, scale in BEHIND]
 
@@ -90,7 +93,7 @@ class TowerView:
     def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         hour = hour_of(canvas)
-        self._sky(canvas, hour)
+        self._standing.draw(canvas, self._paint_behind)
         self._facade(canvas, hour)
         self._bodies(canvas, hour, previous, alpha)
         if self.model.parameters.dust:
@@ -100,7 +103,9 @@ class TowerView:
 
     # -- behind ---------------------------------------------------------------------------------------
 
-    def _sky(self, canvas: Canvas, hour: Hour) -> None:
+    def _paint_behind(self, canvas: Canvas) -> None:
+        """Sky, sun, two rows of a town, and the ground."""
+        hour = hour_of(canvas)
         seen = canvas.camera.visible()
         rows = np.array([[0.0], [0.35], [1.0]])
         stops = [(0.0, _color(hour.sky[2])), (0.4, _color(hour.sky[1])), (1.0, _color(hour.sky[0]))]
@@ -257,9 +262,9 @@ class TowerView:
         for k in struck.tolist():
             y = floor_height(model.content, k + 1)
             canvas.line((half, y), (half + 1.5, y), "amber", 1.6)
-        x, y = model.front()
+        x, y = front_of(model)
         canvas.line((x - half, y), (x + half, y), "vermilion", 1.4, dash=EXACT_DASH)
-        took, law, _ = model.fall()
+        took, law, _ = fall_of(model)
         if math.isfinite(took):
             words = canvas.figure("fall", f"{took:.2f} s, law {law:.2f} s")
             canvas.label((half, y), words, "vermilion", 13, "semibold", "left", (8.0, 0.0), clear=True)

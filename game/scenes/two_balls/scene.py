@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 from game.billiards.lecture.slips import SLIPS
 from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, WALLS
@@ -45,6 +45,7 @@ class LectureBalls(ModelScene):
     unit = "px"
     y_up = False
     content_type = LectureBallsContent
+    default_content: ClassVar[LectureBallsContent] = LectureBallsContent()
 
     strips = (
         Strip("Momentum", "", ("right", "down")),
@@ -96,7 +97,7 @@ class LectureBalls(ModelScene):
     # -- building and stepping ----------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        content = level.content if level is not None and level.content is not None else LectureBallsContent()
+        content = self.content_of(level)
         self.model = TwoBalls(content, self.parameters, self.active, self.seed)
         self.hand = TwoBallsHand(self.model)
 

@@ -39,7 +39,7 @@ def draw_curves(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
     rows, checks = model.chosen_rows(model.sweep.measured()), model.chosen_rows(model.sweep.measured(True))
     angles, values = model.samples()
     axis = axis_of(values)
-    span = 180.0 if not len(angles) or np.max(np.abs(angles)) > 0.51 * math.pi else 90.0
+    span = _span_of(angles)
     _draw_frame(canvas, box, axis, span)
 
     def placed(at: Floats, what: Floats) -> Floats:
@@ -61,10 +61,29 @@ def draw_curves(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
             canvas.segments(ends[0], ends[1], color, 1.2, 0.7)
             for place in placed(checks[:, ANGLE], checks[:, DRAG + k]).tolist():
                 canvas.ring(place, 5.0, "amber", 1.6)
-        if model.sweep.running:
-            now = placed(np.array([model.tunnel.attack]), np.array([0.0]))[0, 0]
-            canvas.line((float(now), box.bottom), (float(now), box.top), "amber", 1.2, dash=(4.0, 4.0))
     _draw_words(canvas, model, box)
+
+
+def draw_now(canvas: Canvas, model: WindTunnelModel, curves: Frame, polar: Frame) -> None:
+    """Over both charts: the angle that is being measured, and what is measured at the present one."""
+    if model.sweep.running:
+        with canvas.within((curves.left, curves.bottom), (curves.right, curves.top)):
+            span = _span_of(model.samples()[0])
+            share = (math.degrees(model.tunnel.attack) + span) / (2.0 * span)
+            x = curves.left + share * (curves.right - curves.left)
+            canvas.line((x, curves.bottom), (x, curves.top), "amber", 1.2, dash=(4.0, 4.0))
+    if model.average.settled:
+        mean = model.mean()
+        drag, lift, _ = mean.book if model.parameters.measure == "book" else mean.wall
+        axes = _polar_axes(model.samples()[1])
+        with canvas.within((polar.left, polar.bottom), (polar.right, polar.top)):
+            at = _on_polar(polar, *axes, np.array([drag]), np.array([lift]))[0]
+            canvas.ring(tuple(at), 6.0, "amber", 2.0)
+
+
+def _span_of(angles: Floats) -> float:
+    """Degrees to either side of zero that the angles (rad) need."""
+    return 180.0 if not len(angles) or np.max(np.abs(angles)) > 0.51 * math.pi else 90.0
 
 
 def _draw_frame(canvas: Canvas, box: Frame, axis: Axis, span: float) -> None:
@@ -114,17 +133,10 @@ def _draw_words(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
 
 
 def draw_polar(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
-    """Lift over drag, by the series and as measured."""
+    """Lift over drag, by the series and as measured at all angles."""
     _, values = model.samples()
     series = model.series
-    across, up = axis_of(values[:, 0]), axis_of(values[:, 1])
-    across = Axis(0.0, across.high, across.step)
-
-    def placed(drag: Floats, lift: Floats) -> Floats:
-        x = box.left + (drag - across.low) / (across.high - across.low) * (box.right - box.left)
-        y = box.bottom + (lift - up.low) / (up.high - up.low) * (box.top - box.bottom)
-        return np.stack([x, y], axis=1)
-
+    across, up = _polar_axes(values)
     for axis, level in ((up, True), (across, False)):
         value = axis.low
         while value <= axis.high + 1e-9:
@@ -144,10 +156,19 @@ def draw_polar(canvas: Canvas, model: WindTunnelModel, box: Frame) -> None:
     with canvas.within((box.left, box.bottom), (box.right, box.top)):
         if series is not None:
             curve = series.at(np.linspace(-math.pi, math.pi, SAMPLES))
-            canvas.polyline(placed(curve[:, 0], curve[:, 1]), "green", 1.8)
-        for place in placed(values[:, 0], values[:, 1]).tolist():
+            canvas.polyline(_on_polar(box, across, up, curve[:, 0], curve[:, 1]), "green", 1.8)
+        for place in _on_polar(box, across, up, values[:, 0], values[:, 1]).tolist():
             canvas.dot(place, 2.6, "text1")
-        if model.average.settled:
-            mean = model.mean()
-            drag, lift, _ = mean.book if model.parameters.measure == "book" else mean.wall
-            canvas.ring(tuple(placed(np.array([drag]), np.array([lift]))[0]), 6.0, "amber", 2.0)
+
+
+def _polar_axes(values: Floats) -> tuple[Axis, Axis]:
+    """Of drag, from 0, and of lift, about values (n, 3)."""
+    across, up = axis_of(values[:, 0]), axis_of(values[:, 1])
+    return Axis(0.0, across.high, across.step), up
+
+
+def _on_polar(box: Frame, across: Axis, up: Axis, drag: Floats, lift: Floats) -> Floats:
+    """Places (n, 2) in the picture."""
+    x = box.left + (drag - across.low) / (across.high - across.low) * (box.right - box.left)
+    y = box.bottom + (lift - up.low) / (up.high - up.low) * (box.top - box.bottom)
+    return np.stack([x, y], axis=1)

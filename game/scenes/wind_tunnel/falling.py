@@ -19,13 +19,17 @@ WIDE = 26.0  # half chords across the shaft
 START = 0.08  # of the shaft's height, below its top
 
 
+def draw_shaft(canvas: Canvas, box: Frame) -> None:
+    """The ground on which they are seen."""
+    corners = ((box.left, box.bottom), (box.right, box.bottom), (box.right, box.top), (box.left, box.top))
+    canvas.polygon(np.array(corners), "panel", 0.7)
+
+
 def draw_flights(
     canvas: Canvas, model: WindTunnelModel, box: Frame, previous: FlightsState | None, alpha: float
 ) -> None:
     """All that fly; what falls out below comes in again above, in the picture only."""
     flights = model.flights
-    corners = ((box.left, box.bottom), (box.right, box.bottom), (box.right, box.top), (box.left, box.top))
-    canvas.polygon(np.array(corners), "panel", 0.7)
     scale = (box.right - box.left) / (WIDE * flights.half)
     poses = flights.poses()
     if previous is not None and len(flights.kinds) == previous.flashes.shape[2]:

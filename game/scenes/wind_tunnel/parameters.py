@@ -34,7 +34,7 @@ class WindTunnelParameters(Parameters):
                     help="cells that the wind moves in a step of the gas")  # fmt: skip
     pace = Param(2, 1, 16, whole=True, log=True, group="Grid", label="Steps at once",
                  help="of the gas in a step of the scene: how fast the tunnel runs")  # fmt: skip
-    measure = Choice("book", ("book", "wall"), labels=("momentum", "wall"), group="Measured", label="Fitted",
+    measure = Choice("book", ("book", "wall"), labels=("Momentum", "Wall"), group="Measured", label="Fitted",
                      help="what the curves are made of: momentum, or pressure and friction")  # fmt: skip
     settle = Param(8.0, 0.0, 200.0, unit="c/U", group="Measured", label="Settling",
                    help="time that is waited for after a turn, in chords that the wind goes")  # fmt: skip

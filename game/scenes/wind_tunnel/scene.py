@@ -42,6 +42,7 @@ class WindTunnel(ModelScene):
     model: WindTunnelModel
     effects = TUNNEL.known
     content_type = WindTunnelContent
+    covers = True
     default_content = DEFAULT
     study = drag_study
     dt = 1.0 / 60.0

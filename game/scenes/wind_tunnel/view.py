@@ -7,12 +7,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.scenes.wind_tunnel.chart import draw_curves, draw_polar
-from game.scenes.wind_tunnel.falling import draw_flights
+from game.scenes.wind_tunnel.chart import draw_curves, draw_now, draw_polar
+from game.scenes.wind_tunnel.falling import draw_flights, draw_shaft
 from game.scenes.wind_tunnel.hand import WindTunnelHand
 from game.scenes.wind_tunnel.layout import Layout, layout_of
 from game.scenes.wind_tunnel.model import WindTunnelModel, WindTunnelState
 from game.ui.canvas.canvas import Canvas
+from game.ui.canvas.standing import Standing
 
 Floats = NDArray[np.float64]
 SPEED = ((0.0, "violet"), (0.28, "stage"), (0.6, "stage"), (0.8, "body"), (1.0, "chalk"))
@@ -31,6 +32,7 @@ class WindTunnelView:
 
     def __init__(self, model: WindTunnelModel, hand: WindTunnelHand):
         self.model, self.hand = model, hand
+        self._standing = Standing()
 
     def layout(self) -> Layout:
         """Where all stands."""
@@ -39,7 +41,9 @@ class WindTunnelView:
     def draw(self, canvas: Canvas, previous: WindTunnelState | None, alpha: float) -> None:
         """All of it; flights ``alpha`` of the way from the state before to now."""
         place = self.layout()
-        tunnel = place.tunnel
+        tunnel, chosen = place.tunnel, self.model.parameters
+        measured = (self.model.sweep.table.tobytes(), chosen.measure, int(chosen.order))
+        self._standing.draw(canvas, self._paint_charts, place, *measured)
         with canvas.within((tunnel.left, tunnel.bottom), (tunnel.right, tunnel.top)):
             self._draw_air(canvas, place)
             if self.model.parameters.streaks:
@@ -47,12 +51,19 @@ class WindTunnelView:
             self._draw_shape(canvas)
         self._draw_walls(canvas, place)
         self._draw_state(canvas, place)
-        draw_curves(canvas, self.model, place.curves)
-        draw_polar(canvas, self.model, place.polar)
+        draw_now(canvas, self.model, place.curves, place.polar)
         before = previous.flights if previous is not None else None
         draw_flights(canvas, self.model, place.flights, before, alpha)
         if len(self.hand.path) > 1:
             canvas.polyline(np.array(self.hand.path), "amber", 2.4)
+
+    def _paint_charts(self, canvas: Canvas) -> None:
+        """The ground of all, and the charts, which change only when an angle has been measured."""
+        place = self.layout()
+        canvas.fill()
+        draw_curves(canvas, self.model, place.curves)
+        draw_polar(canvas, self.model, place.polar)
+        draw_shaft(canvas, place.flights)
 
     def _draw_air(self, canvas: Canvas, place: Layout) -> None:
         tunnel, view = self.model.tunnel, self.model.parameters.view
@@ -128,6 +139,7 @@ class WindTunnelView:
         if model.sweep.running:
             words += f"   {int(model.sweep.at[0]) + 1} of {len(model.sweep.table)}"
         corner = (tunnel.right, tunnel.top)
+        _draw_plate(canvas, corner, words, 13, "semibold", -1.0)
         canvas.label(corner, words, "text1", 13, "semibold", anchor="topright", offset=(-8.0, 8.0))
         share = model.average.progress
         settle = model.average.settle / max(model.average.settle + model.average.window, 1e-12)
@@ -141,4 +153,19 @@ class WindTunnelView:
         if WORDS[model.parameters.view]:
             words = f"{model.parameters.view}: {WORDS[model.parameters.view]}"
             low = (tunnel.right, tunnel.bottom)
+            _draw_plate(canvas, low, words, 11, "medium", 1.0)
             canvas.label(low, words, "text2", 11, anchor="bottomright", offset=(-8.0, -6.0))
+
+
+def _draw_plate(
+    canvas: Canvas, corner: tuple[float, float], words: str, size: int, weight: str, side: float
+) -> None:  # fmt: skip
+    """Ground behind words in a corner of the tunnel, above it (side 1) or below, so that no smoke is read
+    with them.
+    """
+    wide, tall = (canvas.px(value / canvas.k) for value in canvas.fonts.size(words, size, weight))
+    gap, rim = canvas.px(8.0), canvas.px(4.0)
+    right, near = corner[0] - gap + rim, corner[1] + side * (gap - rim)
+    left, far = corner[0] - gap - wide - rim, corner[1] + side * (gap + tall + 0.5 * rim)
+    box = np.array([(left, near), (right, near), (right, far), (left, far)])
+    canvas.polygon(box, fill="stage", fill_alpha=0.86)

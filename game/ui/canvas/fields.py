@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.ui.canvas.base import Point, Token
 from game.ui.canvas.lights import LightCanvas
 from game.ui.look.look import Look
-from game.ui.raster.field import paint_field, shade_table
+from game.ui.raster.field import field_room, paint_field, shade_table
 from game.ui.raster.veil import paint_veil, veil_room
 
 Stop = tuple[float, Token]
@@ -23,7 +23,7 @@ class FieldCanvas(LightCanvas):
     def __init__(self, look: Look) -> None:
         super().__init__(look)
         self._tables: dict[tuple[tuple[float, int], ...], NDArray[np.uint32]] = {}
-        self._row = np.empty(0, np.float32)
+        self._room = field_room(0, 0)
         self._veil_room = veil_room(0)
 
     def field(
@@ -36,12 +36,13 @@ class FieldCanvas(LightCanvas):
         """
         grid = np.ascontiguousarray(values, dtype=np.float32)
         table = self._table(stops)
-        if len(self._row) < grid.shape[1]:
-            self._row = np.empty(grid.shape[1], np.float32)
+        columns, width = grid.shape[1], self._pixels.shape[1]
+        if len(self._room.row) < columns or len(self._room.first) < width:
+            self._room = field_room(max(columns, len(self._room.row)), max(width, len(self._room.first)))
         left, bottom = self._place(corner)
         right, top = self._place(opposite)
         box = np.array((left, top, right, bottom))
-        paint_field(self._pixels, self._clip, grid, box, table, self._row, float(alpha))
+        paint_field(self._pixels, self._clip, grid, box, table, self._room, float(alpha))
 
     def veil(
         self, values: Any, corner: Point, opposite: Point, smoke: Token, stops: Sequence[Stop],

@@ -15,6 +15,7 @@ from game.ui.raster.pixels import (
     blend,
     bounds_of,
     clip_bounds,
+    fill_row,
     is_drawable,
     strip_coverage,
     weight_of,
@@ -25,6 +26,21 @@ SUBPIXELS = 8  # a stamp is kept for each eighth of a pixel both ways
 LARGEST_STAMP = 3.5  # px; larger discs are drawn one by one
 STREAK_DOTS = 5
 STREAK_FADE = (1.0, 0.5, 0.3, 0.18, 0.1)  # weight of a streak's dots from the particle backwards
+
+
+@inner_kernel
+def _fill_edge(
+    pixels: Any, row: int, start: int, stop: int, x: float, dy: float, radius: float, color: int, alpha: float
+) -> None:
+    """Part of a row of a disc, ``dy`` px below its middle, each pixel by how much of it is covered."""
+    outer, inner_squared = radius + 0.5, (radius - 0.5) * (radius - 0.5)
+    for column in range(start, stop):
+        dx = column + 0.5 - x
+        squared = dx * dx + dy * dy
+        if squared <= inner_squared:
+            blend(pixels, row, column, color, weight_of(1.0, alpha))
+        elif squared < outer * outer:
+            blend(pixels, row, column, color, weight_of(outer - math.sqrt(squared), alpha))
 
 
 @lean_kernel
@@ -48,13 +64,19 @@ def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: 
         half = math.sqrt(rest)
         first = max(x_low, int(max(x - half - 0.5, -1.0)))
         last = min(x_high, int(min(x + half + 1.5, 1.0 * x_high)))
-        for column in range(first, last):
-            dx = column + 0.5 - x
-            squared = dx * dx + dy * dy
-            if squared <= inner_squared:
-                blend(pixels, row, column, color, full)
-            elif squared < outer_squared:
-                blend(pixels, row, column, color, weight_of(outer - math.sqrt(squared), alpha))
+        # columns that lie wholly inside are laid at once; what the root rounds to is tried at both ends
+        inside = math.sqrt(max(inner_squared - dy * dy, 0.0))
+        begin = max(first, math.ceil(x - inside - 0.5))
+        end = min(last, math.floor(x + inside - 0.5) + 1)
+        while begin < end and (begin + 0.5 - x) ** 2 + dy * dy > inner_squared:
+            begin += 1
+        while end > begin and (end - 0.5 - x) ** 2 + dy * dy > inner_squared:
+            end -= 1
+        if end <= begin:
+            begin = end = last
+        _fill_edge(pixels, row, first, begin, x, dy, radius, color, alpha)
+        fill_row(pixels, row, begin, end, color, full)
+        _fill_edge(pixels, row, end, last, x, dy, radius, color, alpha)
 
 
 @inner_kernel

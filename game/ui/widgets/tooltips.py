@@ -46,7 +46,7 @@ class ToolTip:
         window = surface.get_rect()
         if place.bottom > window.bottom:
             place.bottom = thing.top - gap
-        place.clamp_ip(window)
+        place.clamp_ip(window.inflate(-2 * gap, -2 * gap))
         surface.blit(self._picture, place)
 
     def _paint(self, text: str) -> pygame.Surface:

@@ -52,6 +52,31 @@ def test_rounding_of_a_size_does_not_let_a_box_reach_two_cells_on():
     grid.check()
 
 
+def test_a_box_that_comes_to_reach_two_cells_on_changes_its_level_and_keeps_its_partners():
+    """Its level of before is the first guess, and its rounded size is still one cell."""
+    grid = HierarchicalGrid()
+    boxes = [grid.add_box((0.25, 0.25), (1.25, 0.75)), grid.add_box((1.0, 0.25), (1.5, 0.75))]
+    assert grid.pairs().tolist() == [boxes]
+    for _ in range(2):
+        grid.update_box(boxes[0], (-1e-30, 0.25), (1.0, 0.75))
+        assert grid.pairs().tolist() == [boxes]
+        assert grid.cell_size(grid.level(boxes[0])) == 2.0
+        grid.update_box(boxes[0], (0.25, 0.25), (1.25, 0.75))
+        assert grid.pairs().tolist() == [boxes]
+
+
+def test_the_smallest_boxes_come_back_under_their_ids():
+    """An id not in use has no level; the finest one is the guess when it is used again."""
+    grid = HierarchicalGrid()
+    size = 0.75 * math.ldexp(1.0, LOWEST)
+    lowers = np.array([(0.0, 0.0), (0.5 * size, 0.0), (size, 0.0)])
+    for _ in range(2):
+        ids = grid.add_boxes(lowers, lowers + size)
+        assert grid.pairs().tolist() == [[0, 1], [0, 2], [1, 2]]
+        grid.remove_boxes(ids)
+        assert len(grid.pairs()) == 0
+
+
 @pytest.mark.parametrize("boxes", [1, 5, 16, 17, 40, 1000, 3000, 100_000, 3_000_000])
 def test_the_buckets_of_neighbouring_cells_are_distinct(boxes):
     layout = np.zeros((LEVELS, 4), dtype=np.int64)

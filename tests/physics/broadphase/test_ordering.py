@@ -56,5 +56,5 @@ def test_greatest_ids_need_larger_counters():
     pairs = [(2**30 - 2, 2**30 - 1), (5, 2**29), (5, 2**30 - 1), (0, 1)]
     sorter.keys[:4] = [a << 32 | b for a, b in pairs]
     assert sorter.sorted(4, 2**30).tolist() == [list(pair) for pair in sorted(pairs)]
-    assert sorter.memory() == 2 * 64 * 8 + 4 * 2**15 * 8 + 64 * 4
+    assert sorter.memory() == 2 * 64 * 8 + 4 * 2**15 * 8 + 64 * 4 + 64 * 2 * 8
     assert np.array_equal(sorter.sorted(0, 1), np.empty((0, 2), dtype=np.int64))

@@ -14,7 +14,7 @@ from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings
 from game.physics.plates.checks import slopes_of
 from game.physics.plates.effects import BENDING, CIRCULATION, GUST_INERTIA
 from game.physics.plates.flight import WIND as ROWS_OF_WIND
-from game.physics.plates.law import BEND, MASS_Y, SPIN, THETA, VX, VY, WEIGHT, X, Y
+from game.physics.plates.law import BEND, BEND_RATE, MASS_Y, SPIN, THETA, VX, VY, WEIGHT, X, Y
 from game.physics.surfaces import ConstantField, FunctionField
 
 FLIGHT = GRAVITY | QUADRATIC_DRAG | CIRCULATION | BENDING
@@ -381,3 +381,27 @@ def test_leaves_of_all_kinds_fly_as_each_would_alone(effects, fast):
     together = flown(np.arange(6))
     for k in range(6):
         assert np.array_equal(together[:, k], flown(np.array([k]))[:, 0]), k
+
+
+def test_rigid_straight_leaves_fly_the_same_with_and_without_bent_ones_beside_them():
+    """To the last bit: a block of lanes leaves out the bend only if none is bent, opens, or can bend."""
+    kinds = [Plate(), Plate(curl=0.3), Plate(bend_hz=15.0), Plate(), Plate(inertia=0.4)]
+    random = np.random.default_rng(11)
+    places = random.uniform(-1.0, 1.0, (len(kinds), 3))
+
+    def flown(chosen):
+        world = Plates([kinds[k] for k in chosen], places[chosen], effects=FLIGHT)
+        world.rows[VX] = 1.0
+        world.rows[BEND_RATE, chosen == 3] = 5.0  # struck: it opens although nothing closes it
+        for _ in range(20):
+            world.step(1.0 / 240.0)
+        return world.rows
+
+    whole = np.arange(40) % len(kinds)  # blocks that are full, and one that is not
+    together = flown(whole)
+    for k in range(len(kinds)):
+        alone = flown(np.full(16, k))
+        for column in np.flatnonzero(whole == k):
+            assert np.array_equal(together[:, column], alone[:, 0]), k
+        assert np.array_equal(alone, np.repeat(alone[:, :1], 16, axis=1))
+    assert together[BEND, 3] != 0.0 != together[BEND, 2]

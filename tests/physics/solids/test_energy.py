@@ -9,17 +9,13 @@ from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
 from tests.physics.solids.random_scenes import GAINS_TOO_MUCH, largest_gain
 from tests.physics.solids.setups import G, floor_world, run
 
-GAINED = (
-    156,
-    484,
-    511,
-    739,
-)  # once by more than 1e-3, where they were stopped in a step in which they bounced
+# heaps in which a step once gained: stopped while they bounced (the first seven), woken in it (the last)
+GAINED = (156, 484, 511, 739, 702, 1749, 1942, 48)
 
 
 @pytest.mark.parametrize("substeps", [4, 12])
 def test_random_heaps_gain_nothing_in_any_step(substeps):
-    gains = [largest_gain(seed, 150, substeps=substeps).gain for seed in (*range(50), *GAINED)]
+    gains = [largest_gain(seed, 150, substeps=substeps).gain for seed in (*range(40), *GAINED)]
     assert max(gains) < GAINS_TOO_MUCH
 
 

@@ -3,12 +3,30 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
+import numba
 import numpy as np
 import pytest
 
-from game.physics.solids import Material, SolidSettings, SolidWorld, box
+from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
 from game.physics.solids.effects import SLEEP, USUAL
+from game.physics.solids.solvers.governor import (
+    FORCE,
+    GAIN,
+    HEIGHT,
+    HELD,
+    LIFT,
+    MOTION,
+    STORED,
+    along,
+    give_back,
+    group_by_contact,
+    sum_groups,
+    what_to_take_back,
+)
+from game.physics.solids.solvers.passive import EXCUSED
+from game.physics.solids.state import ASLEEP, DX, VX, VY, WORKS_WIDTH, W
 from tests.physics.solids.setups import G, floor_world, run
 
 FRAME = 1.0 / 60.0
@@ -130,14 +148,164 @@ def test_a_box_that_slides_over_bodies_keeps_its_speed():
 
 
 def test_the_energy_of_a_hit_sleeper_is_counted():
-    """What is woken in a step is moved in it, though gravity did not move it."""
-    world, _ = floor_world()
-    column(world, 3)
-    run(world, 3.0)
-    world.add_body(box(0.4, 0.4, material=Material(density=5.0)), (-3.0, 1.2), 0.3, velocity=(14.0, 0.0))
+    """What is woken in a step by a ball from below is lifted in it, though gravity did not move it."""
+    springy = Material(restitution=1.0, friction=0.0)
+    world, _ = floor_world(springy)
+    for place in (-1.5, 1.5):
+        world.add_body(box(0.5, 2.0, material=springy), (place, 1.0), kind="fixed")
+    sleeper = world.add_body(box(3.5, 0.2, material=springy), (0.0, 2.1))
+    run(world, 2.0)
+    assert world.bodies.flags[sleeper] & ASLEEP
+    world.add_body(Disc(0.2, material=springy), (0.0, 0.5), velocity=(0.0, 9.0))
     first = before = world.energy().total
-    for _ in range(150):
+    for _ in range(30):
         world.step(FRAME)
         now = world.energy().total
         assert now <= before + 1e-9 * first
         before = now
+    assert world.bodies.positions[sleeper, 1] > 2.15
+
+
+def test_springs_are_empty_under_another_solver():
+    world, _ = floor_world(effects=AWAKE)
+    column(world, 4)
+    run(world, 1.0)
+    assert world.energy().elastic > 0.0
+    world.set(solver="sequential-impulses")
+    assert world.energy().elastic == 0.0
+
+
+@pytest.mark.parametrize("torque", [-3.0, 3.0])
+def test_a_torque_is_a_source(torque):
+    """A wheel that is driven rolls off as it must; what the torque does is no gain of the contact's."""
+    world, _ = floor_world(Material(friction=1.0), effects=AWAKE, substeps=12)
+    wheel = world.add_body(Disc(0.5, material=Material(friction=1.0)), (0.0, 0.5))
+    run(world, 0.5)
+    for _ in range(60):
+        world.add_force(wheel, (0.0, 0.0), torque)
+        world.step(FRAME)
+    mass, inertia = 1.0 / world.bodies.inverse_masses[wheel], 1.0 / world.bodies.inverse_inertias[wheel]
+    assert world.bodies.velocities[wheel, 0] == pytest.approx(
+        -torque / (mass * 0.5 + inertia / 0.5), rel=1e-3
+    )
+    assert world.bodies.spins[wheel] == pytest.approx(-world.bodies.velocities[wheel, 0] / 0.5, rel=1e-3)
+
+
+def taken_back(gain, lift=0.0, height=0.0, force=0.0, motion=0.0, most=0.0):
+    """`what_to_take_back` of a group, and what is left of its gain when all of that is done, J."""
+    works = np.zeros((1, WORKS_WIDTH))
+    works[0, [GAIN, LIFT, HEIGHT, FORCE, MOTION]] = gain, lift, height, force, motion
+    back, down, keep, stay = _taken_back(works, most)
+    left = gain - back * lift - down * force - motion * (1.0 - keep * keep)
+    return (back, down, keep, stay), left - (1.0 - stay) * (height - back * lift - down * force)
+
+
+@numba.njit
+def _taken_back(works, most):
+    return what_to_take_back(works, 0, most)
+
+
+@pytest.mark.parametrize(
+    ("group", "expected"),
+    [
+        ({"gain": 1.0, "lift": 4.0, "height": 4.0, "motion": 9.0}, (0.25, 0.0, 1.0, 1.0)),
+        ({"gain": 3.0, "lift": 1.0, "height": 1.0, "motion": 4.0}, (1.0, 0.0, math.sqrt(0.5), 1.0)),
+        ({"gain": 1.0, "height": 5.0, "force": 10.0, "most": 1.0, "motion": 4.0}, (0.0, 0.1, 1.0, 1.0)),
+        ({"gain": 1.0, "height": 0.2, "force": 10.0, "most": 1.0, "motion": 0.8}, (0.0, 0.02, 0.0, 1.0)),
+        ({"gain": 1.0, "height": 5.0, "force": 10.0, "most": 0.05, "motion": 2.0}, (0, 0.05, 0.75**0.5, 1)),
+        ({"gain": 5.0, "lift": 1.0, "height": 5.0, "motion": 2.0}, (1.0, 0.0, 0.0, 0.5)),
+        ({"gain": 1.0, "lift": -1.0, "motion": 2.0}, (0.0, 0.0, math.sqrt(0.5), 1.0)),
+    ],
+)  # fmt: skip
+def test_as_much_is_taken_back_as_was_gained_and_no_more(group, expected):
+    """Lifting first, then a little height, then motion, then ways."""
+    found, left = taken_back(**group)
+    assert found == pytest.approx(expected, abs=1e-15)
+    assert left == pytest.approx(0.0, abs=1e-15)
+
+
+class Stores(NamedTuple):
+    """What `give_back` reads and writes of bodies."""
+
+    stored: np.ndarray
+
+
+class Groups(NamedTuple):
+    """And of scratch memory."""
+
+    works: np.ndarray
+    parents: np.ndarray
+    excused: np.ndarray
+
+
+@numba.njit
+def _give_back(bodies, scratch):
+    give_back(bodies, scratch)
+
+
+def test_springs_pay_for_lifting_only_and_of_their_own_group():
+    """Groups of bodies 0 and 1, of 2, of 3 (which has a source)."""
+    bodies = Stores(np.array([3.0, 1.0, 5.0, 7.0]))
+    works = np.zeros((4, WORKS_WIDTH))
+    works[0, [GAIN, LIFT, HEIGHT, STORED]] = 2.0, 1.5, 1.0, 4.0
+    works[2, [GAIN, LIFT, HEIGHT, STORED]] = 0.5, 0.0, 3.0, 5.0
+    works[3, [GAIN, LIFT, HEIGHT, STORED]] = 2.0, 2.0, 2.0, 7.0
+    scratch = Groups(works, np.array([0, 0, 2, 3]), np.array([0, 0, 0, EXCUSED << 2]))
+    _give_back(bodies, scratch)
+    assert bodies.stored.tolist() == [2.25, 0.75, 4.5, 7.0]
+    assert works[0, [GAIN, LIFT, HEIGHT]].tolist() == [1.0, 0.5, 0.0]
+    assert works[2, [GAIN, HEIGHT]].tolist() == [0.0, 2.5]
+    assert works[3, [GAIN, LIFT, HEIGHT]].tolist() == [2.0, 2.0, 2.0]
+
+
+@numba.njit
+def _grouped(bodies, contacts, rows, scratch, h):
+    group_by_contact(bodies, contacts, rows, scratch)
+    sum_groups(bodies, scratch, h)
+
+
+@numba.njit
+def _along(bodies, drifts, group, body):
+    return along(bodies, drifts, group, body)
+
+
+def test_groups_are_told_from_each_other_and_move_as_one_body_if_nothing_holds_them():
+    """Two that lie on each other on the ground, two that touch in the air, one alone; all of them turn."""
+    world, _ = floor_world(effects=AWAKE)
+    ground = column(world, 2)
+    air = [world.add_body(box(1.0, 1.0), (6.0 + 0.99 * k, 9.9 + 0.1 * k)) for k in (0, 1)]
+    lone = world.add_body(box(1.0, 1.0), (12.0, 9.0))
+    world.step(FRAME)
+    rows, scratch = world.bodies, world._scratch
+    spin, drift = 0.7, np.array([3.0, -2.0])
+    for body in (*ground, *air, lone):
+        x, y = rows.positions[body]
+        scratch.motion[body, [VX, VY, W]] = drift[0] - spin * y, drift[1] + spin * x, spin
+    _grouped(rows, world._contacts, world._rows, scratch, FRAME / 4)
+    parents, drifts, works = scratch.parents, scratch.drifts, scratch.works
+    assert parents[ground].tolist() == [ground[0]] * 2
+    assert parents[air].tolist() == [air[0]] * 2
+    assert parents[lone] == lone
+    assert drifts[[ground[0], air[0], lone], HELD].tolist() == [1.0, 0.0, 0.0]
+    for body in (*air, lone):
+        assert _along(rows, drifts, parents[body], body) == pytest.approx(scratch.motion[body, [VX, VY, W]])
+    assert works[[air[0], lone], MOTION] == pytest.approx(0.0, abs=1e-12)
+    assert _along(rows, drifts, ground[0], ground[1]) == (0.0, 0.0, 0.0)
+    speeds = scratch.motion[ground][:, [VX, VY]]
+    assert works[ground[0], MOTION] == pytest.approx(0.5 * (speeds**2).sum() + spin**2 / 6.0)
+    weight = 2.0 * G
+    assert works[[ground[0], air[0], lone], FORCE] == pytest.approx([weight, weight, 0.5 * weight])
+
+
+def test_what_is_stopped_on_its_way_was_not_pushed():
+    world = SolidWorld(SolidSettings(gravity=(0.0, 0.0)))
+    world.add_body(box(0.05, 10.0), (0.0, 0.0), kind="fixed")
+    ball = world.add_body(Disc(0.05), (-3.0, 0.0), velocity=(50.0, 0.0))
+    for _ in range(4):
+        world.step(FRAME)
+        if world.bodies.late[ball] > 0.0:
+            break
+    assert 0.0 < world.bodies.late[ball] < FRAME
+    going, motion = world._scratch.going[ball], world._scratch.motion[ball]
+    assert motion[DX] == pytest.approx(FRAME / 4 * going[0], rel=1e-12)
+    assert motion[DX] < 50.0 * FRAME

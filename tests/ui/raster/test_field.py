@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from game.ui.raster import clip_of, pixels_of
-from game.ui.raster.field import paint_field, shade_table
+from game.ui.raster.field import field_room, paint_field, shade_table
 
 STOPS = [(0.0, pygame.Color(0, 0, 0)), (0.5, pygame.Color(200, 40, 10)), (1.0, pygame.Color(255, 255, 255))]
 TABLE = shade_table(STOPS)
@@ -16,9 +16,9 @@ TABLE = shade_table(STOPS)
 def painted(values, box, alpha=1.0, size=(64, 48)):
     surface = pygame.Surface(size, 0, 32)
     surface.fill((7, 8, 9))
-    row = np.empty(values.shape[1], np.float32)
+    room = field_room(values.shape[1], size[0])
     paint_field(
-        pixels_of(surface), clip_of(surface), values.astype(np.float32), np.array(box), TABLE, row, alpha
+        pixels_of(surface), clip_of(surface), values.astype(np.float32), np.array(box), TABLE, room, alpha
     )
     return surface
 
@@ -38,13 +38,25 @@ def test_each_pixel_has_the_colour_of_the_value_between_the_cells():
         assert (surface.get_at_mapped((x, y)) & 0xFFFFFF) in near
 
 
+def test_its_room_may_be_wider_than_it_needs():
+    values, box = np.random.default_rng(5).uniform(-0.2, 1.2, (6, 9)), np.array((5.3, 4.1, 58.7, 43.2))
+    surface = pygame.Surface((64, 48), 0, 32)
+    surface.fill((7, 8, 9))
+    wide = field_room(40, 300)
+    for part in wide:
+        part[:] = 77
+    paint_field(
+        pixels_of(surface), clip_of(surface), values.astype(np.float32), box, TABLE, wide, 1.0
+    )  # fmt: skip
+    assert (pixels_of(surface) == pixels_of(painted(values, tuple(box)))).all()
+
+
 def test_nothing_outside_its_box_and_the_clip():
     surface = pygame.Surface((40, 30), 0, 32)
     surface.fill((7, 8, 9))
     surface.set_clip(pygame.Rect(10, 10, 8, 8))
-    row = np.empty(3, np.float32)
     paint_field(pixels_of(surface), clip_of(surface), np.ones((3, 3), np.float32),
-                np.array((0.0, 0.0, 30.0, 30.0)), TABLE, row, 1.0)  # fmt: skip
+                np.array((0.0, 0.0, 30.0, 30.0)), TABLE, field_room(3, 40), 1.0)  # fmt: skip
     seen = pygame.surfarray.array3d(surface)
     changed = (seen != (7, 8, 9)).any(axis=2)
     assert changed[10:18, 10:18].all() and changed.sum() == 64

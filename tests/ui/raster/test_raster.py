@@ -59,6 +59,24 @@ def test_disc(x, y, radius):
     assert abs(paper.coverage.sum() - truth.sum()) < 0.02 * truth.sum() + 0.6
 
 
+@given(near, near, st.one_of(st.floats(0.05, 25.0), st.sampled_from((0.5, 1.0, 7.5))), st.floats(0.05, 1.0))
+@settings(max_examples=60, deadline=None)
+def test_a_disc_row_by_row_is_that_pixel_by_pixel(x, y, radius, alpha):
+    paper, plain = Paper(clip=(3, 2, 37, 28)), Paper(clip=(3, 2, 37, 28))
+    fill_disc(paper.pixels, paper.clip, x, y, radius, 0x4080C0, alpha)
+    share = alpha * min(1.0, 4.0 * radius * radius)
+    reach = max(radius, 0.5) + 0.5
+    for row in range(2, 28):
+        for column in range(3, 37):
+            dx, dy = column + 0.5 - x, row + 0.5 - y
+            squared = dx * dx + dy * dy
+            if squared < reach * reach:
+                covered = 1.0 if squared <= (reach - 1.0) ** 2 else reach - math.sqrt(squared)
+                weight = int(min(max(covered * share, 0.0), 1.0) * 256.0 + 0.5)
+                blend(plain.pixels, row, column, 0x4080C0, weight)
+    assert (paper.pixels == plain.pixels).all()
+
+
 @given(near, near, st.floats(3.0, 25.0), st.floats(0.8, 4.0))
 @settings(max_examples=40, deadline=None)
 def test_ring(x, y, radius, width):

@@ -13,7 +13,7 @@ from game.app.stagehand.story_picture import draw_words, point_camera
 from game.app.stagehand.view import StageView
 from game.app.window.commands import Actions
 from game.stage import Pointer, StageEvent
-from game.stage.stage import FASTEST, SLOWEST
+from game.stage.playing.paced import FASTEST, SLOWEST
 from game.stage.story.deeds import events_of
 from game.stage.story.lines import Do, Story
 from game.stage.story.rehearsal import moments_of

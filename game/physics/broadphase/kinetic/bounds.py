@@ -178,7 +178,7 @@ def _judge(bounds, boxes, box, step, size):
 def _steps_of(bounds, box, fastest, size, scales):
     """Steps that a bound is to hold: until it has grown by its share, or until the next estimate."""
     if fastest < 0.0:
-        return 1 << bounds.marks[box, PATIENCE]
+        return 1 << int(bounds.marks[box, PATIENCE])  # uncompiled, 8 bits would stay 8 bits
     if fastest == 0.0:
         return NEVER
     steps = min(max(scales[GROWTH] * size / fastest, LEAST_STEPS), RING - 1.0)

@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.grid_search import GUARD, ID_MASK, NEAR
+from game.physics.broadphase.grid_search import GUARD, NEAR
+from game.physics.broadphase.runs import ID_MASK
 
 Cell = tuple[int, int]  # column, row
 

@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.grid_search import ID_MASK
 from game.physics.broadphase.hash_levels import COUNT, FACTOR, LEVELS, MASK, OFFSET, bucket_of, cell_at
 from game.physics.broadphase.hash_search import runs_over
+from game.physics.broadphase.runs import ID_MASK
 
 OWN, UP, DOWN = "own", "up", "down"  # ways: on its own level, up to coarser cells, down over finer ones
 

@@ -10,8 +10,7 @@ fixed. To scale all of them alike keeps momentum, and keeps every contact: a spe
 0.
 
 Not held are groups that have a source: joints, key-framed bodies that move, wind, and pairs that overlap by
-no motion of their own (marked GIVEN): born so, put so, or pressed together. Those part as fast as they are
-told.
+no motion of their own (marked GIVEN): born so, or put so. Those part as fast as they are told.
 """
 
 from __future__ import annotations
@@ -30,6 +29,7 @@ from game.physics.solids.state import (
     DS,
     DX,
     DY,
+    DYNAMIC,
     END_A,
     END_B,
     END_PAIR,
@@ -127,7 +127,7 @@ def rise(bodies, scratch, h):
 
 
 @inner_kernel
-def group_by_contact(bodies, contacts, rows, scratch, slop):
+def group_by_contact(bodies, contacts, rows, scratch):
     """Representatives of bodies that touched in this step; drifts tell which touch what is fixed.
 
     Groups with a source are marked as excused.
@@ -143,18 +143,13 @@ def group_by_contact(bodies, contacts, rows, scratch, slop):
             deepest = min(deepest, rows.rows[c, ROW_POINT + ROW_POINT_WIDTH + SEP])
         if not (rows.rare[c, MOST_0] > 0.0 or rows.rare[c, MOST_1] > 0.0 or deepest < 0.0):
             continue
-        source = (excused[a] | excused[b]) & EXCUSED
-        if source and deepest < -slop:
-            contacts.marks[pair, GIVEN] = 1
-        if contacts.marks[pair, GIVEN]:
-            source = EXCUSED
         moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
         if moves_a and moves_b:
             unite(parents, a, b)
         else:
             drifts[a if moves_a else b, HELD] = 1.0
-        excused[a] |= source
-        excused[b] |= source
+        if contacts.marks[pair, GIVEN]:
+            excused[a], excused[b] = EXCUSED, EXCUSED
     for i in range(parents.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
             r = root_of(parents, i)
@@ -295,7 +290,7 @@ def give_back(bodies, scratch):
 def weigh_sleepers(bodies, scratch, numbers):
     """Gravity of what slept when the step began: not that has moved it, but what touched it."""
     for i in range(bodies.flags.shape[0]):
-        if bodies.flags[i] & ASLEEP:
+        if bodies.flags[i] & DYNAMIC and scratch.air[i, 2] == 0.0:
             scratch.accelerations[i, 0] = bodies.gravity_scales[i] * numbers.gravity_x
             scratch.accelerations[i, 1] = bodies.gravity_scales[i] * numbers.gravity_y
 
@@ -314,7 +309,7 @@ def hold_step(bodies, contacts, rows, scratch, numbers):
             bodies.stored[i] += part * scratch.works[i, STORED]
         return
     motion, works, parents = scratch.motion, scratch.works, scratch.parents
-    group_by_contact(bodies, contacts, rows, scratch, numbers.slop)
+    group_by_contact(bodies, contacts, rows, scratch)
     sum_groups(bodies, scratch, numbers.h)
     give_back(bodies, scratch)
     for i in range(motion.shape[0]):

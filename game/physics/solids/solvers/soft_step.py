@@ -3,7 +3,8 @@ out.
 
 Catto 2023, "Solver2D". A substep: forces, last impulses again, one soft sweep, places, one sweep without
 push. Overlap is compliance, not error: it falls as 1/f² with the frequency f, a quarter of the substeps a
-second. Impacts bounce once, at the end of the step.
+second. Impacts bounce once, at the end of the step,
+which is then made passive (`governor`).
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from game.physics.solids.solvers.abreast import (
     take_impulses,
     warm_batches,
 )
-from game.physics.solids.solvers.governor import hold_step, note_going, start_going
+from game.physics.solids.solvers.governor import note_going, start_going
 from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.passive import (
@@ -77,7 +78,6 @@ def _soft_step(joined: bool) -> Any:
         note_speeds(motion, scratch.speeds, FREE)
         if bounce_contacts(rows, motion, numbers) and violent:
             hold_energy(bodies, rows, scratch, numbers, True)
-        hold_step(bodies, contacts, rows, scratch, numbers)
 
     return solve_soft_step
 
