@@ -17,20 +17,11 @@ from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import collide_polygons
 from game.physics.solids.collide.segments import collide_segment_disc, collide_segment_polygon
 from game.physics.solids.islands import is_moving
+from game.physics.solids.rows import add_row, finish_batch, frames_of, limits_of, start_batches
 from game.physics.solids.state import (
-    APPROACH_0,
     ASLEEP,
-    COUPLING,
-    CROSS_A,
-    CROSS_B,
     DISC,
-    DOT_A,
-    DOT_B,
     DYNAMIC,
-    END_A,
-    END_B,
-    END_PAIR,
-    END_POINTS,
     FEATURE_0,
     FEATURE_1,
     FIRST_POINT,
@@ -41,11 +32,6 @@ from game.physics.solids.state import (
     IN_A_Y,
     IN_B_X,
     IN_B_Y,
-    JN,
-    JT,
-    MASS_T,
-    MOST_0,
-    MOST_1,
     NORMAL_IMPULSE,
     NORMAL_X,
     NORMAL_Y,
@@ -54,28 +40,9 @@ from game.physics.solids.state import (
     PLACE_Y,
     POINT_WIDTH,
     POINTS,
-    RESTITUTION,
-    ROUND_A,
-    ROUND_B,
-    ROW_COLD,
-    ROW_HARD,
-    ROW_IIA,
-    ROW_IIB,
-    ROW_IMA,
-    ROW_IMB,
-    ROW_MU,
-    ROW_NX,
-    ROW_NY,
-    ROW_POINT,
-    ROW_POINT_WIDTH,
     SEGMENT,
-    SEP,
-    STIFF_N,
     TANGENT_IMPULSE,
 )
-
-COLD = 30.0  # m/s², what closes faster than that in a step hits, it does not rest
-MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
 
 
 @inner_kernel
@@ -189,72 +156,6 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
     return points
 
 
-@inner_kernel(inline="always")
-def write_row(bodies, shapes, contacts, p, rows, c, numbers):
-    """Make a solver's row of a pair that has points."""
-    i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
-    a, b = contacts.shapes[p, 0], contacts.shapes[p, 1]
-    kept, row, rare, ends = contacts.manifolds, rows.rows, rows.rare, rows.ends
-    points = contacts.marks[p, POINTS]
-    ends[c, END_A], ends[c, END_B], ends[c, END_POINTS], ends[c, END_PAIR] = i, j, points, p
-    ima, imb = bodies.inverse_masses[i], bodies.inverse_masses[j]
-    iia, iib = bodies.inverse_inertias[i], bodies.inverse_inertias[j]
-    ca, sa, cb, sb = (
-        bodies.rotations[i, 0],
-        bodies.rotations[i, 1],
-        bodies.rotations[j, 0],
-        bodies.rotations[j, 1],
-    )
-    lx, ly = kept[p, NORMAL_X], kept[p, NORMAL_Y]
-    nx, ny = ca * lx - sa * ly, sa * lx + ca * ly
-    row[c, ROW_NX], row[c, ROW_NY] = nx, ny
-    row[c, ROW_MU] = numbers.friction * math.sqrt(shapes.frictions[a] * shapes.frictions[b])
-    row[c, ROW_HARD] = 1.0 if ima == 0.0 or imb == 0.0 else 0.0
-    row[c, ROW_IMA], row[c, ROW_IIA], row[c, ROW_IMB], row[c, ROW_IIB] = ima, iia, imb, iib
-    rare[c, MOST_0], rare[c, MOST_1] = 0.0, 0.0  # also of a point that is not there: both are read
-    rare[c, RESTITUTION] = max(shapes.restitutions[a], shapes.restitutions[b])
-    dx, dy = bodies.positions[j, 0] - bodies.positions[i, 0], bodies.positions[j, 1] - bodies.positions[i, 1]
-    vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
-    vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
-    wa, wb = bodies.spins[i], bodies.spins[j]
-    rare[c, MOST_1] = 0.0  # also where there is no second point: ends of steps ask for both
-    fastest, deepest = 0.0, 0.0
-    row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
-    for k in range(points):
-        at, to = FIRST_POINT + k * POINT_WIDTH, ROW_POINT + k * ROW_POINT_WIDTH
-        px, py, qx, qy = (
-            kept[p, at + IN_A_X],
-            kept[p, at + IN_A_Y],
-            kept[p, at + IN_B_X],
-            kept[p, at + IN_B_Y],
-        )
-        ax, ay = ca * px - sa * py, sa * px + ca * py
-        bx, by = dx + cb * qx - sb * qy, dy + sb * qx + cb * qy
-        gap = kept[p, at + GAP] + (bx - ax) * nx + (by - ay) * ny
-        row[c, to + SEP] = gap
-        mx, my = 0.5 * (ax + bx), 0.5 * (ay + by)
-        ex, ey = mx - dx, my - dy
-        cross_a, cross_b = mx * ny - my * nx, ex * ny - ey * nx
-        open_half = 0.5 * max(gap, 0.0)  # what is still apart will meet surface to surface
-        dot_a, dot_b = mx * nx + my * ny - open_half, ex * nx + ey * ny + open_half
-        row[c, to + CROSS_A], row[c, to + CROSS_B] = cross_a, cross_b
-        row[c, to + DOT_A], row[c, to + DOT_B] = dot_a, dot_b
-        row[c, to + STIFF_N] = ima + imb + iia * cross_a * cross_a + iib * cross_b * cross_b
-        row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
-        row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
-        rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
-        fastest, deepest = min(fastest, rare[c, APPROACH_0 + k]), min(deepest, gap)
-    violent = fastest < -COLD * numbers.dt or numbers.contact_rate * deepest < -numbers.push
-    row[c, ROW_COLD] = 1.0 if violent else 0.0
-    if points == 2:
-        to = ROW_POINT + ROW_POINT_WIDTH
-        crosses = iia * row[c, ROW_POINT + CROSS_A] * row[c, to + CROSS_A]
-        crosses += iib * row[c, ROW_POINT + CROSS_B] * row[c, to + CROSS_B]
-        # two points that nearly coincide would make K singular: a little less coupling, the same solution
-        most = MOST_COUPLING * math.sqrt(row[c, ROW_POINT + STIFF_N] * row[c, to + STIFF_N])
-        row[c, COUPLING] = min(most, max(-most, ima + imb + crosses))
-
-
 @inner_kernel
 def is_computed(bodies, i, j):
     """True if one of two bodies is dynamic and awake, or sleeps while the other one is led against it."""
@@ -267,12 +168,13 @@ def is_computed(bodies, i, j):
 @inner_kernel
 def update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers):
     """Manifolds of all pairs, and rows of those that have points."""
-    made = 0
+    batches = scratch.batches
+    rows.count[0] = 0
+    start_batches(batches)
     for place in range(contacts.count[0]):
         p = contacts.order[place]
         if not is_computed(bodies, contacts.bodies[p, 0], contacts.bodies[p, 1]):
             continue
         if update_pair(bodies, shapes, pool, contacts, p, scratch, numbers) > 0:
-            write_row(bodies, shapes, contacts, p, rows, made, numbers)
-            made += 1
-    rows.count[0] = made
+            add_row(bodies, shapes, contacts, p, rows, batches, numbers)
+    finish_batch(frames_of(bodies), contacts.manifolds, rows, batches, limits_of(numbers))

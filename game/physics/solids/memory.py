@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
+from game.physics.kernels.lanes import LANES
 from game.physics.solids.joints.layout import IMPULSES, JOINT_ROW, LINES, NO_JOINT, PARAMETERS, Joints
 from game.physics.solids.joints.plan import empty_plan
 from game.physics.solids.state import (
+    BATCH_WIDTH,
     DRIFTS_WIDTH,
     MANIFOLD_WIDTH,
     MARKS_WIDTH,
@@ -17,6 +20,7 @@ from game.physics.solids.state import (
     RARE_WIDTH,
     ROW_WIDTH,
     WORKS_WIDTH,
+    Batches,
     Bodies,
     Contacts,
     Pool,
@@ -27,6 +31,7 @@ from game.physics.solids.state import (
 from game.physics.solids.tables import Column, Table
 
 MOST_BODIES, MOST_SHAPES, MOST_POOL, MOST_JOINTS = 20_000, 200_000, 2_000_000, 100_000
+LINE = 8  # numbers of a line of the processor's memory
 EVENTS = 4096  # of one step that are kept
 
 _INT = np.int32
@@ -95,11 +100,32 @@ def rows_of(capacity: int) -> Rows:
     )
 
 
+def aligned_zeros(rows: int, columns: int) -> NDArray[np.float64]:
+    """(rows, columns) zeros that begin where a line of the processor's memory does."""
+    numbers = np.zeros(rows * columns + LINE)
+    first = -(numbers.ctypes.data // numbers.itemsize) % LINE
+    return numbers[first : first + rows * columns].reshape(rows, columns)
+
+
+def batches_of(bodies: int, pairs: int) -> Batches:
+    """Room for batches of one row each, none there: memory that is not touched costs nothing."""
+    return Batches(
+        np.zeros(1, dtype=np.int64),
+        aligned_zeros(pairs, BATCH_WIDTH * LANES).reshape(pairs, BATCH_WIDTH, LANES),
+        np.zeros((pairs, 2, LANES), dtype=_INT),
+        np.zeros((pairs, LANES), dtype=_INT),
+        np.zeros((pairs, LANES), dtype=_INT),
+        np.zeros(pairs, dtype=_INT),
+        np.zeros(pairs, dtype=_INT),
+        np.zeros(bodies, dtype=_INT),
+    )
+
+
 def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch:
     """Memory for kernels that see so many slots and pairs."""
     buckets = 1 << max(4, (2 * shapes).bit_length())
     return Scratch(
-        motion=np.zeros((bodies, MOTION_WIDTH)),
+        motion=aligned_zeros(bodies, MOTION_WIDTH),
         accelerations=np.zeros((bodies, 3)),
         air=np.zeros((bodies, 3)),
         corners=np.zeros((MOST_CORNERS, 2)),
@@ -127,6 +153,7 @@ def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch
         starts=np.zeros(bodies + 1, dtype=_INT),
         touching=np.zeros(2 * (pairs + joints), dtype=_INT),
         points=np.zeros((pairs, POINTS_WIDTH)),
+        batches=batches_of(bodies, pairs),
         begun=np.zeros((EVENTS, 2), dtype=_INT),
         begun_places=np.zeros((EVENTS, 5)),
         events=np.zeros(4, dtype=np.int64),

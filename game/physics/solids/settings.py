@@ -23,6 +23,7 @@ JOINT_SOLVERS = ("direct", "sweeps")
 GOVERNED = "soft-step"  # others show how they are, as printed
 JOINT_RATE = 0.4  # part of a stiff joint's gap that a substep restores
 USUAL_HERTZ = 0.135  # of soft contacts, as part of the substeps a second
+ABREAST = frozenset({"soft-step"})  # solvers that take rows in batches
 TIERS = {"play": 4, "teach": 12, "film": 24}  # substeps
 
 
@@ -62,6 +63,7 @@ class Numbers(NamedTuple):
     friction: float  # 1, or 0 without friction
     passive: bool  # the energy of what has no source is kept from rising
     calm: float  # m/s: slower than that is quiet
+    abreast: bool  # the solver takes rows in batches, and copies them when it is done
     patience: float  # s of quiet before a group falls asleep
 
 
@@ -160,7 +162,7 @@ class SolidSettings:
             self.joint_solver == "direct", *self._joint_spring(h),
             float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),
             1.0 if mask & FRICTION_BIT and mask & CONTACTS_BIT else 0.0, self.solver == GOVERNED,
-            float(self.calm), float(self.patience),
+            float(self.calm), self.solver in ABREAST, float(self.patience),
         )  # fmt: skip
 
     def _joint_spring(self, h: float) -> tuple[float, float, float]:

@@ -117,14 +117,17 @@ ROW_POINT = 11
 # accumulated impulses
 CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, STIFF_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9
-# 1: two that hit each other in this step, or overlap so deeply that they part at the fastest push; the
-# impulses of such a substep are no guess for the next
-ROW_COLD = 29
-ROW_WIDTH = 30
-# columns of Rows.rare: what only the end of a step asks for
-# restitution, gap speeds before the step (negative: closing), largest impulses of any substep
-RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
-RARE_WIDTH = 5
+ROW_WIDTH = 29
+# columns of Rows.rare: what only the beginning and the end of a step ask for
+# restitution, gap speeds before the step (negative: closing), 1 for two that hit each other in this step, or
+# overlap so deeply that they part at the fastest push (the impulses of such a substep are no guess for the
+# next), largest impulses of any substep
+RESTITUTION, APPROACH_0, APPROACH_1, IMPACT, MOST_0, MOST_1 = range(6)
+RARE_WIDTH = 6
+# columns of Batches.values behind those of Rows.rows: gaps of both points now, their largest impulses, how
+# many points there are, restitution, and IMPACT
+BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_BOUNCE, BATCH_IMPACT = (ROW_WIDTH + k for k in (0, 2, 4, 5, 6))
+BATCH_WIDTH = ROW_WIDTH + 7
 POINTS_WIDTH = 8
 WORKS_WIDTH, DRIFTS_WIDTH = 7, 8
 # columns of Rows.ends
@@ -142,6 +145,19 @@ class Rows(NamedTuple):
     ends: Ints  # (p, 4) body a, body b, points, pair
     rows: Floats  # (p, ROW_WIDTH)
     rare: Floats  # (p, RARE_WIDTH)
+
+
+class Batches(NamedTuple):
+    """Rows that share no moving body, side by side; see `rows`. ``count[0]`` are in use."""
+
+    count: Longs  # type: ignore[assignment]  # (1,)
+    values: Floats  # (p, BATCH_WIDTH, LANES)
+    ends: Ints  # (p, 2, LANES) bodies a, bodies b
+    rows: Ints  # (p, LANES)
+    pairs: Ints  # (p, LANES)
+    filled: Ints  # (p,) lanes that have a row of their own
+    kinds: Ints  # (p,) bits
+    lately: Ints  # (n,) the last batch that a body was put into
 
 
 class Scratch(NamedTuple):
@@ -175,6 +191,7 @@ class Scratch(NamedTuple):
     starts: Ints  # (n + 1,) of each body's part of touching
     touching: Ints  # (2 (p + j),) rows of contacts, then -1 - joint, that a body takes part in
     points: Floats  # (p, POINTS_WIDTH) both points' own numbers of a solver
+    batches: Batches
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
     # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when from the step's beginning
     # (negative: in the one before, which was cut short; beyond it: in the first substep of the next)

@@ -25,6 +25,7 @@ from game.physics.solids.joints.layout import (
 )
 from game.physics.solids.joints.lines import joint_load
 from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
+from game.physics.solids.rows import copy_rows
 from game.physics.solids.solvers.governor import hold_step
 from game.physics.solids.solvers.motion import start_motion
 from game.physics.solids.state import (
@@ -88,8 +89,10 @@ def begin_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
         if has_outgrown(bodies, numbers):
             return False
         update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers)
+        if not numbers.abreast:
+            copy_rows(rows, scratch.batches)
     else:
-        rows.count[0] = 0
+        rows.count[0], scratch.batches.count[0] = 0, 0
     start_motion(bodies, scratch, numbers)
     return True
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.kernels import elementary
+from game.physics.kernels.entrances import Entrances
 from game.physics.solids import memory
 from game.physics.solids.bodies import FASTEST, SolidBodies
 from game.physics.solids.effects import WIND_BIT
@@ -81,6 +82,7 @@ class SolidWorld(SolidBodies):
     def __init__(self, settings: SolidSettings | None = None):
         super().__init__()
         self._air: Air | None = None
+        self._entrances = Entrances()
         self.settings = settings or SolidSettings()
 
     # ------------------------------------------------------------------ what there is
@@ -220,19 +222,23 @@ class SolidWorld(SolidBodies):
         """One step of dt (s). ValueError for dt or the air; NotFiniteError if a body is no longer finite."""
         if self._numbers is None or self._numbers.dt != dt:
             self._numbers = self._settings.numbers(checked_number("dt", dt, 0.0, 1e3, above=True))
+            self._entrances.forget()
         if not self._fitting:
             self._fit()
         numbers = self._numbers
-        parts, joints = (self._bodies.rows, self._shapes.rows, self._pool.rows), self._joints.rows
-        if self._stale or not begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers):
+        call, joints = self._entrances.call, self._joints.rows
+        parts = self._bodies.rows, self._shapes.rows, self._pool.rows
+        if self._stale or not call(
+            begin_step, *parts, self._contacts, self._rows, joints, self._scratch, numbers
+        ):
             self._renew()
-            begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
+            call(begin_step, *parts, self._contacts, self._rows, joints, self._scratch, numbers)
         if numbers.drag > 0.0 or numbers.spin_drag > 0.0:
             self._feel_air(numbers.mask)
         name = self._settings.solver
         solve = SOLVERS[name] if self._joints.top else UNJOINED.get(name, SOLVERS[name])
-        solve(self._bodies.rows, self._contacts, self._rows, joints, self._scratch, numbers)
-        finish_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
+        call(solve, self._bodies.rows, self._contacts, self._rows, joints, self._scratch, numbers)
+        call(finish_step, *parts, self._contacts, self._rows, joints, self._scratch, numbers)
         self.time += dt
         self.steps += 1
         if self._scratch.events[SNAPPED]:
@@ -286,6 +292,7 @@ class SolidWorld(SolidBodies):
             moving = self.bodies.flags & (DYNAMIC | KEY_FRAMED) != 0
             self._scratch = self._scratch._replace(plan=plan_joints(self.joints, moving))
         self._fitting = True
+        self._entrances.forget()
 
     # ------------------------------------------------------------------ events, measures, state
 

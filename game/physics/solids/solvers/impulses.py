@@ -28,6 +28,7 @@ from game.physics.solids.state import (
     END_A,
     END_B,
     END_POINTS,
+    IMPACT,
     JN,
     JT,
     MASS_T,
@@ -36,7 +37,6 @@ from game.physics.solids.state import (
     RESTITUTION,
     ROUND_A,
     ROUND_B,
-    ROW_COLD,
     ROW_HARD,
     ROW_IIA,
     ROW_IIB,
@@ -66,7 +66,7 @@ def start_warm(rows, motion):
     for c in range(rows.count[0]):
         a, b = ends[c, END_A], ends[c, END_B]
         nx, ny = row[c, ROW_NX], row[c, ROW_NY]
-        if row[c, ROW_COLD] > 0.0:
+        if rows.rare[c, IMPACT] > 0.0:
             row[c, FIRST + JN], row[c, FIRST + JT] = 0.0, 0.0
             row[c, SECOND + JN], row[c, SECOND + JT] = 0.0, 0.0
             continue

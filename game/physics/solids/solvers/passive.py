@@ -27,9 +27,9 @@ from game.physics.solids.state import (
     END_A,
     END_B,
     END_POINTS,
+    IMPACT,
     JN,
     JT,
-    ROW_COLD,
     ROW_POINT,
     ROW_POINT_WIDTH,
     VX,
@@ -49,7 +49,7 @@ def is_violent(rows, c, dt):
     speed = abs(rows.rare[c, APPROACH_0])
     if rows.ends[c, END_POINTS] == 2:
         speed = max(speed, abs(rows.rare[c, APPROACH_1]))
-    return rows.rows[c, ROW_COLD] > 0.0 or speed > RESTLESS * dt
+    return rows.rare[c, IMPACT] > 0.0 or speed > RESTLESS * dt
 
 
 @inner_kernel

@@ -15,8 +15,15 @@ from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
+from game.physics.solids.rows import copy_rows
+from game.physics.solids.solvers.abreast import (
+    put_back,
+    sweep_batches,
+    take_impulses,
+    warm_batches,
+)
 from game.physics.solids.solvers.governor import note_going, start_going
-from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs, start_warm, sweep_contacts
+from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.passive import (
     FREE,
@@ -34,12 +41,14 @@ def _soft_step(joined: bool) -> Any:
     @lean_kernel
     def solve_soft_step(bodies, contacts, rows, joints, scratch, numbers):
         """All substeps of one step. See the package."""
-        motion, springs = scratch.motion, soft_springs(numbers)
+        motion, batches, springs = scratch.motion, scratch.batches, soft_springs(numbers)
         if joined:
             soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
             prepare_joints(bodies, joints, soft, numbers)
         start_going(scratch.going)
         violent = excuse(bodies, rows, joints, scratch, numbers.dt)
+        if violent:
+            copy_rows(rows, batches)
         for _ in range(numbers.substeps):
             accelerate(scratch, numbers)
             if violent:
@@ -47,22 +56,25 @@ def _soft_step(joined: bool) -> Any:
             if joined:
                 start_joints_warm(joints, motion)
                 steady_turns(bodies, joints, scratch, numbers.h)
-            start_warm(rows, motion)
+            warm_batches(batches, motion)
             for _ in range(numbers.iterations):
                 if joined:
                     solve_joints(joints, scratch.plan, motion, True)
-                sweep_contacts(rows, motion, springs, True, False)
+                sweep_batches(batches, motion, springs, True, violent)
             if violent:
                 note_speeds(motion, scratch.speeds, PUSHED)
             move(motion, numbers.h)
             for _ in range(numbers.iterations):
                 if joined:
                     solve_joints(joints, scratch.plan, motion, False)
-                sweep_contacts(rows, motion, springs, False, True)
+                sweep_batches(batches, motion, springs, False, True)
             if violent:
+                put_back(rows, batches)
                 hold_energy(bodies, rows, scratch, numbers, False)
+                take_impulses(rows, batches)
                 hold_push(bodies, scratch, numbers)
             note_going(motion, scratch.going)
+        copy_rows(rows, batches)
         note_speeds(motion, scratch.speeds, FREE)
         if bounce_contacts(rows, motion, numbers) and violent:
             hold_energy(bodies, rows, scratch, numbers, True)
