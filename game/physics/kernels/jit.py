@@ -48,8 +48,8 @@ class Compiling(NamedTuple):
 class _Watch(event.Listener):
     """Hears from numba when a kernel begins and ends to be compiled, in any thread.
 
-    Meanwhile Python does not look for objects that only hold each other: the compiler makes a million objects,
-    nearly all of which are needed until it ends, and a seventh of its time would go into looking at them.
+    Meanwhile Python does not look for objects that only hold each other: the compiler makes a million
+    objects, nearly all of which are needed until it ends, and a seventh of its time would go into that.
     """
 
     def __init__(self) -> None:

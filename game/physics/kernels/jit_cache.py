@@ -38,7 +38,7 @@ from numba.core.caching import NullCache
 from numba.core.serialize import dumps
 
 from game.folders import cache_folder
-from game.physics.kernels.linking import kept_form, rebuilt, symbols_of
+from game.physics.kernels.linking import kept_form, rebuilt
 from game.physics.kernels.prebuilt import GENERIC, platform_name, prebuilt
 from game.trust import is_private_file, make_private_folder, reason_to_distrust
 
@@ -133,7 +133,7 @@ class KernelCache(NullCache):
             make_private_folder(self._folder)
             if not _is_trusted(self._folder):
                 return
-            data = dumps((symbols_of(cres), kept_form(cres)))
+            data = dumps(kept_form(cres))
             _write(path, _checksum(data) + data)
             _used[path] = None
             remove_old_folders(self._folder)

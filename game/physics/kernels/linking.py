@@ -178,33 +178,25 @@ def environments_of(module: Any) -> list[Any]:
     return [found for found in map(lookup_environment, names) if found is not None]
 
 
-def symbols_of(result: Any) -> list[str]:
-    """Names of what a compiled function calls, at whatever depth, and does not hold."""
-    library = result.library
-    module = library.whole() if isinstance(library, InnerLibrary) else library._get_module_for_linking()
+def symbols_of(module: Any) -> list[str]:
+    """Names of what the code in a module calls and does not hold."""
     return sorted(function.name for function in module.functions if function.is_declaration)
 
 
-def kept_form(result: Any) -> tuple[Any, ...]:
-    """What a compiled function is rebuilt from by `rebuilt`, to be pickled."""
+def kept_form(result: Any) -> tuple[list[str], tuple[Any, ...]]:
+    """Symbols that a compiled function calls, and what `rebuilt` makes it of; to be pickled."""
     library = result.library
     if not isinstance(library, InnerLibrary):
-        return (*result._reduce(),)
+        return symbols_of(library._get_module_for_linking()), tuple(result._reduce())
     whole = library.whole()
     result.fndesc.typemap = result.fndesc.calltypes = None  # large, and not to be pickled
     environments = [one for one in environments_of(whole) if one.can_cache()]
-    return (
-        bytes(whole.as_bitcode()),
-        result.fndesc,
-        result.environment,
-        result.signature,
-        result.reload_init,
-        environments,
-    )
+    parts = result.fndesc, result.environment, result.signature, result.reload_init, environments
+    return symbols_of(whole), (bytes(whole.as_bitcode()), *parts)
 
 
 def rebuilt(target: Any, parts: tuple[Any, ...]) -> Any:
-    """A compiled function from `kept_form`."""
+    """A compiled function from the second part of its `kept_form`; LLVM must know the symbols by now."""
     if not isinstance(parts[0], bytes):
         return CompileResult._rebuild(target, *parts)
     bitcode, described, environment, signature, reload_init, environments = parts

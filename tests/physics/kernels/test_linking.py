@@ -15,7 +15,7 @@ from numba.core.errors import TypingError
 from game.physics.kernels.elementary.linking import make_symbol_known
 from game.physics.kernels.jit import compiling, kernel
 from game.physics.kernels.lean import inner_kernel, lean_kernel
-from game.physics.kernels.linking import InnerLibrary, environments_of, symbols_of
+from game.physics.kernels.linking import InnerLibrary, environments_of, kept_form
 from tests.physics.kernels.test_jit import Copy
 
 pytestmark = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
@@ -147,7 +147,13 @@ class TestCollecting:
 
     def test_not_meanwhile(self, monkeypatch: pytest.MonkeyPatch) -> None:
         seen = []
-        monkeypatch.setattr(gc, "disable", lambda real=gc.disable: (real(), seen.append(gc.isenabled())))
+        disable = gc.disable
+
+        def see() -> None:
+            disable()
+            seen.append(gc.isenabled())
+
+        monkeypatch.setattr(gc, "disable", see)
         assert gc.isenabled()
         done = compiling().done
 
@@ -308,5 +314,5 @@ class TestSymbols:
             return turned(x) + deepest(x)
 
         outer(1.0)
-        assert "carom_cos" in symbols_of(outer.overloads[DOUBLE])
-        assert symbols_of(turned.overloads[DOUBLE]) == ["carom_cos"]
+        assert "carom_cos" in kept_form(outer.overloads[DOUBLE])[0]
+        assert kept_form(turned.overloads[DOUBLE])[0] == ["carom_cos"]
