@@ -12,7 +12,7 @@ import pytest
 from numba import config, njit, types
 from numba.core.errors import TypingError
 
-from game.physics.kernels.elementary.linking import make_symbol_known
+from game.physics.kernels.elementary import linking
 from game.physics.kernels.jit import compiling, kernel
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.kernels.linking import InnerLibrary, environments_of, kept_form
@@ -245,7 +245,7 @@ CALLS = (
     "middle(x) + low(x) + a(x)",
     "speaks(x)",
 )
-ANSWERS = (6.0, 7.0, -5.0, 1000.0, 9995.0, 8.0, 6.0)
+ANSWERS = (6.0, 7.0, -5.0, 1000.0, 9995.0, 8.0, 6.0, 12.0)
 CALL = """
 from game.physics.{name} import call
 from game.physics.kernels.jit import compiling
@@ -277,7 +277,7 @@ class TestKept:
             assert float(value) == answer
             assert ("a negative one" in said) == any(name in text for name in ("low", "middle", "speaks"))
             assert self.call(copy, f"outer_{i}") == [line.replace(f" {done}", " 0") for line in said]
-        assert new == [2, 2, 2, 2, 1, 1, 2]  # each inner kernel once
+        assert new == [2, 2, 2, 2, 1, 1, 2, 1]  # each inner kernel once
 
 
 USED = """
@@ -298,9 +298,26 @@ class TestSymbols:
             assert done.returncode == 0, done.stderr
             assert float(done.stdout) == pytest.approx(0.5403023058681398, rel=1e-15)
 
+    def test_one_that_could_not_be_made_is_tried_again(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        tried = []
+
+        class Fails:
+            def compile(self, _types: object) -> None:
+                tried.append(1)
+                raise MemoryError
+
+        monkeypatch.setitem(linking._functions, "failing", (Fails(), 1))
+        for _ in range(2):
+            with pytest.raises(MemoryError):
+                linking.make_symbol_known("carom_failing")
+        assert len(tried) == 2
+        assert "failing" not in linking.known()
+
     def test_others_are_let_be(self) -> None:
-        make_symbol_known("memcpy")
-        make_symbol_known("carom_no_such_function")
+        before = linking.known()
+        linking.make_symbol_known("memcpy")
+        linking.make_symbol_known("carom_no_such_function")
+        assert linking.known() == before
 
     def test_what_is_called_and_not_held(self) -> None:
         from game.physics.kernels.elementary import cos
