@@ -244,6 +244,7 @@ CALLS = (
     "a(x) + 10.0 * b(x)",
     "middle(x) + low(x) + a(x)",
     "speaks(x)",
+    "speaks(x) + low(x)",
 )
 ANSWERS = (6.0, 7.0, -5.0, 1000.0, 9995.0, 8.0, 6.0, 12.0)
 CALL = """
