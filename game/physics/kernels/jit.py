@@ -16,6 +16,7 @@ kernels use depend on anything but sources: environment, files and clock are not
 from __future__ import annotations
 
 import contextlib
+import gc
 import itertools
 import os
 import threading
@@ -31,6 +32,7 @@ from numba.core.bytecode import FunctionIdentity
 from game.folders import cache_folder
 from game.physics.kernels.jit_cache import KernelCache
 from game.physics.kernels.jit_sources import module_name, source_digest
+from game.physics.kernels.linking import InnerCompiler, OuterCompiler
 from game.physics.kernels.quick_typing import answer_at_once
 
 __all__ = ["Compiling", "code_folder", "compiling", "kernel", "source_digest"]
@@ -44,15 +46,23 @@ class Compiling(NamedTuple):
 
 
 class _Watch(event.Listener):
-    """Hears from numba when a kernel begins and ends to be compiled, in any thread."""
+    """Hears from numba when a kernel begins and ends to be compiled, in any thread.
+
+    Meanwhile Python does not look for objects that only hold each other: the compiler makes a million
+    objects, nearly all of which are needed until it ends, and a seventh of its time would go into that.
+    """
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._names: list[str] = []
         self._done = 0
+        self._collects = False  # whether Python did so before
 
     def on_start(self, event: Any) -> None:
         with self._lock:
+            if not self._names:
+                self._collects = gc.isenabled()
+                gc.disable()
             self._names.append(event.data["dispatcher"].py_func.__qualname__)
 
     def on_end(self, event: Any) -> None:
@@ -61,6 +71,8 @@ class _Watch(event.Listener):
             if name in self._names:
                 del self._names[len(self._names) - 1 - self._names[::-1].index(name) :]
             self._done += 1
+            if self._collects and not self._names:
+                gc.enable()
 
     def look(self) -> Compiling:
         with self._lock:
@@ -105,7 +117,10 @@ def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
             raise ValueError(f"kernel: the option {refused} is not to be had here")
 
     def compile_lazily(py_function: Callable[..., Any]) -> Any:
-        dispatcher = numba.njit(nogil=True, error_model="numpy", **options)(py_function)
+        compiler = InnerCompiler if options.get("no_cfunc_wrapper") else OuterCompiler
+        dispatcher = numba.njit(nogil=True, error_model="numpy", pipeline_class=compiler, **options)(
+            py_function
+        )
         if not config.DISABLE_JIT:
             _forget_literals(dispatcher)
         if config.DISABLE_JIT or not _closes_over_integers(py_function):

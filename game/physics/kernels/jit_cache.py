@@ -35,10 +35,10 @@ from types import CodeType
 from typing import Any
 
 from numba.core.caching import NullCache
-from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from game.folders import cache_folder
+from game.physics.kernels.linking import kept_form, rebuilt
 from game.physics.kernels.prebuilt import GENERIC, platform_name, prebuilt
 from game.trust import is_private_file, make_private_folder, reason_to_distrust
 
@@ -46,7 +46,7 @@ SUFFIX = f".py{sys.version_info[0]}{sys.version_info[1]}.code"
 STALE_AFTER_S = 7 * 86_400.0  # s; a folder of other sources that another checkout may still use is younger
 MAX_BYTES = 512 << 20  # of all folders together
 _CHECKSUM = 16  # bytes at the head of a file
-BEFORE_LOADING: list[Callable[[], None]] = []  # what makes known the symbols that machine code may refer to
+BEFORE_LOADING: list[Callable[[str], None]] = []  # what makes a symbol known that machine code refers to
 _used: dict[Path, None] = {}
 
 
@@ -95,14 +95,16 @@ class KernelCache(NullCache):
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The compiled function for these types, or None if there is none that can be used."""
-        for prepare in BEFORE_LOADING:
-            prepare()
-        target_context.refresh()
         for read in (self._read_kept, self._read_prebuilt):
             try:
                 data = read(sig, target_context.codegen())
                 if data is not None:
-                    return CompileResult._rebuild(target_context, *pickle.loads(data))
+                    symbols, kept = pickle.loads(data)
+                    for symbol in symbols:
+                        for prepare in BEFORE_LOADING:
+                            prepare(symbol)
+                    target_context.refresh()
+                    return rebuilt(target_context, kept)
             except Exception:  # missing, unreadable, written by who knows what: compiling mends it
                 continue
         return None
@@ -131,7 +133,7 @@ class KernelCache(NullCache):
             make_private_folder(self._folder)
             if not _is_trusted(self._folder):
                 return
-            data = dumps(cres._reduce())
+            data = dumps(kept_form(cres))
             _write(path, _checksum(data) + data)
             _used[path] = None
             remove_old_folders(self._folder)

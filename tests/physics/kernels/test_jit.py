@@ -70,7 +70,7 @@ print(json.dumps({
 }))
 """
 
-COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt", "quick_typing")
+COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt", "quick_typing", "linking", "lean")
 
 
 class Answer(NamedTuple):

@@ -86,7 +86,7 @@ def test_a_closure_holds_its_own_file_and_what_it_imports() -> None:
         for name in (
             *("stage/watch.py", "physics/kernels/finite.py"),
             *("physics/kernels/jit.py", "physics/kernels/jit_cache.py"),
-            *("physics/kernels/jit_sources.py",),
+            *("physics/kernels/jit_sources.py", "physics/kernels/linking.py"),
             *("physics/kernels/prebuilt.py", "physics/kernels/quick_typing.py", "folders.py", "trust.py"),
         )
     )

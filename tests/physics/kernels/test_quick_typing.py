@@ -7,10 +7,12 @@ import subprocess
 import sys
 from typing import Any
 
+import llvmlite.binding as llvm
 import pytest
 from numba import types
-from numba.core import ir, utils
+from numba.core import event, ir, postproc, utils
 from numba.core.compiler import Flags, run_frontend
+from numba.core.errors import TypingError
 from numba.core.registry import cpu_target
 
 import game.physics.kernels.jit  # noqa: F401  (takes the short cuts)
@@ -87,6 +89,32 @@ def test_an_operator_on_plain_numbers_is_asked_once(monkeypatch: pytest.MonkeyPa
     assert len(asked) == 1
 
 
+@pytest.mark.parametrize(
+    ("asked", "given", "answer"),
+    [
+        (operator.getitem, (types.float32[:, ::1], types.UniTuple(types.int64, 2)), types.float32),
+        (operator.getitem, (types.float32[:, ::1], types.int64), types.float32[::1]),
+        (operator.getitem, (types.int8[::1, :], types.int64), types.int8[:]),
+        (operator.setitem, (types.int16[:], types.int64, types.float64), types.none),
+    ],
+)
+def test_an_element_is_asked_for_once(monkeypatch: pytest.MonkeyPatch, asked, given, answer) -> None:
+    told = []
+    order = utils.order_by_target_specificity
+    monkeypatch.setattr(
+        utils, "order_by_target_specificity", lambda *given, **more: told.append(1) or order(*given, **more)
+    )
+    monkeypatch.setattr(quick_typing, "_answers", {})
+    context = cpu_target.typing_context
+    context.refresh()
+    for _ in range(3):
+        assert context.resolve_function_type(asked, given, {}).return_type == answer
+    assert len(told) == 1
+    for _ in range(2):
+        with pytest.raises(TypingError):
+            context.resolve_function_type(asked, (types.float64, *given[1:]), {})
+
+
 def some_function(a, b):
     total = 0.0
     for k in range(len(a)):
@@ -113,3 +141,37 @@ def test_the_variables_of_a_statement_are_all_that_hang_on_it() -> None:
     for one in statements:
         assert [id(var) for var in one.list_vars()] == [id(var) for var in walked(one.__dict__)]
     assert sum(len(one.list_vars()) for one in statements) > 50
+
+
+def some_generator(n):
+    for i in range(n):
+        yield i + n
+
+
+def test_lifetimes_are_those_that_are_found_at_once() -> None:
+    """Found when they are asked for, and when statements that end them are put in; a generator's at once."""
+    late, early = run_frontend(some_function), run_frontend(some_function)
+    processor = postproc.PostProcessor(late)
+    processor.run()
+    assert "usedefs" not in vars(late.variable_lifetime)
+    life = postproc.VariableLifetime(early.blocks)
+    assert late.variable_lifetime.livemap == life.livemap
+    assert late.variable_lifetime.deadmaps.combined == life.deadmaps.combined
+    processor.run(emit_dels=True)
+    gone = [one.value for block in late.blocks.values() for one in block.body if isinstance(one, ir.Del)]
+    assert set(gone) == {name for names in life.deadmaps.combined.values() for name in names}
+    assert run_frontend(some_generator).generator_info.state_vars
+
+
+def test_nobody_hears_of_locks() -> None:
+    heard = []
+
+    class Hears(event.Listener):
+        def on_start(self, event: Any) -> None:
+            heard.append(event)
+
+        on_end = on_start
+
+    with event.install_listener("numba:llvm_lock", Hears()):
+        llvm.parse_assembly("")
+    assert not heard

@@ -21,7 +21,9 @@ from numba.extending import lower_builtin, type_callable
 from game.physics.kernels import jit_cache
 
 PREFIX = "carom_"
-_waiting: dict[str, tuple[Any, int]] = {}  # by name: dispatcher, number of arguments
+_functions: dict[str, tuple[Any, int]] = {}  # by name: dispatcher, number of arguments
+_begun: set[str] = set()
+_known: set[str] = set()
 
 
 def linked(name: str, count: int, function: Callable[..., float]) -> Callable[..., float]:
@@ -37,7 +39,7 @@ def linked(name: str, count: int, function: Callable[..., float]) -> Callable[..
 
     @type_callable(symbol)
     def type_symbol(_context: Any) -> Callable[..., Any]:
-        make_known()
+        make_known(name)
         return (
             (lambda x: signature(types.float64, *doubles))
             if count == 1
@@ -51,23 +53,39 @@ def linked(name: str, count: int, function: Callable[..., float]) -> Callable[..
         callee.attributes.add("readnone")
         return builder.call(callee, arguments)
 
-    _waiting[name] = function, count
+    _functions[name] = function, count
     return symbol
 
 
-def make_known() -> None:
-    """Compile the functions, or take them from the disk, and tell LLVM where they are; once in a process."""
-    if not _waiting:
+def make_known(name: str) -> None:
+    """Compile a function, or take it from the disk, and tell LLVM where it is; once in a process."""
+    if name in _known or name not in _functions:
         return
     with global_compiler_lock:
-        found = dict(_waiting)
-        _waiting.clear()  # loading them asks for this again
-        for name, (dispatcher, count) in found.items():
+        if name in _known or name in _begun:  # by another thread before, or compiling it asks for itself
+            return
+        _begun.add(name)
+        try:
+            dispatcher, count = _functions[name]
             doubles = (types.float64,) * count
             dispatcher.compile(doubles)
             result = dispatcher.overloads[doubles]
             address = result.library.get_pointer_to_function(result.fndesc.llvm_cfunc_wrapper_name)
             llvmlite.binding.add_symbol(PREFIX + name, address)
+            _known.add(name)
+        finally:
+            _begun.discard(name)
 
 
-jit_cache.BEFORE_LOADING.append(make_known)
+def known() -> set[str]:
+    """Names of the functions whose addresses LLVM knows by now."""
+    return set(_known)
+
+
+def make_symbol_known(symbol: str) -> None:
+    """The same for a symbol that machine code calls; nothing for one that is not of these."""
+    if symbol.startswith(PREFIX):
+        make_known(symbol.removeprefix(PREFIX))
+
+
+jit_cache.BEFORE_LOADING.append(make_symbol_known)
