@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from game.scenes.burning_cloth.sheet_painter import ALL, COLUMNS, NOTHING, paint_sheet
-from game.scenes.burning_cloth.yard import paint_yard
+from game.scenes.burning_cloth.picture.sheet_painter import ALL, COLUMNS, NOTHING, paint_sheet
+from game.scenes.burning_cloth.picture.yard import paint_yard
 
 GAIN = np.array((917, 501, 213), np.int64)
 
