@@ -11,7 +11,7 @@ import pytest
 
 from game.physics.cloth import Breeze, Cloth, GasAt
 from game.physics.cloth.layout import HOT, X, Y
-from game.scenes.burning_cloth.sheet_painter import COLUMNS, paint_sheet
+from game.scenes.burning_cloth.picture.sheet_painter import COLUMNS, paint_sheet
 from game.ui.raster import clip_of, pixels_of
 
 DT = 1.0 / 60.0

@@ -12,6 +12,11 @@ from game.stage import Choice
 NAMES = ("c01", "c02", "c03", "c04", "c12", "c13", "c14", "c15")
 
 
+def test_stories_have_all_of_the_window():
+    stories = [entry for entry in CATALOGUE if entry.category == "Stories"]
+    assert len(stories) > 6 and all(entry.roomy for entry in stories)
+
+
 @pytest.mark.parametrize("entry", list(CATALOGUE), ids=lambda entry: entry.name)
 def test_what_can_be_chosen_begins_with_a_capital(entry):
     """All lists look alike; single letters stand for symbols."""

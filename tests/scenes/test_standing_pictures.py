@@ -77,3 +77,16 @@ def test_the_tunnels_charts_follow_the_sweep():
             break
     assert len(done) > 1 and sweep.complete
     assert np.count_nonzero(picture(view) != anew(stage, view)) == 0
+
+
+def test_nothing_is_measured_for_captions_that_there_are_not(monkeypatch):
+    stage = Stage(CATALOGUE["a08"].load())
+    view = placed(stage, Look(DARK))
+    before = picture(view)
+
+    def refuse():
+        raise AssertionError("asked for readouts")
+
+    monkeypatch.setattr(stage.scene, "readouts", refuse)
+    assert not stage.scene.model.content.expected
+    assert (picture(view) == before).all()

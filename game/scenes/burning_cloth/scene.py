@@ -17,13 +17,13 @@ from game.scenes.burning_cloth.hand import BurningClothHand
 from game.scenes.burning_cloth.level import DEFAULT, BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
 from game.scenes.burning_cloth.parameters import OF_PICTURE, BurningClothParameters
+from game.scenes.burning_cloth.picture.sheet_painter import warm_up_sheet
+from game.scenes.burning_cloth.picture.yard import warm_up_yard
 from game.scenes.burning_cloth.readouts import readouts_of
 from game.scenes.burning_cloth.saving import content_of
-from game.scenes.burning_cloth.sheet_painter import warm_up_sheet
 from game.scenes.burning_cloth.sounds import hearing_of
 from game.scenes.burning_cloth.targets import story_targets
 from game.scenes.burning_cloth.view import BurningClothView
-from game.scenes.burning_cloth.yard import warm_up_yard
 from game.scenes.shared.backdrops import warm_up_backdrop
 from game.scenes.shared.flames_seen import warm_up_gas
 from game.scenes.shared.model_scene import BuiltScene

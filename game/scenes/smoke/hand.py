@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.scenes.smoke.brush import paint, stir
 from game.scenes.smoke.model import TALL, WIDE, SmokeModel
 from game.stage import Part, Pointer
 
@@ -28,7 +29,7 @@ class SmokeHand(Part):
         if event.kind == "move" and event.button and self.point is not None:
             self.point = point
             if self.tool in ("dye", "fire", "clear"):
-                self.model.paint(point, self.tool)
+                paint(self.model, point, self.tool)
         elif event.kind in ("up", "cancel"):
             self.point, self.solid = None, -1
             self.model.rest_solids()
@@ -36,7 +37,7 @@ class SmokeHand(Part):
 
     def _press(self, point: Point) -> str:
         if self.tool in ("dye", "fire", "clear"):
-            self.model.paint(point, self.tool)
+            paint(self.model, point, self.tool)
         elif self.tool == "solid":
             self.solid = self.model.solid_at(point)
             if self.solid < 0:
@@ -57,7 +58,7 @@ class SmokeHand(Part):
                 self.model.rest_solids()
         elif self.tool == "stir" and way != (0.0, 0.0):
             push = [min(max(STRENGTH * part / dt / 60.0, -FASTEST), FASTEST) for part in way]
-            self.model.stir(self.point, (push[0], push[1]))
+            stir(self.model, self.point, (push[0], push[1]))
         elif self.tool == "fire":
-            self.model.paint(self.point, "fire")
+            paint(self.model, self.point, "fire")
         self.before = self.point

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from game.physics.combustion import Flames, GasFuel
 from game.physics.combustion.effects import COMBUSTION, EXPANSION
@@ -15,8 +15,8 @@ from game.physics.gas.effects import BUOYANCY, CONFINEMENT, GAS
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
 from game.physics.stable_fluids import PrintedFluid
-from game.physics.surfaces.surface import Sample, empty_sample
 from game.scenes.shared.stopwatch import Stopwatch
+from game.scenes.smoke.discs import VX, VY, DiscObstacles, X, Y
 from game.scenes.smoke.level import MOST_SOLIDS, SmokeContent
 from game.scenes.smoke.parameters import PRINTED, SmokeParameters
 from game.stage import Part
@@ -33,7 +33,6 @@ BURNS = {
 }  # fmt: skip
 WHIRL = 0.6  # m/s, the fastest of the whirl at the start
 HOT_LAYER = 373.15  # K
-X, Y, RADIUS, VX, VY = range(5)
 
 
 class SmokeState(NamedTuple):
@@ -44,26 +43,6 @@ class SmokeState(NamedTuple):
     fluid: Any
     solids: Floats
     books: Floats
-
-
-class DiscObstacles:
-    """Discs (n, 5) as solids of a gas."""
-
-    def __init__(self) -> None:
-        self.rows: Floats = np.zeros((0, 5))
-
-    def sample(self, points: ArrayLike) -> Sample:
-        """Of the nearest disc."""
-        places = np.asarray(points, dtype=np.float64)
-        found = empty_sample(len(places))
-        for number, (x, y, radius, vx, vy) in enumerate(self.rows.tolist()):
-            dx, dy = places[:, 0] - x, places[:, 1] - y
-            away = np.sqrt(dx * dx + dy * dy)
-            nearer = away - radius < found.distance
-            found.distance[nearer] = away[nearer] - radius
-            found.velocity[nearer] = vx, vy
-            found.body[nearer] = number
-        return found
 
 
 class SmokeModel(Part):
@@ -248,39 +227,6 @@ class SmokeModel(Part):
         if len(self.obstacles.rows) and np.any(self.obstacles.rows[:, VX:]):
             self.obstacles.rows[:, VX:] = 0.0
             self.take_solids()
-
-    # -- the hand -----------------------------------------------------------------------------------------
-
-    def _brush(self, x: Floats, y: Floats, point: tuple[float, float], radius: float) -> Floats:
-        away = (elementary.square(x - point[0]) + elementary.square(y - point[1])) / (radius * radius)
-        return np.asarray(elementary.square(np.clip(1.0 - away, 0.0, None)))
-
-    def stir(self, point: tuple[float, float], way: tuple[float, float]) -> None:
-        """Push the gas about a point by a velocity, m/s."""
-        radius = self.parameters.brush
-        if self.gas is not None:
-            u, v = self.gas.u, self.gas.v
-            u += way[0] * self._brush(*self.grid.u_places(), point, radius)
-            v += way[1] * self._brush(*self.grid.v_places(), point, radius)
-            self.gas.jolt()
-        elif self.printed is not None:
-            share = self._brush(*self.grid.centres(), point, radius)
-            u, v, _ = self.printed.inner
-            u += way[0] * share
-            v += way[1] * share
-
-    def paint(self, point: tuple[float, float], what: str) -> None:
-        """Smoke, fire, or clear air about a point."""
-        share = self._brush(*self.grid.centres(), point, self.parameters.brush)
-        cells = self.scalars
-        if what == "dye":
-            cells[..., SMOKE] = np.maximum(cells[..., SMOKE], np.minimum(1.0, 1.6 * share))
-        elif what == "fire":
-            cells[..., FUEL] += 0.03 * share
-            cells[..., WARM] = np.maximum(cells[..., WARM], ROOM + 900.0 * np.minimum(1.0, 1.5 * share))
-        else:
-            inside = share > 0.05
-            cells[inside] = 0.0, ROOM, 0.0, FRESH, 0.0
 
     def clear(self) -> None:
         """Fresh air everywhere, and nothing in it."""

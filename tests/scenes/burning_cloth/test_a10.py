@@ -15,9 +15,9 @@ from game.scenes.burning_cloth.ashes import MOST, Ashes
 from game.scenes.burning_cloth.letters import KNOWN, lettering
 from game.scenes.burning_cloth.level import MOST_DABS, BurningClothContent
 from game.scenes.burning_cloth.match import Match
+from game.scenes.burning_cloth.picture.yard import COLUMNS, ROWS, SOURCES, light_on_yard
 from game.scenes.burning_cloth.scene import BurningCloth
 from game.scenes.burning_cloth.tables import BOX, TABLE
-from game.scenes.burning_cloth.yard import COLUMNS, ROWS, SOURCES, light_on_yard
 from game.scenes.shared.expectations import captions_of
 from game.stage import Action, Pointer, SetParameter, Stage
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from game.scenes.burning_cloth.sheet_painter import ALL, COLUMNS, NOTHING, paint_sheet
-from game.scenes.burning_cloth.yard import paint_yard
+from game.scenes.burning_cloth.picture.sheet_painter import ALL, COLUMNS, NOTHING, paint_sheet
+from game.scenes.burning_cloth.picture.yard import paint_yard
 
 GAIN = np.array((917, 501, 213), np.int64)
 
@@ -18,7 +18,7 @@ def test_each_pixel_is_its_colour_and_the_light_there():
     colors = rng.integers(0, 1 << 24, (13, 21)).astype(np.uint32) | np.uint32(0xFF000000)
     takes = rng.integers(0, 256, (13, 21)).astype(np.uint8)
     light = rng.uniform(0.0, 1.15, (5, 6)).astype(np.float32)
-    light[2:] = 0.001  # where nothing is seen of it
+    light[2:], takes[4:6] = 0.00399, 255  # so little that nothing is seen of it
     rows, columns = rng.integers(0, 4, 13), rng.integers(0, 5, 21)
     rows[4:6] = 3
     down, across = rng.uniform(0.0, 1.0, 13).astype(np.float32), rng.uniform(0.0, 1.0, 21).astype(np.float32)
@@ -73,12 +73,17 @@ def test_a_mesh_is_covered_once_in_the_colours_between_its_corners(kind, turned)
                 assert pixels[row, column] == 0
 
 
-def test_colours_beyond_what_there_is_are_the_nearest():
+@pytest.mark.parametrize("channel", [0, 1, 2])
+@pytest.mark.parametrize(("value", "nearest"), [(400.0, 255), (-50.0, 0), (255.0, 255), (0.0, 0)])
+def test_colours_beyond_what_there_is_are_the_nearest(channel, value, nearest):
     v = sheet()
-    v[..., 2], v[..., 3] = 400.0, -50.0
+    v[..., 2:5] = 100.0
+    v[..., 2 + channel] = value
     pixels = np.zeros((30, 40), np.uint32)
     paint_sheet(pixels, np.array((0, 0, 40, 30), np.int64), v, np.ones((1, 1), np.int64))
-    assert (pixels[15, 15:25] >> np.uint32(8) == 0xFFFF00).all()
+    wanted = [100, 100, 100]
+    wanted[channel] = nearest
+    assert (pixels[15, 15:25] == (0xFF000000 | wanted[0] << 16 | wanted[1] << 8 | wanted[2])).all()
 
 
 @pytest.mark.parametrize("left", [0.0, 0.5 * NOTHING, 0.5 * (NOTHING + ALL), ALL])

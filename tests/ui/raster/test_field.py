@@ -51,6 +51,17 @@ def test_its_room_may_be_wider_than_it_needs():
     assert (pixels_of(surface) == pixels_of(painted(values, tuple(box)))).all()
 
 
+def test_a_single_column_takes_nothing_from_what_was_there_before():
+    surface = pygame.Surface((20, 10), 0, 32)
+    room = field_room(3, 20)
+    room.row[:] = np.nan
+    paint_field(
+        pixels_of(surface), clip_of(surface), np.ones((1, 1), np.float32),
+        np.array((0.0, 0.0, 20.0, 10.0)), TABLE, room, 1.0,
+    )  # fmt: skip
+    assert (pixels_of(surface) & np.uint32(0xFFFFFF) == 0xFFFFFF).all()
+
+
 def test_nothing_outside_its_box_and_the_clip():
     surface = pygame.Surface((40, 30), 0, 32)
     surface.fill((7, 8, 9))

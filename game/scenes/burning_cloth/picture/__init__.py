@@ -1,0 +1,1 @@
+"""The cloth and the yard behind it, as they are painted."""
