@@ -269,7 +269,9 @@ class TestSweeps:
         assert (sweep.table.shape, sweep.table[-1, CHECK]) == ((4, COLUMNS), 1.0) and first == 0.0
         means = []
         for k in range(4):
-            mean = Mean((k, k + 0.1, k + 0.2), (k + 0.3, 0.4, 0.5), (k + 0.6, 0.7, 0.8), k + 0.9, k + 1.1, 5.0)
+            mean = Mean(
+                (k, k + 0.1, k + 0.2), (k + 0.3, 0.4, 0.5), (k + 0.6, 0.7, 0.8), k + 0.9, k + 1.1, 5.0
+            )
             means.append(mean)
             assert sweep.running and sweep.complete == (k == 3)
             angle = sweep.keep(mean)
@@ -313,7 +315,16 @@ class TestOutlines:
     def test_distances_and_normals_are_those_of_the_nearest_side(self):
         corners = np.array([(-1.0, -0.5), (1.0, -0.5), (1.0, 0.5), (-1.0, 0.5)])
         points = np.array(
-            [(0.0, 0.9), (1.3, 0.9), (0.0, 0.1), (-0.9, 0.0), (0.5, 0.5), (1.0, 0.0), (-3.0, -0.2), (0.0, -2.0)]
+            [
+                (0.0, 0.9),
+                (1.3, 0.9),
+                (0.0, 0.1),
+                (-0.9, 0.0),
+                (0.5, 0.5),
+                (1.0, 0.0),
+                (-3.0, -0.2),
+                (0.0, -2.0),
+            ]
         )
         found = np.empty((len(points), 3))
         outline_distances(corners, points, found)
