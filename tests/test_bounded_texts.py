@@ -41,9 +41,9 @@ class TestPacked:
     def test_one_byte_more_than_is_allowed_is_refused(self) -> None:
         text = pack(b"x" * 100)
         assert unpack(text, 101) == unpack(text, 100) == b"x" * 100
-        with pytest.raises(ValueError, match="^unpacks to more than 99 bytes$"):
+        with pytest.raises(ValueError, match=r"^unpacks to more than 99 bytes$"):
             unpack(text, 99)
-        with pytest.raises(ValueError, match="^unpacks to more than 10 bytes$"):
+        with pytest.raises(ValueError, match=r"^unpacks to more than 10 bytes$"):
             unpack(pack(b"y" * 10_000_000), 10)
 
     def test_what_is_damaged_says_how(self) -> None:
@@ -54,11 +54,11 @@ class TestPacked:
             ("!" + text[1:], "damaged: the packed part cannot be unpacked"),
             ("AAAA" + text, "damaged: the packed part cannot be unpacked"),
         ):
-            with pytest.raises(ValueError, match=f"^{reason}$"):
+            with pytest.raises(ValueError, match=rf"^{reason}$"):
                 unpack(damaged, 1000)
-        with pytest.raises(ValueError, match="^damaged: there is more behind its end$"):
+        with pytest.raises(ValueError, match=r"^damaged: there is more behind its end$"):
             unpack(_text_of(zlib.compress(data) + b"abc"), 1000)
-        with pytest.raises(ValueError, match="^damaged: the packed part cannot be unpacked$"):
+        with pytest.raises(ValueError, match=r"^damaged: the packed part cannot be unpacked$"):
             unpack(pack(data, b"words"), 1000, b"other words")
 
 
@@ -71,7 +71,7 @@ class TestFiles:
         path = tmp_path / "a" / "b" / "c.txt"
         write_bytes(path, b"\xef\xbb\xbfone\xc3\xa4")
         assert read_text(path, 8) == "one\u00e4"
-        with pytest.raises(FileProblem, match="^longer than 7 bytes$"):
+        with pytest.raises(FileProblem, match=r"^longer than 7 bytes$"):
             read_text(path, 7)
 
     def test_what_cannot_be_read_says_why_in_a_few_words(self, tmp_path: Path) -> None:
@@ -88,7 +88,7 @@ class TestFiles:
     def test_what_cannot_be_saved_is_an_error_of_the_system_that_names_the_file(self, tmp_path: Path) -> None:
         save_text(tmp_path / "a.txt", "x")
         assert (tmp_path / "a.txt").read_bytes() == b"x"
-        with pytest.raises(OSError, match="a regular file") as caught:
+        with pytest.raises(OSError, match=r"a regular file") as caught:
             save_text(tmp_path, "x")
         assert str(caught.value).startswith(f"{tmp_path}: there is something")
 
@@ -187,7 +187,7 @@ class TestSizes:
 
     def test_the_longest_that_may_be(self) -> None:
         check_sizes({"a": [0] * MAX_ITEMS}, None)
-        with pytest.raises(LevelError, match="^level: b.a: more than 100000 items$"):
+        with pytest.raises(LevelError, match=r"^level: b.a: more than 100000 items$"):
             check_sizes({"b": {"a": [0] * (MAX_ITEMS + 1)}}, None)
 
     def test_a_key_of_the_most_parts_that_may_be(self) -> None:
@@ -197,7 +197,7 @@ class TestSizes:
             " . ".join("k" * (MAX_DEPTH + 2)),
             'k."a b".' * 7 + "k",
         ):
-            with pytest.raises(LevelError, match="^level: a key has more than 12 dots$"):
+            with pytest.raises(LevelError, match=r"^level: a key has more than 12 dots$"):
                 check_text(f"{text} = 1\n", None)
         long = ".".join("k" * 30)
         check_text(
@@ -234,7 +234,7 @@ class TestNumbers:
         ],
     )
     def test_what_is_not_finite_is_named(self, content: Outer, field: str) -> None:
-        with pytest.raises(LevelError, match="expected a finite number$") as caught:
+        with pytest.raises(LevelError, match=r"expected a finite number$") as caught:
             check_numbers(content, Outer, None)
         assert caught.value.field == field
 
@@ -244,7 +244,7 @@ class TestNumbers:
             (Outer(Inner(most=math.nan)), "content.inner.most"),
             (Outer(named={"z": math.nan}), "content.named.z"),
         ):
-            with pytest.raises(LevelError, match="NaN is no number$") as caught:
+            with pytest.raises(LevelError, match=r"NaN is no number$") as caught:
                 check_numbers(content, Outer, None)
             assert caught.value.field == field
         check_numbers(Outer(), Outer, None)
@@ -253,7 +253,7 @@ class TestNumbers:
         check_strict(Outer)
         for loose in (Loose, list[Loose], dict[str, Loose], Loose | None, tuple[Inner, Loose]):
             with pytest.raises(
-                TypeError, match="^Loose: a level's content needs forbid_unknown_fields=True$"
+                TypeError, match=r"^Loose: a level's content needs forbid_unknown_fields=True$"
             ):
                 check_strict(loose)
 

@@ -29,10 +29,10 @@ from game.physics.cloth.layout import (
     PER,
     THERE,
     WATER,
+    Ties,
     X,
     Y,
     Z,
-    Ties,
     make_ties,
 )
 

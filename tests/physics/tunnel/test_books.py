@@ -349,3 +349,38 @@ class TestOutlines:
                     replace(SMALL, **{name: value})
         assert SMALL.place == pytest.approx((2.1, 2.5)) and replace(SMALL, at=(3.0, 2.0)).place == (3.0, 2.0)
         assert (replace(SMALL, wind=0.0).pace, replace(SMALL, wind=2.0).pace) == (1.0, 2.0)
+
+    def test_what_is_turned_or_another_lies_in_the_grid_as_if_it_had_always_been_there(self):
+        tunnel = Tunnel(shape_named("plate"), replace(SMALL, cells=6.0))
+        for made, attack in ((shape_named("plate"), 1.1), (self.WEDGE, -0.4)):
+            if made is self.WEDGE:
+                tunnel.change_outline(made, attack)
+            else:
+                tunnel.turn(attack)
+            fresh = Tunnel(made, tunnel.settings, attack)
+            assert tunnel.pose.tolist() == [attack, 0.0]
+            assert np.array_equal(tunnel.placed.corners, fresh.placed.corners)
+            assert np.array_equal(tunnel._near.faces, fresh._near.faces)
+            assert np.array_equal(tunnel._near.rows, fresh._near.rows)
+            assert np.array_equal(tunnel._wall, fresh._wall) and np.array_equal(tunnel.box, fresh.box)
+            drags = tunnel.gas.solids.drag, fresh.gas.solids.drag
+            assert np.array_equal(drags[0].free_u, drags[1].free_u)
+            assert np.array_equal(drags[0].free_v, drags[1].free_v)
+            assert np.array_equal(tunnel.gas.faces.ax, fresh.gas.faces.ax)
+            assert tunnel.gas.settings.viscosity == fresh.gas.settings.viscosity
+            index = tunnel._near.faces[tunnel._near.faces[:, 0] == 0]
+            assert len(index) and not drags[0].free_u[index[:, 1], index[:, 2]].any()
+        before = tunnel.pose[1]
+        tunnel.step()
+        assert tunnel.pose[1] == pytest.approx(before + tunnel.step_length)
+
+    def test_a_wind_begins_even_with_a_nudge_across_and_none_at_the_faces_inside(self):
+        tunnel = Tunnel(shape_named("square", 0.5), replace(SMALL, wind=2.0, nudge=0.1))
+        nx = tunnel.grid.nx
+        wave = 0.1 * 2.0 * np.sin(2.0 * math.pi * (np.arange(nx) + 0.5) / nx)
+        far = slice(nx - 4, nx)
+        assert tunnel.gas.v[3, far] == pytest.approx(wave[far])
+        assert np.all(tunnel.gas.u[:, -3:] == 2.0) and not tunnel.gas.v[[0, -1]].any()
+        assert tunnel.held[0] > 0.0
+        assert tunnel.step_length == pytest.approx(0.8 * 0.25 / 2.0)
+        assert tunnel.blockage == pytest.approx(0.5 / 5.0)
