@@ -318,6 +318,10 @@ class TestHand:
         hand.take(Pointer("up", 0.0, 0.0, button=1))
         assert len(blown) == 1
 
+    def test_a_hand_begins_nowhere_and_empty(self):
+        hand, _ = self.held()
+        assert (hand.draws, hand.from_x, hand.from_y, hand.x, hand.y) == (False, 0.0, 0.0, 0.0, 0.0)
+
     def test_a_drag_that_is_taken_back_blows_nothing(self):
         hand, blown = self.held()
         hand.take(Pointer("down", 0.0, 1.0, button=1))
@@ -340,6 +344,22 @@ class TestHand:
         assert len(model.plates) == 2
         with pytest.raises(ValueError, match=r"leaves: at most 2"):
             model.add("oak", (0.0, 0.0), 0.0, np.random.default_rng(1))
+
+
+def test_kinds_differ_by_what_makes_them_come_down_differently():
+    """An oak's rims hang, all others stand; only an ash has its weight off its middle; a maple is the
+    lightest for its breadth but the ash, and gives way most easily.
+    """
+    laws = {name: kind.plate for name, kind in SPECIES.items()}
+    assert {name for name, law in laws.items() if law.curl < 0.0} == {"oak"}
+    assert {name for name, law in laws.items() if law.balance != 0.0} == {"ash"} and laws["ash"].balance > 0.0
+    assert max(laws, key=lambda name: laws[name].curl) == "maple"
+    assert sorted(laws, key=lambda name: laws[name].inertia) == ["ash", "maple", "linden", "birch", "oak"]
+    assert sorted(laws, key=lambda name: -laws[name].half_chord) == ["maple", "oak", "linden", "ash", "birch"]
+    assert min(laws, key=lambda name: laws[name].bend_hz) == "maple"
+    wide = {name: kind.wide for name, kind in SPECIES.items()}
+    assert sorted(wide, key=lambda name: wide[name]) == ["ash", "oak", "birch", "linden", "maple"]
+    assert all(len(set(kind.colors)) == 4 for kind in SPECIES.values())
 
 
 class TestOutlines:
