@@ -1,4 +1,4 @@
-"""The hand at the snooker table: what each named action and each turn of the wheel changes, and its bounds."""
+"""The hand at the snooker table: what each action and each turn of the wheel changes, and its bounds."""
 
 from __future__ import annotations
 
