@@ -384,3 +384,31 @@ class TestOutlines:
         assert tunnel.held[0] > 0.0
         assert tunnel.step_length == pytest.approx(0.8 * 0.25 / 2.0)
         assert tunnel.blockage == pytest.approx(0.5 / 5.0)
+
+    def test_a_step_measures_both_ways_in_coefficients_of_wind_and_chord(self, monkeypatch):
+        """Of a gas that stands as it is: numbers of the sums alone, moments nose up."""
+        chosen = replace(SMALL, wind=2.0, cells=6.0)
+        tunnel = Tunnel(shape_named("leaf", 0.8), chosen, 0.3)
+        random = np.random.default_rng(4)
+        for speeds in (tunnel.gas.u, tunnel.gas.v):
+            speeds += 0.3 * random.standard_normal(speeds.shape)
+        monkeypatch.setattr(tunnel.gas, "step", lambda dt: None)
+        tunnel._stick()
+        held_before, dt = tunnel.held.copy(), tunnel.step_length
+        tunnel.step()
+        assert tunnel.pose.tolist() == [0.3, dt]
+        state, (x, y), h, nu = tunnel.gas.state(), chosen.place, tunnel.grid.cell, tunnel.viscosity
+        out, now, sums = np.zeros(3), np.zeros(3), np.zeros(6)
+        numbers = np.array([h, nu, -x, -y])
+        outflow(state.pressure, state.u, state.v, tunnel.box, numbers, out)
+        faces = tunnel.gas.faces
+        held(state.u, state.v, faces.ax, faces.ay, tunnel.box, numbers, now)
+        sum_wall(state.pressure, state.u, state.v, tunnel._wall, np.array([h, nu, 0.0, 0.0, x, y]), sums)
+        book = -out - (now - held_before) / dt
+        per = 1.0 / (0.5 * 4.0 * 0.8)
+        forces = tunnel.forces()
+        assert forces.pressure == pytest.approx((per * sums[0], per * sums[1], -per / 0.8 * sums[4]))
+        assert forces.friction == pytest.approx((per * sums[2], per * sums[3], -per / 0.8 * sums[5]))
+        assert forces.book == pytest.approx((per * book[0], per * book[1], -per / 0.8 * book[2]))
+        assert forces.wall == pytest.approx(np.add(forces.pressure, forces.friction))
+        assert np.array_equal(tunnel.held, now) and np.any(tunnel.reading != 0.0)

@@ -1,4 +1,4 @@
-"""What a ring of snapshots keeps, to the byte; what a session stands on after it went back."""
+"""What a ring of snapshots keeps, to the byte."""
 
 from __future__ import annotations
 
@@ -7,10 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from game.stage import Param, SetParameter, Stage
 from game.stage.states.memory import Memory
 from game.stage.states.snapshots import BYTES_PER_STEP, INTERVAL, OVERHEAD, Snapshot, SnapshotRing
-from tests.stage.example_scene import BouncingBall
 
 
 class Numbers(NamedTuple):
@@ -105,54 +103,3 @@ def test_large_states_are_copied_less_often():
     exact = (BYTES_PER_STEP * 40 - snapshot(0, 0).bytes) // 8
     assert snapshot(0, exact).bytes == BYTES_PER_STEP * 40
     assert (ring.interval(snapshot(0, exact)), ring.interval(snapshot(0, exact + 1))) == (40, 41)
-
-
-@pytest.mark.parametrize("step", [69, 61, 45, 31, 1])
-def test_after_a_step_back_the_picture_starts_from_the_step_before_that(step):
-    """`previous` is the state one step earlier, as it is after a step forward."""
-    session, states = Stage(BouncingBall)._session, []
-    for _ in range(70):
-        states.append([part.copy() for part in session.scene.state()])
-        session.advance()
-    session.return_to(step)
-    for found, then in ((session.scene.state(), states[step]), (session.scene.previous, states[step - 1])):
-        assert all(np.array_equal(one, other) for one, other in zip(found, then, strict=True))
-
-
-def test_a_session_that_goes_on_from_another_holds_that_state_and_nothing_before_it():
-    source, other = Stage(BouncingBall)._session, Stage(BouncingBall)._session
-    for _ in range(100):
-        source.advance()
-    for _ in range(50):
-        other.advance()
-    base, events = source.kept(95)
-    assert base.step == 90 and events == ()
-    other.resume(base, events)
-    assert (other.step, other.first_step, other._ring.last_step) == (90, 90, 90)
-    for now, then in zip(other.scene.previous, base.state, strict=True):
-        assert np.array_equal(now, then)
-    while other.step < 100:
-        other.advance()
-    assert other.digest() == source.digest() and other.time_s == source.time_s
-    assert not other.go_back() or other.step == 99
-    assert source.kept(-5)[0].step == 0
-
-
-class SteppedBall(BouncingBall):
-    """One may choose how long its steps are."""
-
-    name, task, title = "stepped", "X00", "Stepped ball"
-    step_length = Param(1.0 / 128.0, 1e-3, 0.1, unit="s", label="Time step")
-
-
-def test_time_goes_on_from_where_the_length_of_a_step_was_changed():
-    stage = Stage(SteppedBall)
-    stage.run(10)
-    stage.post(SetParameter("step_length", 1.0 / 64.0))
-    stage.run(4)
-    assert stage.dt == 1.0 / 64.0 and stage._session.time_s == (10 + 8) / 128.0
-    for step in (13, 12, 11, 10):
-        stage.step_back()
-        assert (stage.step_number, stage._session.time_s) == (step, (10 + 2 * (step - 10)) / 128.0)
-    stage.step_back()
-    assert stage.dt == 1.0 / 128.0 and stage._session.time_s == 9 / 128.0
