@@ -36,5 +36,5 @@ class Entrances:
 
 def _entrance(kernel: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
     if config.DISABLE_JIT:
-        return kernel  # type: ignore[no-any-return]
-    return kernel.compile(tuple(kernel.typeof_pyval(argument) for argument in arguments))  # type: ignore[no-any-return]
+        return kernel
+    return kernel.compile(tuple(kernel.typeof_pyval(argument) for argument in arguments))

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -83,18 +84,20 @@ def _let(symbol: Any, result: Any, make: Callable[[Any, Any, Any], Any]) -> None
             return make(builder, *(_spread(builder, value) for value in args))
 
 
+def _arithmetic(name: str, builder: Any, a: Any, b: Any) -> Any:
+    return getattr(builder, name)(a, b)
+
+
+def _comparison(sign: str, builder: Any, a: Any, b: Any) -> Any:
+    return builder.fcmp_ordered(sign, a, b)
+
+
 for _name, _also in (("add", "iadd"), ("sub", "isub"), ("mul", "imul"), ("truediv", "itruediv")):
-    _make = {"truediv": "fdiv"}.get(_name, f"f{_name}")
     for _symbol in (_name, _also):
-        _let(
-            getattr(operator, _symbol), lanes, lambda builder, a, b, make=_make: getattr(builder, make)(a, b)
-        )
+        _instruction = {"truediv": "fdiv"}.get(_name, f"f{_name}")
+        _let(getattr(operator, _symbol), lanes, partial(_arithmetic, _instruction))
 for _name, _sign in (("gt", ">"), ("ge", ">="), ("lt", "<"), ("le", "<=")):
-    _let(
-        getattr(operator, _name),
-        mask,
-        lambda builder, a, b, sign=_sign: builder.fcmp_ordered(sign, a, b),
-    )
+    _let(getattr(operator, _name), mask, partial(_comparison, _sign))
 
 
 @infer_global(operator.neg)

@@ -67,7 +67,7 @@ def abreast(rows, scratch, numbers, anew):
 
 
 def heap(seed, count=40, shapes=3):
-    """Boxes, discs and capsules (the first ``shapes`` of these) that fall onto a floor and onto a turning plank."""
+    """Boxes, discs and capsules (so many of these kinds) that fall onto a floor and onto a turning plank."""
     random, world = np.random.default_rng(seed), SolidWorld(SolidSettings())
     world.add_body(box(30.0, 1.0), (0.0, -0.5), kind="fixed")
     plank = world.add_body(box(6.0, 0.5), (0.0, 2.0), kind="key-framed")
