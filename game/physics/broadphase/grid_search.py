@@ -93,9 +93,9 @@ def sort_by_cell(store, cells, start, ordered):
         start[cell] = total
     for box in range(top - 1, -1, -1):
         if cells[box] >= 0:
-            cell = UNSIGNED(cells[box])
-            place = start[cell] - 1
-            start[cell] = place
+            own = UNSIGNED(cells[box])
+            place = start[own] - 1
+            start[own] = place
             order[UNSIGNED(place)] = (int(cells[box]) << 32) | box
     copy_boxes(boxes, ordered, total)
     return total

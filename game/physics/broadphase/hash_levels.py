@@ -223,9 +223,9 @@ def sort_by_bucket(store, placed, ordered):
         start[after + 2] = total
     for box in range(top - 1, -1, -1):
         if levels[box] >= 0:
-            bucket = UNSIGNED(buckets[box])
-            place = start[bucket] - 1
-            start[bucket] = place
+            own = UNSIGNED(buckets[box])
+            place = start[own] - 1
+            start[own] = place
             order[UNSIGNED(place)] = (int(buckets[box]) << 32) | box
     for level in range(LEVELS):
         if layout[level, COUNT] > 0:

@@ -52,16 +52,20 @@ def test_rounding_of_a_size_does_not_let_a_box_reach_two_cells_on():
     grid.check()
 
 
-def test_a_box_that_comes_to_reach_two_cells_on_changes_its_level_and_keeps_its_partners():
-    """Its level of before is the first guess, and its rounded size is still one cell."""
+@pytest.mark.parametrize("turn", [1, -1])
+def test_a_box_that_comes_to_reach_two_cells_on_changes_its_level_and_keeps_its_partners(turn):
+    """Its level of before is the first guess, and its rounded size is still one cell. Across, and up."""
     grid = HierarchicalGrid()
-    boxes = [grid.add_box((0.25, 0.25), (1.25, 0.75)), grid.add_box((1.0, 0.25), (1.5, 0.75))]
+    boxes = [
+        grid.add_box((0.25, 0.25)[::turn], (1.25, 0.75)[::turn]),
+        grid.add_box((1.0, 0.25)[::turn], (1.5, 0.75)[::turn]),
+    ]
     assert grid.pairs().tolist() == [boxes]
     for _ in range(2):
-        grid.update_box(boxes[0], (-1e-30, 0.25), (1.0, 0.75))
+        grid.update_box(boxes[0], (-1e-30, 0.25)[::turn], (1.0, 0.75)[::turn])
         assert grid.pairs().tolist() == [boxes]
         assert grid.cell_size(grid.level(boxes[0])) == 2.0
-        grid.update_box(boxes[0], (0.25, 0.25), (1.25, 0.75))
+        grid.update_box(boxes[0], (0.25, 0.25)[::turn], (1.25, 0.75)[::turn])
         assert grid.pairs().tolist() == [boxes]
 
 

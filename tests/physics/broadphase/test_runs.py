@@ -34,12 +34,14 @@ def crowd(large: int, of_size: float) -> tuple[np.ndarray, np.ndarray]:
     lowers = random.random((COUNT, 2))
     sizes = random.uniform(0.001, 0.02, (COUNT, 2))
     sizes[:large] = of_size
+    if large == 1:
+        lowers[0] = -0.1  # one that meets all
     lowers[COUNT // 2 : COUNT // 2 + 40] = lowers[0] + 0.001  # a heap in one place
     return lowers, lowers + sizes
 
 
 @pytest.mark.parametrize("name", GRIDS)
-@pytest.mark.parametrize(("large", "of_size"), [(0, 0.0), (7, 0.5), (1500, 0.08)])
+@pytest.mark.parametrize(("large", "of_size"), [(0, 0.0), (1, 1.5), (7, 0.5), (1500, 0.08)])
 def test_no_pair_of_a_crowd_is_lost_or_doubled(name, large, of_size):
     """Many large boxes look up from fine levels to coarse ones, few run over the fine ones."""
     grid = GRIDS[name]()
@@ -60,6 +62,35 @@ def test_a_crowd_in_little_room_for_keys(name):
         grid.add_boxes(lowers, uppers)
         grid._sorter.reserve(most)
         assert np.array_equal(grid.pairs(), wanted)
+
+
+def test_large_boxes_over_rows_that_share_buckets_in_little_room():
+    """Some room is just too little for a run of such a row: then no pair may be left out either."""
+    random = np.random.default_rng(9)
+    lowers = random.random((303, 2))
+    sizes = np.full((303, 2), 0.028)
+    lowers[300:] = [(-0.1, -0.1), (0.3, 0.0), (0.0, 0.3)]
+    sizes[300:] = 0.9
+    wanted = brute_pairs(np.arange(303), lowers, lowers + sizes)
+    for room in range(64, 2 * len(wanted)):
+        grid = HierarchicalGrid()
+        grid.add_boxes(lowers, lowers + sizes)
+        grid._sorter.reserve(room)
+        assert np.array_equal(grid.pairs(), wanted), room
+
+
+def test_small_boxes_touch_on_every_side_whichever_comes_first():
+    """Smaller than a cell, so that the earlier of two in a row of cells may lie above the other."""
+    middle = np.array((0.5, 0.5))
+    ways = [(0.25, 0.0), (0.0, 0.25), (0.25, 0.25), (0.25, -0.25)]
+    for way in ways:
+        lowers = np.array((middle, middle + way))
+        for order, make in itertools.product((1, -1), GRIDS.values()):
+            grid = make()
+            ids = grid.add_boxes(lowers[::order], lowers[::order] + 0.25)
+            assert grid.pairs().tolist() == [ids.tolist()], (way, order)
+            grid.update_boxes(ids, lowers[::order] * 1.001, lowers[::order] * 1.001 + 0.25)
+            assert len(grid.pairs()) == 0, (way, order)
 
 
 def test_each_pair_of_equal_boxes_is_found_at_every_shift():
