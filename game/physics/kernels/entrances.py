@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from numba import config
+from numba.core.dispatcher import Dispatcher
 
 
 class Entrances:
@@ -35,6 +36,6 @@ class Entrances:
 
 
 def _entrance(kernel: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
-    if config.DISABLE_JIT:
+    if config.DISABLE_JIT or not isinstance(kernel, Dispatcher):
         return kernel
     return kernel.compile(tuple(kernel.typeof_pyval(argument) for argument in arguments))
