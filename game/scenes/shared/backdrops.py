@@ -51,6 +51,7 @@ class Seen:
 
     def __init__(self) -> None:
         self._key: Hashable = None
+        self._sources: tuple[NDArray[Any], ...] = ()  # held, so that no other array can be taken for one
         self._layers: tuple[NDArray[Any], ...] = ()
         self.rows = self.columns = np.zeros(0, np.int64)  # of the picture, of each row and column of pixels
 
@@ -61,10 +62,10 @@ class Seen:
         call.
         """
         _, clip = canvas.raster_target
-        key = (canvas.camera.affine(), clip.tobytes(), painted, tuple(id(layer) for layer in layers))
+        key = (canvas.camera.affine(), clip.tobytes(), painted, tuple(map(id, layers)))
         if key == self._key:
             return self._layers
-        self._key = key
+        self._key, self._sources = key, layers
         self.rows, self.columns = cells_seen(canvas, painted, layers[0].shape)
         shape = (len(self.rows), len(self.columns))
         if [(one.shape, one.dtype) for one in self._layers] != [(shape, one.dtype) for one in layers]:
