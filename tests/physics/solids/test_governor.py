@@ -59,6 +59,15 @@ def test_springs_hold_no_more_than_their_law_and_no_less_than_the_load():
     assert energy.elastic == pytest.approx(0.5 * G * float((np.arange(10) + 0.5 - heights).sum()), rel=0.1)
 
 
+def test_a_spring_against_the_ground_holds_half_of_what_sinking_has_paid():
+    world, _ = floor_world(effects=AWAKE)
+    (body,) = column(world, 1)
+    run(world, 5.0)
+    sink = 0.5 - float(world.bodies.positions[body, 1])
+    assert sink == pytest.approx(G * 1.25 / (4.0 * (2.0 * math.pi * 0.135 * 240.0) ** 2), rel=1e-3)
+    assert world.energy().elastic == pytest.approx(0.5 * G * sink, rel=1e-3)
+
+
 def test_springs_lift_what_lay_under_a_load_that_is_taken_away():
     world, _ = floor_world(effects=AWAKE)
     bodies = column(world, 5)
