@@ -75,6 +75,7 @@ class _Insistence:
         try:
             yield
         finally:
+            self._raised = None  # an alarm that rings right now sets no other one
             if clock is not None:
                 signal.setitimer(signal.ITIMER_REAL, 0.0)
                 signal.signal(clock, before)

@@ -109,6 +109,26 @@ def test_who_tidies_up_is_not_disturbed():
     assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
 
 
+@insists
+def test_an_alarm_that_rings_when_all_is_over_sets_no_other_one(monkeypatch):
+    """It is heard between the clock being stopped and its listener being taken away."""
+    stop = signal.setitimer
+
+    def ring(which, seconds):
+        before = stop(which, seconds)
+        if seconds == 0.0:
+            signal.raise_signal(signal.SIGALRM)
+        return before
+
+    with pytest.raises(KeyboardInterrupt), ends_tidily():
+        try:
+            signal.raise_signal(signal.SIGINT)
+        finally:
+            monkeypatch.setattr(signal, "setitimer", ring)
+    monkeypatch.undo()
+    assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+
+
 STUCK = {
     # code that runs without the interpreter, as a compiler's, comes back to no handler
     "in machine code": "hashlib.pbkdf2_hmac('sha256', b'', b'', 2**31 - 1)",
