@@ -15,7 +15,7 @@ from game.physics.kernels import elementary
 from game.scenes.shared.tables.boxes import Box
 from game.stage import Frame
 
-PIXELS = 296.0  # design px to a metre: the frame is 1280 by 720 of them
+PIXELS = 288.0  # design px to a metre: the frame is 1280 by 720 of them
 LEAST_PIXELS = 90.0  # px to a metre; a smaller picture shows the table alone
 RIM = CUSHION_DEPTH + 0.074  # m; cushion and wood
 REACH = 1.5  # radii within which a ball is grasped
@@ -53,7 +53,7 @@ CHIPS_RIGHT = FOOT.right - metres(18.0)
 def button_box(row: int) -> Box:
     """The button of that number at the right of the table, counted from below."""
     bottom = TABLE.bottom - row * (BUTTON_HEIGHT + BUTTON_GAP)
-    half = metres(36.0)
+    half = metres(43.0)
     return Box(bottom - BUTTON_HEIGHT, RIGHT_MIDDLE - half, bottom, RIGHT_MIDDLE + half)
 
 

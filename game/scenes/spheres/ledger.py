@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from game.physics.spheres import ledger
 from game.scenes.spheres.model import CollisionModel
 from game.stage import Table
-from game.ui.look.numerals import format_number
+from game.ui.look.numerals import NARROW_SPACE, format_number
 
 Array = NDArray[np.float64]
 ROWS = 6
@@ -65,9 +65,15 @@ def _figures(model: CollisionModel, entry: Array) -> tuple[str, ...]:
     other = int(entry[ledger.OTHER])
     return (
         f"{int(entry[ledger.ONE]) + 1}, {other + 1 if other >= 0 else 'wall'}",
-        format_number(_size(entry)),
-        format_number(float(entry[ledger.BEFORE])),
-        format_number(float(entry[ledger.AFTER])),
-        format_number(float(entry[ledger.CHANGE]), 2),
-        format_number(momentum_lost(model, entry), 3),
+        _brief(_size(entry)),
+        _brief(float(entry[ledger.BEFORE])),
+        _brief(float(entry[ledger.AFTER])),
+        _brief(float(entry[ledger.CHANGE]), 2),
+        _brief(momentum_lost(model, entry)),
     )
+
+
+def _brief(value: float, digits: int = 3) -> str:
+    """A number that a narrow column holds: two digits of a small one, no space round the power of ten."""
+    small = 0.0 < abs(value) < 0.01
+    return format_number(value, 2 if small else digits).replace(f"{NARROW_SPACE}×{NARROW_SPACE}", "·")

@@ -332,6 +332,9 @@ def _label(name: str, strip: Strip) -> str:
     if len(strip.series) == 1 and f"{title} ".startswith(f"{name.lower()} "):
         return "now"
     first = title.split()[0]
+    whose, colon, what = name.partition(": ")
+    if colon and len(strip.series) > 1 and all(one.endswith(colon + what) for one in strip.series):
+        return whose
     if name.lower().startswith(first + ", "):
         return name[len(first) + 2 :]
     return name.removesuffix(" " + first)

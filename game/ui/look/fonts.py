@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import OrderedDict
+from collections.abc import Sequence
 
 import pygame
 
@@ -142,6 +143,11 @@ class FontBook:
         left = min(limit, max(-limit, x - share * picture.get_width()))
         top = min(limit, max(-limit, y - 0.5 * picture.get_height()))
         return surface.blit(picture, (round(left), round(top)))
+
+    def largest(self, text: str, sizes: Sequence[float], weight: str, width: int) -> float:
+        """The first of ``sizes`` (largest first) at which the text is no wider than ``width`` window px, or
+        else the last."""
+        return next((size for size in sizes if self.size(text, size, weight)[0] <= width), sizes[-1])
 
     def fit(self, text: str, size: float, weight: str, width: int) -> str:
         """Text cut with an ellipsis so that it is no wider than ``width`` window px."""

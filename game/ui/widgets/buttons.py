@@ -8,6 +8,7 @@ from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 
 HEIGHT = 32  # design px
+SIZES = (13, 12, 11)  # of the words, design px: the largest with which they fit
 
 
 def draw_button(
@@ -34,5 +35,6 @@ def draw_button(
         )
     draw_box(surface, rect, look.px(8), fill, edge, look.border)
     weight = "semibold" if primary else "medium"
-    words = look.fonts.fit(words, 13, weight, rect.w - look.px(8))
-    look.text(surface, words, rect.center, 13, weight, ink, "center")
+    room = rect.w - look.px(8)
+    size = look.fonts.largest(words, SIZES, weight, room)
+    look.text(surface, look.fonts.fit(words, size, weight, room), rect.center, size, weight, ink, "center")

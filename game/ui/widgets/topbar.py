@@ -168,20 +168,25 @@ class TopBar:
     def columns(self) -> list[tuple[int, str, str]]:
         """The readouts that have space, from the right: right edge (px in the bar), caption, words.
 
-        A column is as wide as its words need, in halves of the usual width so that it seldom changes.
+        A column is as wide as its caption and its words need, in halves of the usual width so that
+        it seldom changes.
         """
-        px = self.look.px
         right, space = self._readout_space()
         x, found = right - self.rect.x, []
         for caption, value, unit in reversed(self._shown[:4]):
             words = format_si(value, unit) if self.state.ready else NOTHING
-            wide = self.look.fonts.size(words, 13, "semibold")[0] + px(8)
-            width = px(COLUMN) if wide <= px(COLUMN) else -(-wide // px(COLUMN / 2)) * px(COLUMN / 2)
+            width = self._column_width(caption, words)
             if width > space:
                 break
             found.append((x, caption, words))
             x, space = x - width, space - width
         return found
+
+    def _column_width(self, caption: str, words: str) -> int:
+        """Width a readout takes, px: whole halves of the usual one."""
+        fonts, px = self.look.fonts, self.look.px
+        wide = max(fonts.size(words, 13, "semibold")[0], fonts.size(caption, 11, "medium")[0]) + px(8)
+        return px(COLUMN) if wide <= px(COLUMN) else round(-(-wide // px(COLUMN / 2)) * px(COLUMN / 2))
 
     # -- picture ------------------------------------------------------------------------------------
 
@@ -287,5 +292,4 @@ class TopBar:
         surface.fill(look.theme.line, (right - self.rect.x + px(12), px(12), look.border, px(24)))
         for x, caption, words in self.columns():
             look.text(surface, words, (x, px(17)), 13, "semibold", "text1", "right")
-            caption = look.fonts.fit(caption, 11, "medium", px(COLUMN - 4))
             look.text(surface, caption, (x, px(34)), 11, "medium", "text3", "right")

@@ -218,6 +218,19 @@ def test_no_number_runs_into_its_neighbour(any_look, width, value):
         assert left_of_it > faster.rect.right
 
 
+def test_no_caption_is_cut_and_none_runs_into_its_neighbour(any_look):
+    """A readout whose name is longer than its number has the room of its name."""
+    readouts = (("time", 2.05, "s"), ("time dominoes below the top", 3.0, "s"), *READOUTS[2:])
+    bar = bar_at(any_look, (round(1280 * any_look.k), 720), STATE._replace(readouts=readouts))
+    left_of_it = bar.spots.find("tools").rect.x
+    columns = bar.columns()
+    assert any(caption == "time dominoes below the top" for _, caption, _ in columns)
+    for x, caption, _ in columns:
+        assert x < left_of_it
+        left_of_it = x - any_look.fonts.size(caption, 11, "medium")[0]
+        assert left_of_it > bar.spots.find("faster").rect.right
+
+
 def test_a_long_number_takes_room_from_the_left_and_the_first_readout_goes_if_there_is_none(look):
     usual = [(x, caption) for x, caption, _ in bar_at(look, (1280, 720)).columns()]
     assert [caption for _, caption in usual] == ["frame", "step", "particles", "time"]

@@ -32,7 +32,11 @@ def draw_list(canvas: Canvas, look: Look, course: Course, advisor: Advisor, draw
     for row, group in enumerate(groups[: layout.ROWS]):
         words = route_words(group.code, drawn.position.cue)
         alike = [other for other in groups if route_words(other.code, drawn.position.cue) == words]
-        line = rails_words(group.code) if len(alike) > 1 else tip_words(group.stroke)
+        line = (
+            rails_words(group.code)
+            if len(alike) > 1
+            else tip_words(group.stroke).replace(" the centre, with ", ", ")
+        )
         lit = course.chosen == group.stroke
         share = group.chance if drawn.map.fine else float("nan")
         _draw_row(canvas, look, layout.row_box(row), (words, line), share, lit)
@@ -45,9 +49,10 @@ def _under(course: Course, drawn: Drawn | None, advisor: Advisor) -> str:
     if not advisor.active or drawn is None:
         return "The map is drawn when you may play."
     scoring = int(np.count_nonzero(drawn.map.codes))
+    tried = f"{len(drawn.map.strokes):,}".replace(",", " ")
     if not scoring:
-        return f"None of {len(drawn.map.strokes):,} strokes scores.".replace(",", " ")
-    return f"{scoring} of {len(drawn.map.strokes):,} strokes, {len(drawn.map.groups)} ways".replace(",", " ")
+        return f"None of {tried} strokes scores."
+    return f"{scoring} of {tried} strokes, {len(drawn.map.groups)} ways"
 
 
 def _draw_row(canvas: Canvas, look: Look, box: Box, words: tuple[str, str], chance: float, lit: bool) -> None:
@@ -73,9 +78,8 @@ def _draw_row(canvas: Canvas, look: Look, box: Box, words: tuple[str, str], chan
         rest = look.fonts.fit(" ".join(lines[1:]), 12, "semibold", room)
         look.text(canvas.surface, rest, (left, lower), 12, "semibold", "text1")
     else:
-        look.text(
-            canvas.surface, look.fonts.fit(words[1], 11, "medium", room), (left, lower), 11, "medium", "text2"
-        )
+        line = look.fonts.fit(words[1], 11, "medium", room)
+        look.text(canvas.surface, line, (left, lower), 11, "medium", "text2")
 
 
 def draw_tip(canvas: Canvas, look: Look, course: Course, studied: Studied | None) -> None:

@@ -58,8 +58,11 @@ def _draw_card(canvas: Canvas, look: Look, box: pygame.Rect, course: Course, pla
     run = f"run {game.run}, " if lit else ""
     had = f"{game.innings[player]} innings, average {game.average(player):.2f}"
     said = f"{run}{had}, high run {game.high_runs[player]}"
-    look.text(canvas.surface, look.fonts.fit(said, 12, "medium", box.w - px(46) - px(62)),
-              (x, box.centery + px(10)), 12, "medium", "text2")  # fmt: skip
+    room = box.w - px(46) - px(62)
+    if look.fonts.size(said, 12, "medium")[0] > room:
+        said = f"{run}average {game.average(player):.2f}, high run {game.high_runs[player]}"
+    said = look.fonts.fit(said, 12, "medium", room)
+    look.text(canvas.surface, said, (x, box.centery + px(10)), 12, "medium", "text2")
     look.text(
         canvas.surface,
         str(game.points[player]),

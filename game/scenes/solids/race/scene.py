@@ -16,10 +16,9 @@ from game.scenes.solids import RACE
 from game.scenes.solids.race.figure import draw_loop_of_impulses
 from game.scenes.solids.race.model import RaceModel
 from game.scenes.solids.race.parameters import RaceParameters, field_of, short_of, titled
-from game.scenes.solids.race.view import RaceView
+from game.scenes.solids.race.view import RaceView, length_words
 from game.stage import Equation, Frame, Hint, Readout, SceneAction, SetParameter, Strip, Table, WarmUp
 from game.stage.messages import Messages
-from game.ui.look.numerals import format_si
 
 NAMES = {name: short_of(name) for name in SOLVERS}
 SWITCHES = frozenset(field_of(name) for name in SOLVERS)
@@ -142,7 +141,7 @@ class SolverRace(ModelScene):
         for k, name in enumerate(self.model.solvers):
             result = self.model.result(k)
             off = max(result.overlap, result.gap)
-            cells = [format_si(value, "m") for value in (result.sinks, result.leans, off)]
+            cells = [length_words(value) for value in (result.sinks, result.leans, off)]
             rows.append((NAMES[name], *cells))
         return Table(
             "Measured", ("solver", "sinks", "leans", "off"), tuple(rows), tuple(range(len(rows))),

@@ -16,7 +16,9 @@ from game.ui.look.numerals import format_si
 
 GAP = 0.04  # of a pane's width
 WORDS = 0.30  # of a pane's height, for words above the world
-WIDEST = 4  # panes in a row
+ASPECT = 16.0 / 9.0  # of the picture that the panes fill
+LINE = 15.0  # design px, from one line of words to the next
+NO_BREAK = "\u00a0"  # a space at which no line is broken
 
 
 class RaceView:
@@ -25,12 +27,16 @@ class RaceView:
     def __init__(self, model: RaceModel):
         self.model = model
         self.views = [SolidView(world, SolidHand(world)) for world in model.worlds]
-        count = max(len(self.views), 1)
-        self.columns = count if count <= 2 else min(WIDEST, math.ceil(count / 2))
-        self.rows = math.ceil(count / self.columns)
         view = model.setup.content.view
         self.wide = (view.right - view.left) * (1.0 + GAP)
         self.high = (view.top - view.bottom) * (1.0 + WORDS)
+        count = max(len(self.views), 1)
+        self.columns = max(range(1, count + 1), key=lambda columns: self._scale(columns, count))
+        self.rows = math.ceil(count / self.columns)
+
+    def _scale(self, columns: int, count: int) -> float:
+        """How large the panes come out in a picture one unit high."""
+        return min(ASPECT / (columns * self.wide), 1.0 / (math.ceil(count / columns) * self.high))
 
     def frame(self) -> Frame:
         """All panes."""
@@ -65,11 +71,24 @@ class RaceView:
             canvas.label(corner, name, "text1", 13, "semibold", "bottomleft", (6.0, -20.0))
             canvas.label(corner, "could not go on", "vermilion", 12, "medium", "bottomleft", (6.0, -4.0))
             return
+        words = canvas.figure(("race", k), self._measured(k))
+        width = round(self.wide * canvas.pixels_per_unit - 8.0 * canvas.k)
+        lines = canvas.fonts.wrap(words, 11, "medium", width)
+        for i, line in enumerate(reversed(lines)):
+            canvas.label(corner, line, "text2", 11, "medium", "bottomleft", (6.0, -4.0 - LINE * i))
+        canvas.label(corner, name, "text1", 13, "semibold", "bottomleft", (6.0, -5.0 - LINE * len(lines)))
+
+    def _measured(self, k: int) -> str:
+        """What a solver's world comes to: what does not break stays together in a line."""
+        result = self.model.result(k)
         time = format_si(result.step, "s") if math.isfinite(result.step) else "–"
-        if model.worlds[k].world.joints.kinds.size:
-            words = f"gap {format_si(result.gap, 'm')} · {time}"
+        if self.model.worlds[k].world.joints.kinds.size:
+            words = (f"gap {length_words(result.gap)}", time)
         else:
-            words = f"sinks {format_si(result.sinks, 'm')} · leans {format_si(result.leans, 'm')} · {time}"
-        canvas.label(corner, name, "text1", 13, "semibold", "bottomleft", (6.0, -20.0))
-        words = canvas.figure(("race", k), words)
-        canvas.label(corner, words, "text2", 11, "medium", "bottomleft", (6.0, -4.0))
+            words = (f"sinks {length_words(result.sinks)}", f"leans {length_words(result.leans)}", time)
+        return ", ".join(part.replace(" ", NO_BREAK) for part in words)
+
+
+def length_words(value: float) -> str:
+    """A length (m) in words; what is less than a nanometre is rounding, and none."""
+    return format_si(value if abs(value) >= 1e-9 else 0.0, "m")
