@@ -66,7 +66,6 @@ class RaceView:
     def _draw_words(self, canvas: Canvas, k: int, corner: tuple[float, float]) -> None:
         """Name and numbers, above the world."""
         model, name = self.model, titled(self.model.solvers[k])
-        result = model.result(k)
         if model.given_up[k]:
             canvas.label(corner, name, "text1", 13, "semibold", "bottomleft", (6.0, -20.0))
             canvas.label(corner, "could not go on", "vermilion", 12, "medium", "bottomleft", (6.0, -4.0))
