@@ -32,11 +32,8 @@ def draw_list(canvas: Canvas, look: Look, course: Course, advisor: Advisor, draw
     for row, group in enumerate(groups[: layout.ROWS]):
         words = route_words(group.code, drawn.position.cue)
         alike = [other for other in groups if route_words(other.code, drawn.position.cue) == words]
-        line = (
-            rails_words(group.code)
-            if len(alike) > 1
-            else tip_words(group.stroke).replace(" the centre, with ", ", ")
-        )
+        tip = tip_words(group.stroke).replace(" the centre, with ", ", ")  # as short as a row is narrow
+        line = rails_words(group.code) if len(alike) > 1 else tip
         lit = course.chosen == group.stroke
         share = group.chance if drawn.map.fine else float("nan")
         _draw_row(canvas, look, layout.row_box(row), (words, line), share, lit)
@@ -78,8 +75,8 @@ def _draw_row(canvas: Canvas, look: Look, box: Box, words: tuple[str, str], chan
         rest = look.fonts.fit(" ".join(lines[1:]), 12, "semibold", room)
         look.text(canvas.surface, rest, (left, lower), 12, "semibold", "text1")
     else:
-        line = look.fonts.fit(words[1], 11, "medium", room)
-        look.text(canvas.surface, line, (left, lower), 11, "medium", "text2")
+        under = look.fonts.fit(words[1], 11, "medium", room)
+        look.text(canvas.surface, under, (left, lower), 11, "medium", "text2")
 
 
 def draw_tip(canvas: Canvas, look: Look, course: Course, studied: Studied | None) -> None:

@@ -82,9 +82,9 @@ class RaceView:
         result = self.model.result(k)
         time = format_si(result.step, "s") if math.isfinite(result.step) else "–"
         if self.model.worlds[k].world.joints.kinds.size:
-            words = (f"gap {length_words(result.gap)}", time)
+            words = [f"gap {length_words(result.gap)}", time]
         else:
-            words = (f"sinks {length_words(result.sinks)}", f"leans {length_words(result.leans)}", time)
+            words = [f"sinks {length_words(result.sinks)}", f"leans {length_words(result.leans)}", time]
         return ", ".join(part.replace(" ", NO_BREAK) for part in words)
 
 
