@@ -148,9 +148,10 @@ def gjk_many(a, b, pairs, search, deep, trace, answers):
 def coarse_start(a, k, b, m, pair, level, trace):
     """Features of a pair where a walk without a last answer begins: (of A, of B, steps made to find them).
 
-    On the coarsest outlines, which are of ``level``, the vertices farthest towards the other polygon's centre. From there V-Clip on
-    them, then on finer ones, each from where the coarser were closest: a few steps on each of log n outlines.
-    From the first vertices, where that of two small polygons begins, the walk would pass n / 2 others.
+    On the outlines of ``level``, the coarsest, the vertices farthest towards the other polygon's centre.
+    From there V-Clip on them, then on finer ones, each from where the coarser were closest: a few steps on
+    each of log n outlines. From the first vertices, where that of two small polygons begins, the walk would
+    pass n / 2 others.
     """
     x, y = point_in(pair.frame, b.centres[m, 0], b.centres[m, 1])
     x, y = x - a.centres[k, 0], y - a.centres[k, 1]
