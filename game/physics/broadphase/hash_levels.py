@@ -155,8 +155,8 @@ def place_boxes(store, ladder, placed):
 
     ``store``, ``ladder``, ``placed``: a `Store`, a `Ladder` and a `Placed`, or plain tuples of the same form.
     Of the last, levels are read as a first guess, for few boxes change size, and written, -1 for ids not in
-    use; written are the layout's counts, buckets, ranks, and boxes per bucket. Returns False if a level has no
-    table, or one that is much too small or large now: then only levels and counts are right.
+    use; written are the layout's counts, buckets, ranks, and boxes per bucket. Returns False if a level has
+    no table, or one that is much too small or large now: then only levels and counts are right.
 
     Cells are powers of two wide. So corners in cells are exact, and a box whose rounded size is below a cell
     reaches no further than into the next one: the cells of the upper corner are asked for at one cell alone.
