@@ -192,11 +192,11 @@ def place_boxes(store, ladder, placed):
             fits = False
         else:
             column, row = cell_at(x0, table.scale), cell_at(y0, table.scale)
-            bucket = UNSIGNED(table.offset + bucket_of(column, row, table.mask, table.factor))
-            buckets[box] = bucket
-            rank = start[bucket]
+            own = UNSIGNED(table.offset + bucket_of(column, row, table.mask, table.factor))
+            buckets[box] = own
+            rank = start[own]
             ranks[box] = rank
-            start[bucket] = rank + 1
+            start[own] = rank + 1
     for level in range(LEVELS):
         count = layout[level, COUNT]
         size = layout[level, MASK] + 1
