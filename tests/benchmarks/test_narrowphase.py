@@ -1,4 +1,4 @@
-"""What a query of two convex polygons costs: GJK cold and warm, V-Clip with coherence, beside shapely.
+"""What a query of two convex polygons costs: GJK and V-Clip cold and warm, beside shapely.
 
 python -m pytest tests/benchmarks/test_narrowphase.py --benchmark-enable
 
@@ -15,7 +15,7 @@ from game.physics.narrowphase import ConvexPolygon, gjk, gjk_batch, vclip
 
 
 @pytest.mark.parametrize("corners", SIZES)
-@pytest.mark.parametrize("method", ["gjk-cold", "gjk-warm", "vclip"])
+@pytest.mark.parametrize("method", ["gjk-cold", "gjk-warm", "vclip-cold", "vclip"])
 def test_queries(benchmark, method, corners):
     benchmark.group = f"{corners} vertices, 1000 pairs"
     found = benchmark(Workload(corners).ask, method)

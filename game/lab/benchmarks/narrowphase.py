@@ -57,12 +57,12 @@ class Workload:
         ]
 
     def ask(self, method: str) -> Proximities:
-        """All distances of the next round: ``gjk-cold``, ``gjk-warm`` or ``vclip``."""
+        """All distances of the next round: ``gjk-cold``, ``gjk-warm``, ``vclip-cold`` or ``vclip``."""
         a, b = self.sets
         poses_a, poses_b = self.next_poses()
-        if method == "gjk-cold":
+        if method.endswith("cold"):
             self.features[:] = -1
-        batch = vclip_batch if method == "vclip" else gjk_batch
+        batch = vclip_batch if method.startswith("vclip") else gjk_batch
         return batch(a, b, None, poses_a, poses_b, self.features)
 
 
@@ -84,10 +84,11 @@ SCENARIOS = tuple(
     Scenario(
         f"{method}-{corners}", f"{title}, polygons of {corners} vertices", "query",
         partial(_ours, method, corners), PAIRS,
-        (Peer("shapely distance", partial(shapely_distances, corners)),) if method != "gjk-cold" else (),
+        () if method.endswith("cold") else (Peer("shapely distance", partial(shapely_distances, corners)),),
     )
     for corners in SIZES
     for method, title in (
-        ("gjk-cold", "GJK without a start"), ("gjk-warm", "GJK from the last answer"), ("vclip", "V-Clip")
+        ("gjk-cold", "GJK without a start"), ("gjk-warm", "GJK from the last answer"),
+        ("vclip-cold", "V-Clip without a start"), ("vclip", "V-Clip"),
     )
 )  # fmt: skip

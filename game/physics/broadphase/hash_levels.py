@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.runs import UNSIGNED, copy_boxes
+from game.physics.broadphase.runs import FOUR, HALF, ONE, UNSIGNED, copy_boxes
 from game.physics.kernels.jit import kernel
 
 LEVELS = 64
@@ -45,13 +45,15 @@ class Ladder(NamedTuple):
 
 
 class Placed(NamedTuple):
-    """Where boxes stand. ``levels``, ``buckets``: (capacity,) of each; ``layout``: (64, 4) of the tables;
-    ``start``: (all buckets,) boxes per bucket, and once they are sorted the first place of each.
+    """Where boxes stand. ``levels``, ``buckets``: (capacity,) of each; ``ranks``: (capacity,) how many of its
+    bucket have smaller ids; ``layout``: (64, 4) of the tables; ``start``: (all buckets,) boxes per bucket,
+    and once they are sorted the first place of each.
     """
 
     levels: NDArray[np.int8]
     layout: NDArray[np.int64]
     buckets: NDArray[np.int32]
+    ranks: NDArray[np.int32]
     start: NDArray[np.int32]
 
 
@@ -153,15 +155,15 @@ def place_boxes(store, ladder, placed):
 
     ``store``, ``ladder``, ``placed``: a `Store`, a `Ladder` and a `Placed`, or plain tuples of the same form.
     Of the last, levels are read as a first guess, for few boxes change size, and written, -1 for ids not in
-    use; written are the layout's counts, buckets, and boxes per bucket. Returns False if a level has no
-    table, or one that is much too small or large now: then only levels and counts are right.
+    use; written are the layout's counts, buckets, ranks, and boxes per bucket. Returns False if a level has
+    no table, or one that is much too small or large now: then only levels and counts are right.
 
     Cells are powers of two wide. So corners in cells are exact, and a box whose rounded size is below a cell
     reaches no further than into the next one: the cells of the upper corner are asked for at one cell alone.
     """
     boxes, alive, top = store
     step, scales = ladder
-    levels, layout, buckets, start = placed
+    levels, layout, buckets, ranks, start = placed
     corners = boxes.reshape(-1)
     for level in range(LEVELS):
         layout[level, COUNT] = 0
@@ -169,26 +171,32 @@ def place_boxes(store, ladder, placed):
         start[bucket] = 0
     smallest = math.ldexp(1.0, -step)
     fits = True
-    for box in range(top):
+    last, table = 0, table_of(layout, scales, 0)  # of the box before: most stand on the same level
+    for i in range(top):
+        box = UNSIGNED(i)
         if alive[box] == 0:
             levels[box] = -1
             continue
-        x0, y0, x1, y1 = corners[4 * box], corners[4 * box + 1], corners[4 * box + 2], corners[4 * box + 3]
+        x0, y0 = corners[FOUR * box], corners[FOUR * box + ONE]
+        x1, y1 = corners[FOUR * box + UNSIGNED(2)], corners[FOUR * box + UNSIGNED(3)]
         level = max(int(levels[box]), 0)
-        scale = scales[level]
-        share = max(x1 - x0, y1 - y0) * scale if scale > 0.0 else 0.0
-        if not smallest < share < 1.0 and not (share == 1.0 and reaches_next(x0, y0, x1, y1, scale)):
+        if level != last:
+            last, table = level, table_of(layout, scales, level)
+        share = max(x1 - x0, y1 - y0) * table.scale if table.scale > 0.0 else 0.0
+        if not smallest < share < 1.0 and not (share == 1.0 and reaches_next(x0, y0, x1, y1, table.scale)):
             level = int(level_of(x0, y0, x1, y1, step, scales))
+            last, table = level, table_of(layout, scales, level)
         levels[box] = level
-        row = layout[level]
-        row[COUNT] += 1
-        if row[MASK] < 0:
+        layout[level, COUNT] += 1
+        if table.mask < 0:
             fits = False
         else:
-            scale = scales[level]
-            bucket = row[OFFSET] + bucket_of(cell_at(x0, scale), cell_at(y0, scale), row[MASK], row[FACTOR])
-            buckets[box] = bucket
-            start[UNSIGNED(bucket)] += 1
+            column, row = cell_at(x0, table.scale), cell_at(y0, table.scale)
+            own = UNSIGNED(table.offset + bucket_of(column, row, table.mask, table.factor))
+            buckets[box] = own
+            rank = start[own]
+            ranks[box] = rank
+            start[own] = rank + 1
     for level in range(LEVELS):
         count = layout[level, COUNT]
         size = layout[level, MASK] + 1
@@ -201,11 +209,12 @@ def place_boxes(store, ladder, placed):
 def sort_by_bucket(store, placed, ordered):
     """Counting sort of the boxes by level and bucket; within a bucket by id.
 
-    The boxes per bucket become the first place of each. ``ordered``: `Sorted` with twice the room, written.
+    The boxes per bucket become the first place of each, and with a box's rank there that is its own place:
+    so nothing is counted twice. ``ordered``: `Sorted` with twice the room, written.
     After a level's boxes come copies of those in its first two buckets.
     """
     boxes, _, top = store
-    levels, layout, buckets, start = placed
+    levels, layout, buckets, ranks, start = placed
     order = ordered.order
     total = 0
     for level in range(LEVELS):
@@ -214,19 +223,19 @@ def sort_by_bucket(store, placed, ordered):
         first = layout[level, OFFSET]
         after = first + layout[level, MASK] + 1
         copies = start[first], start[first + 1]
-        for bucket in range(first, after):
-            total += start[bucket]
+        for bucket in range(UNSIGNED(first), UNSIGNED(after)):
+            here = start[bucket]
             start[bucket] = total
+            total += here
         start[after] = total
         start[after + 1] = total + copies[0]
         total += copies[0] + copies[1]
         start[after + 2] = total
-    for box in range(top - 1, -1, -1):
+    for i in range(top):
+        box = UNSIGNED(i)
         if levels[box] >= 0:
             own = UNSIGNED(buckets[box])
-            place = start[own] - 1
-            start[own] = place
-            order[UNSIGNED(place)] = (int(buckets[box]) << 32) | box
+            order[UNSIGNED(start[own] + ranks[box])] = (own << HALF) | box
     for level in range(LEVELS):
         if layout[level, COUNT] > 0:
             after = layout[level, OFFSET] + layout[level, MASK] + 1

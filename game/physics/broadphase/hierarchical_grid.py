@@ -119,6 +119,7 @@ class HierarchicalGrid(BroadPhase):
     def _make_room_to_sort(self, capacity: int) -> None:
         self._sort_levels: NDArray[np.int8] = np.zeros(capacity, dtype=np.int8)
         self._buckets: NDArray[np.int32] = np.zeros(capacity, dtype=np.int32)
+        self._ranks: NDArray[np.int32] = np.zeros(capacity, dtype=np.int32)
         self._order: NDArray[np.int64] = np.zeros(2 * capacity, dtype=np.int64)
         self._sorted: Corners = np.zeros((2 * capacity, 4))
 
@@ -213,7 +214,8 @@ class HierarchicalGrid(BroadPhase):
         layout, ladder = self._list_layout, (self._step, self._scales)
         find_levels(self._store(), ladder, self._list_levels, layout)
         buckets = lay_out(layout, LIST_SPREAD)
-        placed = self._list_levels, layout, self._lists.cells, np.empty(buckets, dtype=np.int32)
+        start = np.empty(buckets, dtype=np.int32)
+        placed = self._list_levels, layout, self._lists.cells, self._ranks, start
         place_boxes(self._store(), ladder, placed)
         self._lists.cells[: self.top][self.alive[: self.top] == 0] = -1
         self._lists.make(buckets, self.top)
@@ -223,7 +225,7 @@ class HierarchicalGrid(BroadPhase):
         while found < 0:
             found = find_pairs(
                 self._store(), (self._step, self._scales),
-                (self._sort_levels, self._layout, self._buckets, self._start),
+                (self._sort_levels, self._layout, self._buckets, self._ranks, self._start),
                 (self._order, self._sorted, self._noted),
                 self._sorter.keys, self._tests,
             )  # fmt: skip

@@ -45,10 +45,11 @@ class Sorted(NamedTuple):
 def copy_boxes(boxes, ordered, count):
     """Copy boxes (capacity, 4) m into their order."""
     corners, copies = boxes.reshape(-1), ordered.boxes.reshape(-1)
-    for place in range(count):
-        box = ordered.order[place] & ID_MASK
+    for i in range(count):
+        place = UNSIGNED(i)
+        box = UNSIGNED(ordered.order[place]) & LOW
         for side in range(4):
-            copies[4 * place + side] = corners[4 * box + side]
+            copies[FOUR * place + UNSIGNED(side)] = corners[FOUR * box + UNSIGNED(side)]
 
 
 @inner_kernel(forceinline=True)

@@ -7,15 +7,18 @@ sin; pairs (m, 2).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.narrowphase.coarse import coarse_outlines, coarse_polygon, finer_feature, levels_of
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
-from game.physics.narrowphase.features import Frame, Pair, Polygon, point_in
+from game.physics.narrowphase.features import Frame, Pair, Polygon, point_in, turned_back
 from game.physics.narrowphase.gjk import LIMIT, METHODS, TOLERANCE, Start, gjk_query
+from game.physics.narrowphase.simplex import support_scan
 from game.physics.narrowphase.vclip import vclip_query
 
 Array = NDArray[np.float64]
@@ -27,10 +30,11 @@ class PolygonSet:
     """Polygons packed into one array, for queries of many pairs.
 
     vertices: (N, 2) m, each polygon from its own anchor; first: (k + 1,) where each begins; anchors, centres:
-    (k, 2) m.
+    (k, 2) m. outlines: (M, 2) m, the coarse ones of all (see ``coarse``), a seventh of the vertices of large
+    polygons; coarse: (k,) where those of each begin.
     """
 
-    __slots__ = ("anchors", "centres", "first", "vertices")
+    __slots__ = ("anchors", "centres", "coarse", "first", "outlines", "vertices")
 
     def __init__(self, shapes: Sequence[Any]) -> None:
         """ValueError, naming the shape, for what `ConvexPolygon` refuses, and for no shapes."""
@@ -44,15 +48,18 @@ class PolygonSet:
             raise ValueError("shapes: expected at least one")
         self.vertices = np.concatenate([polygon.local for polygon in polygons])
         self.first = np.cumsum([0, *map(len, polygons)])
+        coarser = [coarse_outlines(polygon.local) for polygon in polygons]
+        self.outlines = np.concatenate([np.empty((0, 2)), *chain.from_iterable(coarser)])
+        self.coarse = np.cumsum([0, *(sum(map(len, own)) for own in coarser[:-1])])
         self.anchors = np.array([polygon.anchor for polygon in polygons])
         self.centres = np.array([polygon.centre for polygon in polygons])
 
     def __len__(self) -> int:
         return len(self.anchors)
 
-    def side(self, poses: Array) -> tuple[Array, Integers, Array, Array, Array]:
+    def side(self, poses: Array) -> tuple[Array, Integers, Array, Integers, Array, Array, Array]:
         """The plain tuple of a `Side`, with poses (k, 4)."""
-        return self.vertices, self.first, self.anchors, self.centres, poses
+        return self.vertices, self.first, self.outlines, self.coarse, self.anchors, self.centres, poses
 
 
 class Proximities(NamedTuple):
@@ -72,6 +79,8 @@ class Side(NamedTuple):
 
     vertices: Array  # (N, 2) m
     first: Integers  # (k + 1,)
+    outlines: Array  # (M, 2) m
+    coarse: Integers  # (k,)
     anchors: Array  # (k, 2) m
     centres: Array  # (k, 2) m
     poses: Array  # (k, 4) x, y, cos, sin
@@ -135,6 +144,31 @@ def gjk_many(a, b, pairs, search, deep, trace, answers):
         write_answer(found, steps, a, k, answers, row)
 
 
+@inner_kernel
+def coarse_start(a, k, b, m, pair, level, trace):
+    """Features of a pair where a walk without a last answer begins: (of A, of B, steps made to find them).
+
+    On the outlines of ``level``, the coarsest, the vertices farthest towards the other polygon's centre.
+    From there V-Clip on them, then on finer ones, each from where the coarser were closest: a few steps on
+    each of log n outlines. From the first vertices, where that of two small polygons begins, the walk would
+    pass n / 2 others.
+    """
+    x, y = point_in(pair.frame, b.centres[m, 0], b.centres[m, 1])
+    x, y = x - a.centres[k, 0], y - a.centres[k, 1]
+    feature_a = 2 * support_scan(coarse_polygon(a, k, level), x, y)
+    x, y = turned_back(pair.frame, -x, -y)
+    feature_b = 2 * support_scan(coarse_polygon(b, m, level), x, y)
+    steps = 0
+    while level > 0:
+        outlines = Pair(coarse_polygon(a, k, level), coarse_polygon(b, m, level), pair.frame)
+        found, more = vclip_query(outlines, feature_a, feature_b, False, trace)
+        steps += more
+        level -= 1
+        feature_a = finer_feature(found[7], outlines.a.size, coarse_polygon(a, k, level).size)
+        feature_b = finer_feature(found[8], outlines.b.size, coarse_polygon(b, m, level).size)
+    return feature_a, feature_b, steps
+
+
 @lean_kernel
 def vclip_many(a, b, pairs, deep, trace, answers):
     """V-Clip for each pair (m, 2) of polygons of two sides; sides and answers in plain tuples."""
@@ -143,8 +177,14 @@ def vclip_many(a, b, pairs, deep, trace, answers):
     features = answers.features
     for row in range(pairs.shape[0]):
         k, m = pairs[row, 0], pairs[row, 1]
-        found, steps = vclip_query(relative_pair(a, k, b, m), features[row, 0], features[row, 1], deep, trace)
-        write_answer(found, steps, a, k, answers, row)
+        pair = relative_pair(a, k, b, m)
+        feature_a, feature_b, before = features[row, 0], features[row, 1], 0
+        if feature_a < 0 and feature_b < 0:
+            level = max(levels_of(pair.a.size), levels_of(pair.b.size))
+            if level > 0:
+                feature_a, feature_b, before = coarse_start(a, k, b, m, pair, level, trace)
+        found, steps = vclip_query(pair, feature_a, feature_b, deep, trace)
+        write_answer(found, before + steps, a, k, answers, row)
 
 
 NO_GJK_TRACE = np.empty((0, 16))
@@ -185,7 +225,11 @@ def vclip_batch(
     features: Integers | None = None,
     deep: bool = True,
 ) -> Proximities:
-    """V-Clip for many pairs of convex polygons; arguments as for `gjk_batch`."""
+    """V-Clip for many pairs of convex polygons; arguments as for `gjk_batch`.
+
+    A walk that begins afresh goes by coarse outlines of large polygons; its iterations count the steps on
+    them too.
+    """
     query = _Query(a, b, pairs, poses_a, poses_b, features)
     vclip_many(*query.sides, query.pairs, deep, NO_VCLIP_TRACE, query.written)
     return query.answers()

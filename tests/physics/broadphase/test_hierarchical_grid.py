@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from game.physics.broadphase import HierarchicalGrid
 from game.physics.broadphase.hash_levels import COUNT, FACTOR, LEVELS, LOWEST, MASK, TOP, bucket_of, lay_out
 from game.physics.broadphase.workloads import make_boxes
+from tests.physics.broadphase.all_phases import brute_pairs
 
 
 def test_a_ratio_that_is_no_power_is_refused():
@@ -67,6 +68,27 @@ def test_a_box_that_comes_to_reach_two_cells_on_changes_its_level_and_keeps_its_
         assert grid.cell_size(grid.level(boxes[0])) == 2.0
         grid.update_box(boxes[0], (0.25, 0.25)[::turn], (1.25, 0.75)[::turn])
         assert grid.pairs().tolist() == [boxes]
+
+
+@pytest.mark.parametrize("share", [0.5, 0.02])
+def test_boxes_that_exchange_their_sizes_keep_their_partners(share):
+    """As many stand on each level as before, so that the tables stay; every guess of a level may be wrong."""
+    random = np.random.default_rng(5)
+    count = 600
+    sizes = np.where(random.random(count) < share, 0.6, 0.09) * random.uniform(0.9, 1.1, count)
+    grid = HierarchicalGrid()
+    lowers = random.uniform(0.0, 8.0, (count, 2))
+    ids = grid.add_boxes(lowers, lowers + sizes[:, None])
+    tables = len(grid.levels())
+    assert tables == 2 and len(grid.pairs())
+    for _ in range(6):
+        sizes = random.permutation(sizes)
+        lowers = lowers + random.uniform(-0.1, 0.1, (count, 2))
+        uppers = lowers + sizes[:, None]
+        grid.update_boxes(ids, lowers, uppers)
+        assert np.array_equal(grid.pairs(), brute_pairs(ids, lowers, uppers))
+        assert grid.levels() == [(k, n) for k, n in enumerate(grid.tables().layout[:, COUNT].tolist()) if n]
+        assert len(grid.levels()) == tables
 
 
 def test_the_smallest_boxes_come_back_under_their_ids():
