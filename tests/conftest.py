@@ -37,6 +37,7 @@ os.environ["CAROM_HOME"] = _home.name
 # Python looks through the young objects at every 700th new one, and the compiler's millions of old ones again
 # and again: a twentieth of the time of tests that make many. Whoever wants it at once says gc.collect().
 gc.set_threshold(20_000, 25, 25)
+_file: Path | None = None  # whose tests are run
 
 # The same examples in every run, and none that fails because a machine is slow.
 hypothesis.settings.register_profile(
@@ -56,6 +57,19 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.get_closest_marker("compiled"):
             item.add_marker(pytest.mark.skip(reason="takes minutes without the compiler"))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Before the first test of a file, take what is there out of the search for garbage: modules and kernels.
+
+    A gc.collect() late in a session would take a second else, and a test that counts objects many of them.
+    """
+    global _file
+    if item.path != _file:
+        _file = item.path
+        gc.collect()
+        gc.freeze()
 
 
 def pytest_unconfigure() -> None:

@@ -6,7 +6,10 @@ import ast
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
+from functools import cache
 from pathlib import Path
+
+import pytest
 
 import game
 
@@ -123,21 +126,44 @@ MACHINERY = {f"physics/kernels/{name}.py" for name in ("jit", "jit_cache", "jit_
 NOT_IN_PHYSICS = {"time", "datetime", "io", "os", "shutil", "pathlib", "tempfile", "random", "platformdirs"}
 
 
-def modules() -> Iterator[tuple[str, ast.Module]]:
-    """Every module of the package: its path within it, and its syntax tree."""
+MODULES: list[tuple[str, ast.Module]] = []  # of the package: path within it, syntax tree
+NAMES: set[str] = set()  # of these modules, dotted
+
+
+@pytest.fixture(scope="module", autouse=True)
+def modules() -> Iterator[None]:
+    """Read the package for these tests only: whoever looks for garbage goes through millions of nodes."""
     for path in sorted(ROOT.rglob("*.py")):
-        yield path.relative_to(ROOT).as_posix(), ast.parse(path.read_text(encoding="utf-8"))
+        where = path.relative_to(ROOT).as_posix()
+        MODULES.append((where, ast.parse(path.read_text(encoding="utf-8"))))
+        NAMES.add(dotted(where))
+    yield
+    for kept in (MODULES, NAMES):
+        kept.clear()
+    for known in (nodes, imported, calls):
+        known.cache_clear()
 
 
-def imported(tree: ast.AST, where: str, typing_too: bool = True) -> Iterator[str]:
+@cache
+def nodes(tree: ast.AST) -> tuple[ast.AST, ...]:
+    """All that a tree consists of."""
+    return tuple(ast.walk(tree))
+
+
+@cache
+def imported(tree: ast.AST, where: str, typing_too: bool = True) -> tuple[str, ...]:
     """Dotted names that a module imports, relative ones in full."""
+    return tuple(_imported(tree, where, typing_too))
+
+
+def _imported(tree: ast.AST, where: str, typing_too: bool) -> Iterator[str]:
     package = ["game", *where.split("/")[:-1]]
     skipped = set()
     if not typing_too:
-        for node in ast.walk(tree):
+        for node in nodes(tree):
             if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
                 skipped.update(id(inner) for inner in ast.walk(node))
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if id(node) in skipped:
             continue
         if isinstance(node, ast.Import):
@@ -160,9 +186,10 @@ def roots(tree: ast.AST, where: str, typing_too: bool = True) -> set[str]:
     return {name.split(".")[0] for name in imported(tree, where, typing_too)}
 
 
+@cache
 def calls(tree: ast.AST) -> set[str]:
     """Names of what a module calls."""
-    return {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    return {ast.unparse(node.func) for node in nodes(tree) if isinstance(node, ast.Call)}
 
 
 def dotted(where: str) -> str:
@@ -185,10 +212,6 @@ def _place(order: tuple[str, ...], path: str) -> int:
     """Which row of an order names the folder or file at the head of a path."""
     head = path.partition("/")[0].removesuffix(".py")
     return next(i for i, row in enumerate(order) if head in row.split())
-
-
-MODULES = list(modules())
-NAMES = {dotted(where) for where, _ in MODULES}
 
 
 def test_every_module_stands_on_a_floor() -> None:
@@ -305,7 +328,7 @@ def test_few_functions_take_many_parameters() -> None:
     many = [
         f"{where}: {node.name} takes {parameters_of(node)}"
         for where, tree in MODULES
-        for node in ast.walk(tree)
+        for node in nodes(tree)
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and parameters_of(node) > MOST_PARAMETERS
     ]
     assert len(many) <= MANY_PARAMETERS, "\n".join(many)
@@ -338,7 +361,7 @@ def test_kernels_come_from_the_one_decorator() -> None:
     for where, tree in MODULES:
         if where == "physics/kernels/jit.py":
             continue
-        for node in ast.walk(tree):
+        for node in nodes(tree):
             named = [ast.unparse(item) for item in getattr(node, "decorator_list", [])]
             wrong += [f"{where}: @{name}" for name in named if "jit" in name or name.startswith("numba.")]
     assert wrong == []
@@ -369,7 +392,7 @@ def decides(where: str, tree: ast.AST) -> bool:
 
 def libm_calls(tree: ast.AST) -> Iterator[str]:
     """What of a module a C library would reckon: functions of math and numpy, and powers of floats."""
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
             if node.value.id in ("math", "np", "numpy") and node.attr in TRANSCENDENTAL:
                 yield f"{node.lineno}: {ast.unparse(node)}"
@@ -387,7 +410,7 @@ def libm_calls(tree: ast.AST) -> Iterator[str]:
 
 def blas_calls(tree: ast.AST) -> Iterator[str]:
     """What of a module numpy would hand to a BLAS, or to sums that a compiler may fuse."""
-    for node in ast.walk(tree):
+    for node in nodes(tree):
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
             yield f"{node.lineno}: {ast.unparse(node)}"
         elif isinstance(node, ast.Call):
@@ -428,6 +451,18 @@ def test_no_blas_decides_a_simulated_number() -> None:
     assert wrong == []
 
 
+def test_sorting_is_stable() -> None:
+    """No argsort with ties in an order of its own"""
+    unstable = []
+    for where, tree in MODULES:
+        for node in nodes(tree):
+            if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "argsort":
+                kinds = [ast.unparse(word.value).strip("'") for word in node.keywords if word.arg == "kind"]
+                if kinds not in (["stable"], ["mergesort"]):
+                    unstable.append(f"{where}:{node.lineno}")
+    assert unstable == []
+
+
 def test_the_elementary_functions_themselves_call_none() -> None:
     own = [(where, tree) for where, tree in MODULES if where.startswith("physics/kernels/elementary/")]
     assert len(own) > 5
@@ -435,7 +470,7 @@ def test_the_elementary_functions_themselves_call_none() -> None:
     used = {
         ast.unparse(node)
         for _, tree in own
-        for node in ast.walk(tree)
+        for node in nodes(tree)
         if isinstance(node, ast.Attribute) and ast.unparse(node.value) in ("math", "np", "numpy")
     }
     assert {name for name in used if name.startswith("math.")} <= allowed

@@ -2,9 +2,11 @@
 
 import os
 import time
+from functools import cache
 
 import pytest
 
+from tests.mutation import drawing
 from tests.mutation.costs import Costs, Ran
 from tests.mutation.drawing import choose, find
 from tests.mutation.forks import OutOfTime, at_most, in_fork
@@ -80,9 +82,16 @@ def test_costs_are_kept_as_long_as_the_file_of_tests_is_the_same(costs, tmp_path
     assert not Costs(tmp_path / "costs.json", tmp_path, TESTS).calling("game/a.py:g")
 
 
+@pytest.fixture(scope="module", autouse=True)
+def each_source_once():
+    """Every file of the game is gone through for a draw, which takes seconds; the next one finds it done."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(drawing, "find_faults", cache(drawing.find_faults))
+        yield
+
+
 @pytest.fixture(scope="module")
-def drawn():
-    """Every file of the game is read for it, which takes seconds."""
+def drawn(each_source_once):
     return choose(1, 40, ROOT)
 
 

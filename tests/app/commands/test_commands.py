@@ -416,6 +416,9 @@ def test_json_escapes_what_is_not_printable(capsys, tmp_path: Path):
     assert (tmp_path / "a.json").read_text(encoding="utf-8") == text
 
 
+BETWEEN = "--- the next command ---"
+
+
 @pytest.mark.parametrize(
     "words",
     [
@@ -426,19 +429,28 @@ def test_json_escapes_what_is_not_printable(capsys, tmp_path: Path):
     ],
 )
 def test_a_terminal_that_is_not_unicode(words: dict[str, str]):
+    """Four commands, one after another in a process whose encoding is settled when it starts."""
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
-    for arguments in (["list"], ["list", "c12"], ["list", "--json", "-"], ["run", "c12", "--seconds", "0"]):
-        done = subprocess.run(
-            [sys.executable, "-m", "game", *arguments], capture_output=True, cwd=ROOT, env=environment | words
-        )
-        assert (done.returncode, done.stderr) == (0, b"")
-        text = done.stdout.decode("latin-1" if "latin-1" in words.values() else "cp1252")
-        assert "c12" in text
-        if "-" in arguments:
-            rows = {row["name"]: row for row in json.loads(text)["scenes"]}
-            assert "\N{DEGREE SIGN}" in {
-                parameter.get("unit") for row in rows.values() for parameter in row["parameters"]
-            }
+    commands = (["list"], ["list", "c12"], ["list", "--json", "-"], ["run", "c12", "--seconds", "0"])
+    code = f"""
+import sys
+from game.__main__ import main
+for arguments in {commands}:
+    assert main(arguments) == 0
+    print("{BETWEEN}")
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, cwd=ROOT, env=environment | words
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    text = done.stdout.decode("latin-1" if "latin-1" in words.values() else "cp1252")
+    *said, end = text.split(BETWEEN)
+    assert len(said) == len(commands) and not end.strip()
+    assert all("c12" in each for each in said)
+    rows = {row["name"]: row for row in json.loads(said[2])["scenes"]}
+    assert "\N{DEGREE SIGN}" in {
+        parameter.get("unit") for row in rows.values() for parameter in row["parameters"]
+    }
 
 
 def test_plain_words_for_what_an_encoding_lacks():
