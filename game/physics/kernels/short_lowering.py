@@ -1,0 +1,295 @@
+"""numba's last step before LLVM, in fewer words.
+
+For ``a[i, 0]`` numba copies the whole of a into memory, reads all its lengths and strides back, puts both
+indices into a tuple and takes them out again: fifty lines of LLVM's language, of which five are left in the
+end. Here only those five are written. Members of tuples that came in by their address (see bundles.py) are
+read where they lie, once in a kernel.
+
+What is not an element of an array of numbers, or a member of such a tuple, is left to numba.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+from numba import types
+from numba.core import ir, lowering
+from numba.core.compiler_machinery import register_pass
+from numba.core.typed_passes import NativeLowering
+from numba.np.arrayobj import fix_integer_index, load_item, store_item
+
+from game.physics.kernels.bundles import ADDRESS, KEEPS_ADDRESSES, is_by_address
+
+_NUMBER = (types.Integer, types.Float, types.Boolean)
+
+
+class ShortLower(lowering.Lower):  # type: ignore[misc]
+    """Writes a kernel in LLVM's language."""
+
+    def init(self) -> None:
+        """Find out which variables are arguments handed over by address, or members of these."""
+        super().init()
+        self._members: dict[str, tuple[str, tuple[int, ...]]] = {}  # variable: argument, path of members
+        self._read: dict[tuple[str, tuple[int, ...]], Any] = {}  # what was read, by variable and path
+        self._pairs: dict[str, list[Any]] = {}  # indices of several dimensions, by the tuple's variable
+        if self.generator_info is None:
+            self._find_members()
+
+    def _find_members(self) -> None:
+        assigned = [one for _, block in sorted(self.blocks.items()) for one in block.find_insts(ir.Assign)]
+        times = Counter(one.target.name for one in assigned)
+        for one in assigned:
+            name, value = one.target.name, one.value
+            if times[name] > 1:
+                continue
+            if isinstance(value, ir.Arg):
+                kind = self.typeof("arg." + value.name)
+                if kind == self.typeof(name) and is_by_address(self._model(kind)):
+                    self._members[name] = name, ()
+                    self._arguments = {**getattr(self, "_arguments", {}), name: value.index}
+            elif isinstance(value, ir.Var):
+                if value.name in self._members and self.typeof(value.name) == self.typeof(name):
+                    self._members[name] = self._members[value.name]
+            elif isinstance(value, ir.Expr) and value.op == "getattr" and value.value.name in self._members:
+                kind = self.typeof(value.value.name)
+                if not is_by_address(self._model(kind)) or value.attr not in kind.fields:
+                    continue
+                k = kind.fields.index(value.attr)
+                if kind[k] == self.typeof(name):
+                    root, path = self._members[value.value.name]
+                    self._members[name] = root, (*path, k)
+
+    def _model(self, kind: Any) -> Any:
+        return self.context.data_model_manager[kind]
+
+    def extract_function_arguments(self) -> Any:
+        """Values of the arguments; addresses stay what they are."""
+        setattr(self.builder, KEEPS_ADDRESSES, True)
+        found = super().extract_function_arguments()
+        for value, kind in zip(found, self.fndesc.argtypes, strict=True):
+            if is_by_address(self._model(kind)):  # nobody else writes there, and nobody keeps it
+                value.add_attribute("noalias")
+                value.add_attribute("captures(none)")
+        return found
+
+    # ------------------------------------------------------------------ variables
+
+    def lower_inst(self, inst: Any) -> Any:
+        """Write a statement; none for what is read where it lies, and for indices."""
+        if isinstance(inst, ir.Assign):
+            name = inst.target.name
+            if name in self._members or self._is_pair(inst):
+                return None
+        return super().lower_inst(inst)
+
+    def _is_pair(self, inst: Any) -> bool:
+        """Remember a tuple of integers that is used in this block only: it may be no more than an index."""
+        name, value = inst.target.name, inst.value
+        if not isinstance(value, ir.Expr) or value.op != "build_tuple":
+            return False
+        kind = self.typeof(name)
+        if name not in self._singly_assigned_vars or not all(isinstance(k, types.Integer) for k in kind):
+            return False
+        self._pairs[name] = [
+            self.context.cast(self.builder, self.loadvar(item.name), self.typeof(item.name), to)
+            for item, to in zip(value.items, kind, strict=True)
+        ]
+        return True
+
+    def lower_assign(self, ty: Any, inst: Any) -> Any:
+        """The value of an assignment."""
+        if isinstance(inst.value, ir.Arg):
+            index = inst.value.index
+            kind, value = self.fndesc.argtypes[index], self.fnargs[index]
+            if is_by_address(self._model(kind)) and value.type == ADDRESS:
+                self.fnargs = list(self.fnargs)
+                self.fnargs[index] = self._model(kind).load(self.builder, value)
+        return super().lower_assign(ty, inst)
+
+    def loadvar(self, name: str) -> Any:
+        """The value of a variable."""
+        if name in self._members:
+            return self._value_of(name)
+        if name in self._pairs and name not in self._blk_local_varmap:
+            kind = self.typeof(name)
+            self._blk_local_varmap[name] = self.context.make_tuple(self.builder, kind, self._pairs[name])
+        return super().loadvar(name)
+
+    def _alloca_var(self, name: str, fetype: Any) -> None:
+        if name not in self._members:
+            super()._alloca_var(name, fetype)
+
+    def storevar(self, value: Any, name: str, argidx: int | None = None) -> None:
+        """Set a variable."""
+        if self.context.enable_nrt or name in self._singly_assigned_vars:
+            super().storevar(value, name, argidx)
+        else:  # what it was before is not counted
+            self._alloca_var(name, self.typeof(name))
+            self.builder.store(value, self.getvar(name))
+
+    def delvar(self, name: str) -> None:
+        """Forget a variable."""
+        if name in self._members or name in self._pairs:
+            return
+        if self.context.enable_nrt:
+            super().delvar(name)
+
+    # ------------------------------------------------------------------ members of tuples
+
+    def _address(self, name: str) -> Any:
+        """Where a variable lies that is a member, found once in the kernel."""
+        root, path = self._members[name]
+        address = self._read.get((root, (-1, *path)))
+        if address is None:
+            index = self._arguments[root]
+            address, model = self.fnargs[index], self._model(self.fndesc.argtypes[index])
+            offset = 0
+            for k in path:
+                offset, model = offset + model.offsets[k], model.members[k]
+            with self.builder.goto_entry_block():
+                if offset:
+                    address = self.builder.gep(address, [self.context.get_constant(types.intp, offset)], True)
+                if not is_by_address(model):
+                    address = self.builder.bitcast(address, model.get_value_type().as_pointer())
+            self._read[root, (-1, *path)] = address
+        return address
+
+    def _value_of(self, name: str) -> Any:
+        """The value of such a variable."""
+        root, path = self._members[name]
+        value = self._read.get((root, path))
+        if value is None:
+            address, model = self._address(name), self._model(self.typeof(name))
+            with self.builder.goto_entry_block():
+                if is_by_address(model):
+                    value = model.load(self.builder, address)
+                else:
+                    value = self.builder.load(address)
+            self._read[root, path] = value
+        return value
+
+    def _part(self, name: str, *indices: int) -> Any:
+        """A number or address in the structure of an array."""
+        if name not in self._members:
+            return self.builder.extract_value(self.loadvar(name), indices)
+        root, path = self._members[name]
+        key = root, (-2, *path, -2, *indices)
+        if key not in self._read:
+            address = self._address(name)
+            with self.builder.goto_entry_block():
+                zero = self.context.get_constant(types.int32, 0)
+                steps = [self.context.get_constant(types.int32, k) for k in indices]
+                self._read[key] = self.builder.load(self.builder.gep(address, [zero, *steps], True))
+        return self._read[key]
+
+    # ------------------------------------------------------------------ elements of arrays
+
+    def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
+        """An element of an array, or whatever numba has for square brackets."""
+        array = self.typeof(value.name)
+        if array != signature.args[0] or not self._is_element(array, signature.args[1]):
+            return super().lower_getitem(resty, expr, value, index, signature)
+        place = self._element(value.name, array, index.name, signature.args[1])
+        item = load_item(self.context, self.builder, array, place)
+        return self.context.cast(self.builder, item, array.dtype, resty)
+
+    def lower_setitem(self, target: Any, index: Any, value: Any, signature: Any) -> Any:
+        """The same for writing."""
+        array, kind, given = self.typeof(target.name), *signature.args[1:]
+        if array != signature.args[0] or not self._is_element(array, kind) or not isinstance(given, _NUMBER):
+            return super().lower_setitem(target, index, value, signature)
+        place = self._element(target.name, array, index.name, kind)
+        item = self.context.cast(self.builder, self.loadvar(value.name), self.typeof(value.name), given)
+        item = self.context.cast(self.builder, item, given, array.dtype)
+        store_item(self.context, self.builder, array, item, place)
+        return None
+
+    def _is_element(self, array: Any, index: Any) -> bool:
+        """Whether an index of this type gives a number of an array."""
+        if type(array) is not types.Array or not isinstance(array.dtype, _NUMBER):
+            return False
+        kinds = index if isinstance(index, types.BaseTuple) else (index,)
+        return (
+            array.ndim == len(kinds)
+            and array.layout in "CA"
+            and all(isinstance(kind, types.Integer) for kind in kinds)
+            and not self.context.enable_boundscheck
+        )
+
+    def _element(self, name: str, array: Any, index: str, kind: Any) -> Any:
+        """A pointer to an element. Negative indices count from the end."""
+        builder, fields = self.builder, self._model(array)
+        shape, strides = fields.get_field_position("shape"), fields.get_field_position("strides")
+        kinds = kind if isinstance(kind, types.BaseTuple) else (kind,)
+        steps = []
+        for k, (value, own, to) in enumerate(self._indices(index, kinds)):
+            value = self.context.cast(builder, value, own, to)
+            constant = getattr(value, "constant", None)
+            if isinstance(constant, int) and constant >= 0:
+                value = self.context.cast(builder, value, to, types.intp if to.signed else types.uintp)
+            else:
+                value = fix_integer_index(
+                    self.context, builder, to, value, self._part(name, shape, k) if to.signed else None
+                )
+            steps.append(value)
+        data = self._part(name, fields.get_field_position("data"))
+        if array.layout == "C":
+            place = steps[0]
+            for k in range(1, array.ndim):  # (i * columns + j) * layers + k
+                place = builder.add(builder.mul(place, self._part(name, shape, k)), steps[k])
+            return builder.gep(data, [place])
+        place = None
+        for k, step in enumerate(steps):
+            offset = builder.mul(step, self._part(name, strides, k))
+            place = offset if place is None else builder.add(place, offset)
+        return builder.bitcast(builder.gep(builder.bitcast(data, ADDRESS), [place]), data.type)
+
+    def _indices(self, name: str, kinds: Any) -> list[tuple[Any, Any, Any]]:
+        """Each index with its type and the type that it is read as."""
+        own = self.typeof(name)
+        if name in self._pairs:
+            return list(zip(self._pairs[name], own, kinds, strict=True))
+        value = self.loadvar(name)
+        if not isinstance(own, types.BaseTuple):
+            return [(value, own, kinds[0])]
+        parts = [self.builder.extract_value(value, k) for k in range(len(own))]
+        return list(zip(parts, own, kinds, strict=True))
+
+    # ------------------------------------------------------------------ expressions and calls
+
+    def lower_expr(self, resty: Any, expr: Any) -> Any:
+        """The value of an expression."""
+        if expr.op == "getattr" and expr.attr == "shape":
+            array = self.typeof(expr.value.name)
+            if type(array) is types.Array and isinstance(resty, types.UniTuple):
+                return self._part(expr.value.name, self._model(array).get_field_position("shape"))
+        elif expr.op == "static_getitem" and expr.index_var is not None:
+            array, signature = self.typeof(expr.value.name), self.fndesc.calltypes[expr]
+            if signature is not None and self._is_element(array, signature.args[1]):
+                return self.lower_getitem(resty, expr, expr.value, expr.index_var, signature)
+        return super().lower_expr(resty, expr)
+
+    def fold_call_args(self, fnty: Any, signature: Any, pos_args: Any, vararg: Any, kw_args: Any) -> Any:
+        """Arguments of a call; one of another kernel gets addresses."""
+        self._passes_addresses = isinstance(fnty, types.Dispatcher)
+        return super().fold_call_args(fnty, signature, pos_args, vararg, kw_args)
+
+    def _cast_var(self, var: Any, ty: Any) -> Any:
+        name = getattr(var, "name", None)
+        if self._passes_addresses and name in self._members and self.typeof(name) == ty:
+            if is_by_address(self._model(ty)):
+                return self._address(name)
+        return super()._cast_var(var, ty)
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class ShortLowering(NativeLowering):  # type: ignore[misc]
+    """The step of numba's that makes LLVM's language of a kernel."""
+
+    _name = "carom_lowering"
+
+    @property
+    def lowering_class(self) -> type[ShortLower]:
+        """Who writes it."""
+        return ShortLower
