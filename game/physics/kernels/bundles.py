@@ -1,4 +1,4 @@
-"""Large NamedTuples go from kernel to kernel as an address.
+"""Large NamedTuples go from kernel to kernel as an address, and arrays in the parts that they came in.
 
 numba hands a tuple over member by member, an array as seven to ten numbers and addresses. A world of solids
 is a hundred arrays: each call of a kernel with it took a thousand arguments, put together anew at its
@@ -20,7 +20,15 @@ from numba.extending import register_model
 
 MOST_BY_VALUE = 16  # numbers and addresses; a tuple of more goes by its address
 ADDRESS = ir.IntType(8).as_pointer()
-KEEPS_ADDRESSES = "carom_keeps_addresses"  # set on a builder: `from_argument` leaves an address as it is
+
+
+@register_model(types.Array)
+class ArrayModel(models.ArrayModel):  # type: ignore[misc]
+    """An array, or its parts nested as they are in its structure."""
+
+    def as_argument(self, builder: Any, value: Any) -> Any:
+        """Parts of an array."""
+        return value if isinstance(value, tuple | list) else super().as_argument(builder, value)
 
 
 class _ByAddress(models.DataModel):  # type: ignore[misc]
@@ -28,29 +36,32 @@ class _ByAddress(models.DataModel):  # type: ignore[misc]
 
     def __init__(self, manager: Any, kind: Any):
         super().__init__(manager, kind)
-        flat = super().get_argument_type()
-        self.by_address = _count(flat) > MOST_BY_VALUE
+        self.by_address = _count(super().get_argument_type()) > MOST_BY_VALUE
         self.members = tuple(manager.lookup(member) for member in kind)
         self.offsets, self.size = _laid_out(self.members) if self.by_address else ((), 0)
 
     def get_argument_type(self) -> Any:
+        """What is handed over."""
         return ADDRESS if self.by_address else super().get_argument_type()
 
     def as_argument(self, builder: Any, value: Any) -> Any:
+        """A tuple, or the address of one, as what is handed over."""
         if not self.by_address:
             return super().as_argument(builder, value)
         if value.type == ADDRESS:
             return value
-        with builder.goto_entry_block():
-            words = builder.alloca(ir.IntType(64), self.size // 8)
-        address = builder.bitcast(words, ADDRESS)
+        address = self.room(builder)
         self.store(builder, address, value)
         return address
 
     def from_argument(self, builder: Any, value: Any) -> Any:
-        if not self.by_address:
-            return super().from_argument(builder, value)
-        return value if getattr(builder, KEEPS_ADDRESSES, False) else self.load(builder, value)
+        """A tuple from what was handed over."""
+        return self.load(builder, value) if self.by_address else super().from_argument(builder, value)
+
+    def room(self, builder: Any) -> Any:
+        """Memory for such a tuple, until the function returns."""
+        with builder.goto_entry_block():
+            return builder.bitcast(builder.alloca(ir.IntType(64), self.size // 8), ADDRESS)
 
     def store(self, builder: Any, address: Any, value: Any) -> None:
         """Lay a tuple out at an address."""

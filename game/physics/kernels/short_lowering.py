@@ -14,14 +14,20 @@ from collections import Counter
 from typing import Any
 
 from numba import types
-from numba.core import ir, lowering
+from numba.core import cgutils, ir, lowering
 from numba.core.compiler_machinery import register_pass
 from numba.core.typed_passes import NativeLowering
 from numba.np.arrayobj import fix_integer_index, load_item, store_item
 
-from game.physics.kernels.bundles import ADDRESS, KEEPS_ADDRESSES, is_by_address
+from game.physics.kernels.bundles import ADDRESS, is_by_address
 
 _NUMBER = (types.Integer, types.Float, types.Boolean)
+_DATA, _SHAPE, _STRIDES = 4, 5, 6  # of the structure of an array
+
+
+def _is_array(kind: Any) -> bool:
+    """Whether values of a type are arrays of the usual structure."""
+    return type(kind) is types.Array
 
 
 class ShortLower(lowering.Lower):  # type: ignore[misc]
@@ -30,8 +36,9 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
     def init(self) -> None:
         """Find out which variables are arguments handed over by address, or members of these."""
         super().init()
+        self._arguments: dict[str, int] = {}  # variable: which argument it is
         self._members: dict[str, tuple[str, tuple[int, ...]]] = {}  # variable: argument, path of members
-        self._read: dict[tuple[str, tuple[int, ...]], Any] = {}  # what was read, by variable and path
+        self._read: dict[tuple[Any, ...], Any] = {}  # what was read, by argument and path
         self._pairs: dict[str, list[Any]] = {}  # indices of several dimensions, by the tuple's variable
         if self.generator_info is None:
             self._find_members()
@@ -45,9 +52,9 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
                 continue
             if isinstance(value, ir.Arg):
                 kind = self.typeof("arg." + value.name)
-                if kind == self.typeof(name) and is_by_address(self._model(kind)):
+                if kind == self.typeof(name) and (_is_array(kind) or is_by_address(self._model(kind))):
                     self._members[name] = name, ()
-                    self._arguments = {**getattr(self, "_arguments", {}), name: value.index}
+                    self._arguments[name] = value.index
             elif isinstance(value, ir.Var):
                 if value.name in self._members and self.typeof(value.name) == self.typeof(name):
                     self._members[name] = self._members[value.name]
@@ -64,14 +71,16 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         return self.context.data_model_manager[kind]
 
     def extract_function_arguments(self) -> Any:
-        """Values of the arguments; addresses stay what they are."""
-        setattr(self.builder, KEEPS_ADDRESSES, True)
-        found = super().extract_function_arguments()
-        for value, kind in zip(found, self.fndesc.argtypes, strict=True):
+        """Values of the arguments; of arrays their parts, of tuples in memory their addresses."""
+        packer = self.call_conv._get_arg_packer(self.fndesc.argtypes)
+        self.fnargs = packer._unflattener.unflatten(self.call_conv.get_arguments(self.function))
+        for k, kind in enumerate(self.fndesc.argtypes):
             if is_by_address(self._model(kind)):  # nobody else writes there, and nobody keeps it
-                value.add_attribute("noalias")
-                value.add_attribute("captures(none)")
-        return found
+                self.fnargs[k].add_attribute("noalias")
+                self.fnargs[k].add_attribute("captures(none)")
+            elif k not in self._arguments.values():
+                self.fnargs[k] = self._model(kind).from_argument(self.builder, self.fnargs[k])
+        return self.fnargs
 
     # ------------------------------------------------------------------ variables
 
@@ -101,10 +110,9 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         """The value of an assignment."""
         if isinstance(inst.value, ir.Arg):
             index = inst.value.index
-            kind, value = self.fndesc.argtypes[index], self.fnargs[index]
-            if is_by_address(self._model(kind)) and value.type == ADDRESS:
-                self.fnargs = list(self.fnargs)
-                self.fnargs[index] = self._model(kind).load(self.builder, value)
+            model, value = self._model(self.fndesc.argtypes[index]), self.fnargs[index]
+            if is_by_address(model) and value.type == ADDRESS:
+                self.fnargs[index] = model.load(self.builder, value)
         return super().lower_assign(ty, inst)
 
     def loadvar(self, name: str) -> Any:
@@ -140,48 +148,59 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
     def _address(self, name: str) -> Any:
         """Where a variable lies that is a member, found once in the kernel."""
         root, path = self._members[name]
-        address = self._read.get((root, (-1, *path)))
-        if address is None:
-            index = self._arguments[root]
+        key = root, path, "address"
+        if key not in self._read:
+            index, offset = self._arguments[root], 0
             address, model = self.fnargs[index], self._model(self.fndesc.argtypes[index])
-            offset = 0
             for k in path:
                 offset, model = offset + model.offsets[k], model.members[k]
             with self.builder.goto_entry_block():
                 if offset:
-                    address = self.builder.gep(address, [self.context.get_constant(types.intp, offset)], True)
+                    address = cgutils.gep_inbounds(self.builder, address, offset)
                 if not is_by_address(model):
                     address = self.builder.bitcast(address, model.get_value_type().as_pointer())
-            self._read[root, (-1, *path)] = address
-        return address
+            self._read[key] = address
+        return self._read[key]
 
     def _value_of(self, name: str) -> Any:
         """The value of such a variable."""
         root, path = self._members[name]
-        value = self._read.get((root, path))
-        if value is None:
-            address, model = self._address(name), self._model(self.typeof(name))
-            with self.builder.goto_entry_block():
-                if is_by_address(model):
-                    value = model.load(self.builder, address)
+        key = root, path, "value"
+        if key not in self._read:
+            model, builder = self._model(self.typeof(name)), self.builder
+            by_parts = not path and not is_by_address(model)
+            place = self.fnargs[self._arguments[root]] if by_parts else self._address(name)
+            with builder.goto_entry_block():
+                if by_parts:
+                    self._read[key] = model.from_argument(builder, place)
+                elif is_by_address(model):
+                    self._read[key] = model.load(builder, place)
                 else:
-                    value = self.builder.load(address)
-            self._read[root, path] = value
-        return value
+                    self._read[key] = builder.load(place)
+        return self._read[key]
 
     def _part(self, name: str, *indices: int) -> Any:
         """A number or address in the structure of an array."""
         if name not in self._members:
             return self.builder.extract_value(self.loadvar(name), indices)
         root, path = self._members[name]
-        key = root, (-2, *path, -2, *indices)
+        if not path:
+            part = self.fnargs[self._arguments[root]]
+            for k in indices:
+                part = part[k]
+            return part
+        key = root, path, indices
         if key not in self._read:
             address = self._address(name)
             with self.builder.goto_entry_block():
-                zero = self.context.get_constant(types.int32, 0)
-                steps = [self.context.get_constant(types.int32, k) for k in indices]
-                self._read[key] = self.builder.load(self.builder.gep(address, [zero, *steps], True))
+                place = cgutils.gep_inbounds(self.builder, address, 0, *indices)
+                self._read[key] = self.builder.load(place)
         return self._read[key]
+
+    def _parts(self, name: str, array: Any) -> Any:
+        """All parts of an array, as another kernel takes them."""
+        sizes = [[self._part(name, 5 + k, axis) for axis in range(array.ndim)] for k in range(2)]
+        return [*(self._part(name, k) for k in range(5)), *sizes]
 
     # ------------------------------------------------------------------ elements of arrays
 
@@ -207,7 +226,7 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
 
     def _is_element(self, array: Any, index: Any) -> bool:
         """Whether an index of this type gives a number of an array."""
-        if type(array) is not types.Array or not isinstance(array.dtype, _NUMBER):
+        if not _is_array(array) or not isinstance(array.dtype, _NUMBER):
             return False
         kinds = index if isinstance(index, types.BaseTuple) else (index,)
         return (
@@ -219,8 +238,7 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
 
     def _element(self, name: str, array: Any, index: str, kind: Any) -> Any:
         """A pointer to an element. Negative indices count from the end."""
-        builder, fields = self.builder, self._model(array)
-        shape, strides = fields.get_field_position("shape"), fields.get_field_position("strides")
+        builder = self.builder
         kinds = kind if isinstance(kind, types.BaseTuple) else (kind,)
         steps = []
         for k, (value, own, to) in enumerate(self._indices(index, kinds)):
@@ -230,18 +248,18 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
                 value = self.context.cast(builder, value, to, types.intp if to.signed else types.uintp)
             else:
                 value = fix_integer_index(
-                    self.context, builder, to, value, self._part(name, shape, k) if to.signed else None
+                    self.context, builder, to, value, self._part(name, _SHAPE, k) if to.signed else None
                 )
             steps.append(value)
-        data = self._part(name, fields.get_field_position("data"))
+        data = self._part(name, _DATA)
         if array.layout == "C":
             place = steps[0]
             for k in range(1, array.ndim):  # (i * columns + j) * layers + k
-                place = builder.add(builder.mul(place, self._part(name, shape, k)), steps[k])
+                place = builder.add(builder.mul(place, self._part(name, _SHAPE, k)), steps[k])
             return builder.gep(data, [place])
         place = None
         for k, step in enumerate(steps):
-            offset = builder.mul(step, self._part(name, strides, k))
+            offset = builder.mul(step, self._part(name, _STRIDES, k))
             place = offset if place is None else builder.add(place, offset)
         return builder.bitcast(builder.gep(builder.bitcast(data, ADDRESS), [place]), data.type)
 
@@ -256,14 +274,22 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         parts = [self.builder.extract_value(value, k) for k in range(len(own))]
         return list(zip(parts, own, kinds, strict=True))
 
+    # ------------------------------------------------------------------ doors
+
+    def create_cfunc_wrapper(self) -> None:
+        """A door for C: of kernels of numbers only, which machine code calls by their address."""
+        if all(isinstance(kind, types.Number) for kind in self.fndesc.argtypes):
+            super().create_cfunc_wrapper()
+
     # ------------------------------------------------------------------ expressions and calls
 
     def lower_expr(self, resty: Any, expr: Any) -> Any:
         """The value of an expression."""
         if expr.op == "getattr" and expr.attr == "shape":
             array = self.typeof(expr.value.name)
-            if type(array) is types.Array and isinstance(resty, types.UniTuple):
-                return self._part(expr.value.name, self._model(array).get_field_position("shape"))
+            if _is_array(array) and isinstance(resty, types.UniTuple):
+                parts = [self._part(expr.value.name, _SHAPE, axis) for axis in range(array.ndim)]
+                return self.context.make_tuple(self.builder, resty, parts)
         elif expr.op == "static_getitem" and expr.index_var is not None:
             array, signature = self.typeof(expr.value.name), self.fndesc.calltypes[expr]
             if signature is not None and self._is_element(array, signature.args[1]):
@@ -271,15 +297,17 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         return super().lower_expr(resty, expr)
 
     def fold_call_args(self, fnty: Any, signature: Any, pos_args: Any, vararg: Any, kw_args: Any) -> Any:
-        """Arguments of a call; one of another kernel gets addresses."""
-        self._passes_addresses = isinstance(fnty, types.Dispatcher)
+        """Arguments of a call; one of another kernel gets addresses and parts."""
+        self._calls_kernel = isinstance(fnty, types.Dispatcher)
         return super().fold_call_args(fnty, signature, pos_args, vararg, kw_args)
 
     def _cast_var(self, var: Any, ty: Any) -> Any:
         name = getattr(var, "name", None)
-        if self._passes_addresses and name in self._members and self.typeof(name) == ty:
+        if self._calls_kernel and name in self._members and self.typeof(name) == ty:
             if is_by_address(self._model(ty)):
                 return self._address(name)
+            if _is_array(ty):
+                return self._parts(name, ty)
         return super()._cast_var(var, ty)
 
 
