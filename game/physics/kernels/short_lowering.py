@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import Any
 
+from llvmlite import ir as llvm
 from numba import types
 from numba.core import cgutils, ir, lowering
 from numba.core.compiler_machinery import register_pass
@@ -20,6 +21,7 @@ from numba.core.typed_passes import NativeLowering
 from numba.np.arrayobj import fix_integer_index, load_item, store_item
 
 from game.physics.kernels.bundles import ADDRESS, is_by_address
+from game.physics.kernels.entering import Door, fits_door
 
 _NUMBER = (types.Integer, types.Float, types.Boolean)
 _DATA, _SHAPE, _STRIDES = 4, 5, 6  # of the structure of an array
@@ -275,6 +277,18 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         return list(zip(parts, own, kinds, strict=True))
 
     # ------------------------------------------------------------------ doors
+
+    def create_cpython_wrapper(self, release_gil: bool = False) -> None:
+        """A door for Python."""
+        context, described = self.context, self.fndesc
+        if self.genlower or not fits_door(context, described.argtypes):
+            super().create_cpython_wrapper(release_gil)
+            return
+        module = context.create_module("wrapper")
+        kind = self.call_conv.get_function_type(described.restype, described.argtypes)
+        inner = llvm.Function(module, kind, described.llvm_func_name)
+        Door(context, module, inner, described, self.env, self.call_helper, release_gil).build()
+        self.library.add_ir_module(module)
 
     def create_cfunc_wrapper(self) -> None:
         """A door for C: of kernels of numbers only, which machine code calls by their address."""

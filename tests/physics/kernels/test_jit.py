@@ -79,6 +79,7 @@ COMPILER = (
     "linking",
     "short_lowering",
     "bundles",
+    "entering",
     "lean",
 )
 
