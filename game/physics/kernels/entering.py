@@ -23,7 +23,7 @@ from game.physics.kernels.bundles import is_by_address
 _TAKES_ADDRESSES = "carom_takes_addresses"  # set on the builder of such a door
 _ITEM_SIZE = 24  # bytes, where an array's structure says how many bytes an element takes
 _LONG = ir.IntType(64)
-_REFUSED = "can't unbox array from PyObject into native value.  The object maybe of a different type"  # numba's words
+_REFUSED = "can't unbox array from PyObject into native value.  The object maybe of a different type"
 
 
 class Door(PyCallWrapper):  # type: ignore[misc]

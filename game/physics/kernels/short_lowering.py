@@ -10,13 +10,16 @@ What is not an element of an array of numbers, or a member of such a tuple, is l
 
 from __future__ import annotations
 
+import operator
 from collections import Counter
+from functools import partial
 from typing import Any
 
 from llvmlite import ir as llvm
 from numba import types
 from numba.core import cgutils, ir, lowering
 from numba.core.compiler_machinery import register_pass
+from numba.core.errors import LoweringError, new_error_context
 from numba.core.typed_passes import NativeLowering
 from numba.np.arrayobj import fix_integer_index, load_item, store_item
 
@@ -24,6 +27,7 @@ from game.physics.kernels.bundles import ADDRESS, is_by_address
 from game.physics.kernels.entering import Door, fits_door
 
 _NUMBER = (types.Integer, types.Float, types.Boolean)
+_POWERS = (operator.pow, operator.ipow)
 _DATA, _SHAPE, _STRIDES = 4, 5, 6  # of the structure of an array
 
 
@@ -86,13 +90,34 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
 
     # ------------------------------------------------------------------ variables
 
+    def lower_block(self, block: Any) -> None:
+        """Write a block; an error tells of the statement."""
+        self.pre_block(block)
+        for inst in block.body:
+            self.loc = inst.loc
+            try:
+                self.lower_inst(inst)
+            except Exception:
+                told = partial(LoweringError, loc=self.loc)
+                with new_error_context('lowering "{inst}" at {loc}', inst=inst, loc=self.loc, errcls_=told):
+                    raise
+        self.post_block(block)
+
     def lower_inst(self, inst: Any) -> Any:
         """Write a statement; none for what is read where it lies, and for indices."""
-        if isinstance(inst, ir.Assign):
-            name = inst.target.name
-            if name in self._members or self._is_pair(inst):
-                return None
-        return super().lower_inst(inst)
+        if isinstance(inst, ir.Del):
+            self.delvar(inst.value)
+            return None
+        if not isinstance(inst, ir.Assign):
+            return super().lower_inst(inst)
+        name = inst.target.name
+        if name in self._members or self._is_pair(inst):
+            return None
+        if self.context.enable_debuginfo or isinstance(inst.value, ir.Arg):
+            return super().lower_inst(inst)
+        self.notify_loc(self.loc)
+        self.storevar(self.lower_assign(self.typeof(name), inst), name)
+        return None
 
     def _is_pair(self, inst: Any) -> bool:
         """Remember a tuple of integers that is used in this block only: it may be no more than an index."""
@@ -132,8 +157,10 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
 
     def storevar(self, value: Any, name: str, argidx: int | None = None) -> None:
         """Set a variable."""
-        if self.context.enable_nrt or name in self._singly_assigned_vars:
+        if self.context.enable_nrt or self.context.enable_debuginfo:
             super().storevar(value, name, argidx)
+        elif name in self._singly_assigned_vars:
+            self._blk_local_varmap[name] = value
         else:  # what it was before is not counted
             self._alloca_var(name, self.typeof(name))
             self.builder.store(value, self.getvar(name))
@@ -309,6 +336,21 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
             if signature is not None and self._is_element(array, signature.args[1]):
                 return self.lower_getitem(resty, expr, expr.value, expr.index_var, signature)
         return super().lower_expr(resty, expr)
+
+    def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
+        """Of two numbers; whether one of them is known by now makes a difference for powers only."""
+        own = self.typeof(expr.lhs.name), self.typeof(expr.rhs.name)
+        if op in _POWERS or not all(isinstance(kind, _NUMBER) for kind in own):
+            return super().lower_binop(resty, expr, op)
+        context, builder, signature = self.context, self.builder, self.fndesc.calltypes[expr]
+        values = [
+            context.cast(builder, self.loadvar(side.name), kind, to)
+            for side, kind, to in zip((expr.lhs, expr.rhs), own, signature.args, strict=True)
+        ]
+        function = context.typing_context.resolve_value_type(op)
+        answer = function.get_call_type(context.typing_context, signature.args, {})
+        value = context.get_function(function, answer)(builder, values)
+        return context.cast(builder, value, signature.return_type, resty)
 
     def fold_call_args(self, fnty: Any, signature: Any, pos_args: Any, vararg: Any, kw_args: Any) -> Any:
         """Arguments of a call; one of another kernel gets addresses and parts."""
