@@ -23,7 +23,7 @@ ADDRESS = ir.IntType(8).as_pointer()
 
 
 @register_model(types.Array)
-class ArrayModel(models.ArrayModel):  # type: ignore[misc]
+class ArrayModel(models.ArrayModel):
     """An array, or its parts nested as they are in its structure."""
 
     def as_argument(self, builder: Any, value: Any) -> Any:
@@ -31,7 +31,7 @@ class ArrayModel(models.ArrayModel):  # type: ignore[misc]
         return value if isinstance(value, tuple | list) else super().as_argument(builder, value)
 
 
-class _ByAddress(models.DataModel):  # type: ignore[misc]
+class _ByAddress(models.DataModel):
     """How a tuple is handed over; else as numba has it."""
 
     def __init__(self, manager: Any, kind: Any):
@@ -94,12 +94,12 @@ class _ByAddress(models.DataModel):  # type: ignore[misc]
 
 
 @register_model(types.NamedTuple)
-class NamedTupleModel(_ByAddress, models.TupleModel):  # type: ignore[misc]
+class NamedTupleModel(_ByAddress, models.TupleModel):
     """Of members of several types."""
 
 
 @register_model(types.NamedUniTuple)
-class NamedUniTupleModel(_ByAddress, models.UniTupleModel):  # type: ignore[misc]
+class NamedUniTupleModel(_ByAddress, models.UniTupleModel):
     """Of members of one type."""
 
 

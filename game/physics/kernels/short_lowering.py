@@ -11,82 +11,30 @@ What is not an element of an array of numbers, or a member of such a tuple, is l
 from __future__ import annotations
 
 import operator
-from collections import Counter
 from functools import partial
 from typing import Any
 
-from llvmlite import ir as llvm
 from numba import types
-from numba.core import cgutils, ir, lowering
+from numba.core import ir
 from numba.core.compiler_machinery import register_pass
-from numba.core.errors import LoweringError, new_error_context
+from numba.core.errors import LoweringError, new_error_context  # type: ignore[attr-defined]
 from numba.core.typed_passes import NativeLowering
 from numba.np.arrayobj import fix_integer_index, load_item, store_item
 
-from game.physics.kernels.bundles import ADDRESS, is_by_address
-from game.physics.kernels.entering import Door, fits_door
+from game.physics.kernels.bundles import ADDRESS
+from game.physics.kernels.members import DATA, SHAPE, STRIDES, MemberLower, is_array
 
 _NUMBER = (types.Integer, types.Float, types.Boolean)
 _POWERS = (operator.pow, operator.ipow)
-_DATA, _SHAPE, _STRIDES = 4, 5, 6  # of the structure of an array
 
 
-def _is_array(kind: Any) -> bool:
-    """Whether values of a type are arrays of the usual structure."""
-    return type(kind) is types.Array
-
-
-class ShortLower(lowering.Lower):  # type: ignore[misc]
+class ShortLower(MemberLower):
     """Writes a kernel in LLVM's language."""
 
     def init(self) -> None:
-        """Find out which variables are arguments handed over by address, or members of these."""
+        """Begin."""
         super().init()
-        self._arguments: dict[str, int] = {}  # variable: which argument it is
-        self._members: dict[str, tuple[str, tuple[int, ...]]] = {}  # variable: argument, path of members
-        self._read: dict[tuple[Any, ...], Any] = {}  # what was read, by argument and path
         self._pairs: dict[str, list[Any]] = {}  # indices of several dimensions, by the tuple's variable
-        if self.generator_info is None:
-            self._find_members()
-
-    def _find_members(self) -> None:
-        assigned = [one for _, block in sorted(self.blocks.items()) for one in block.find_insts(ir.Assign)]
-        times = Counter(one.target.name for one in assigned)
-        for one in assigned:
-            name, value = one.target.name, one.value
-            if times[name] > 1:
-                continue
-            if isinstance(value, ir.Arg):
-                kind = self.typeof("arg." + value.name)
-                if kind == self.typeof(name) and (_is_array(kind) or is_by_address(self._model(kind))):
-                    self._members[name] = name, ()
-                    self._arguments[name] = value.index
-            elif isinstance(value, ir.Var):
-                if value.name in self._members and self.typeof(value.name) == self.typeof(name):
-                    self._members[name] = self._members[value.name]
-            elif isinstance(value, ir.Expr) and value.op == "getattr" and value.value.name in self._members:
-                kind = self.typeof(value.value.name)
-                if not is_by_address(self._model(kind)) or value.attr not in kind.fields:
-                    continue
-                k = kind.fields.index(value.attr)
-                if kind[k] == self.typeof(name):
-                    root, path = self._members[value.value.name]
-                    self._members[name] = root, (*path, k)
-
-    def _model(self, kind: Any) -> Any:
-        return self.context.data_model_manager[kind]
-
-    def extract_function_arguments(self) -> Any:
-        """Values of the arguments; of arrays their parts, of tuples in memory their addresses."""
-        packer = self.call_conv._get_arg_packer(self.fndesc.argtypes)
-        self.fnargs = packer._unflattener.unflatten(self.call_conv.get_arguments(self.function))
-        for k, kind in enumerate(self.fndesc.argtypes):
-            if is_by_address(self._model(kind)):  # nobody else writes there, and nobody keeps it
-                self.fnargs[k].add_attribute("noalias")
-                self.fnargs[k].add_attribute("captures(none)")
-            elif k not in self._arguments.values():
-                self.fnargs[k] = self._model(kind).from_argument(self.builder, self.fnargs[k])
-        return self.fnargs
 
     # ------------------------------------------------------------------ variables
 
@@ -133,27 +81,12 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         ]
         return True
 
-    def lower_assign(self, ty: Any, inst: Any) -> Any:
-        """The value of an assignment."""
-        if isinstance(inst.value, ir.Arg):
-            index = inst.value.index
-            model, value = self._model(self.fndesc.argtypes[index]), self.fnargs[index]
-            if is_by_address(model) and value.type == ADDRESS:
-                self.fnargs[index] = model.load(self.builder, value)
-        return super().lower_assign(ty, inst)
-
     def loadvar(self, name: str) -> Any:
         """The value of a variable."""
-        if name in self._members:
-            return self._value_of(name)
         if name in self._pairs and name not in self._blk_local_varmap:
             kind = self.typeof(name)
             self._blk_local_varmap[name] = self.context.make_tuple(self.builder, kind, self._pairs[name])
         return super().loadvar(name)
-
-    def _alloca_var(self, name: str, fetype: Any) -> None:
-        if name not in self._members:
-            super()._alloca_var(name, fetype)
 
     def storevar(self, value: Any, name: str, argidx: int | None = None) -> None:
         """Set a variable."""
@@ -172,65 +105,6 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         if self.context.enable_nrt:
             super().delvar(name)
 
-    # ------------------------------------------------------------------ members of tuples
-
-    def _address(self, name: str) -> Any:
-        """Where a variable lies that is a member, found once in the kernel."""
-        root, path = self._members[name]
-        key = root, path, "address"
-        if key not in self._read:
-            index, offset = self._arguments[root], 0
-            address, model = self.fnargs[index], self._model(self.fndesc.argtypes[index])
-            for k in path:
-                offset, model = offset + model.offsets[k], model.members[k]
-            with self.builder.goto_entry_block():
-                if offset:
-                    address = cgutils.gep_inbounds(self.builder, address, offset)
-                if not is_by_address(model):
-                    address = self.builder.bitcast(address, model.get_value_type().as_pointer())
-            self._read[key] = address
-        return self._read[key]
-
-    def _value_of(self, name: str) -> Any:
-        """The value of such a variable."""
-        root, path = self._members[name]
-        key = root, path, "value"
-        if key not in self._read:
-            model, builder = self._model(self.typeof(name)), self.builder
-            by_parts = not path and not is_by_address(model)
-            place = self.fnargs[self._arguments[root]] if by_parts else self._address(name)
-            with builder.goto_entry_block():
-                if by_parts:
-                    self._read[key] = model.from_argument(builder, place)
-                elif is_by_address(model):
-                    self._read[key] = model.load(builder, place)
-                else:
-                    self._read[key] = builder.load(place)
-        return self._read[key]
-
-    def _part(self, name: str, *indices: int) -> Any:
-        """A number or address in the structure of an array."""
-        if name not in self._members:
-            return self.builder.extract_value(self.loadvar(name), indices)
-        root, path = self._members[name]
-        if not path:
-            part = self.fnargs[self._arguments[root]]
-            for k in indices:
-                part = part[k]
-            return part
-        key = root, path, indices
-        if key not in self._read:
-            address = self._address(name)
-            with self.builder.goto_entry_block():
-                place = cgutils.gep_inbounds(self.builder, address, 0, *indices)
-                self._read[key] = self.builder.load(place)
-        return self._read[key]
-
-    def _parts(self, name: str, array: Any) -> Any:
-        """All parts of an array, as another kernel takes them."""
-        sizes = [[self._part(name, 5 + k, axis) for axis in range(array.ndim)] for k in range(2)]
-        return [*(self._part(name, k) for k in range(5)), *sizes]
-
     # ------------------------------------------------------------------ elements of arrays
 
     def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
@@ -244,8 +118,8 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
 
     def lower_setitem(self, target: Any, index: Any, value: Any, signature: Any) -> Any:
         """The same for writing."""
-        array, kind, given = self.typeof(target.name), *signature.args[1:]
-        if array != signature.args[0] or not self._is_element(array, kind) or not isinstance(given, _NUMBER):
+        array, (whole, kind, given) = self.typeof(target.name), signature.args
+        if array != whole or not self._is_element(array, kind) or not isinstance(given, _NUMBER):
             return super().lower_setitem(target, index, value, signature)
         place = self._element(target.name, array, index.name, kind)
         item = self.context.cast(self.builder, self.loadvar(value.name), self.typeof(value.name), given)
@@ -255,7 +129,7 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
 
     def _is_element(self, array: Any, index: Any) -> bool:
         """Whether an index of this type gives a number of an array."""
-        if not _is_array(array) or not isinstance(array.dtype, _NUMBER):
+        if not is_array(array) or not isinstance(array.dtype, _NUMBER):
             return False
         kinds = index if isinstance(index, types.BaseTuple) else (index,)
         return (
@@ -277,18 +151,18 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
                 value = self.context.cast(builder, value, to, types.intp if to.signed else types.uintp)
             else:
                 value = fix_integer_index(
-                    self.context, builder, to, value, self._part(name, _SHAPE, k) if to.signed else None
+                    self.context, builder, to, value, self._part(name, SHAPE, k) if to.signed else None
                 )
             steps.append(value)
-        data = self._part(name, _DATA)
+        data = self._part(name, DATA)
         if array.layout == "C":
             place = steps[0]
             for k in range(1, array.ndim):  # (i * columns + j) * layers + k
-                place = builder.add(builder.mul(place, self._part(name, _SHAPE, k)), steps[k])
+                place = builder.add(builder.mul(place, self._part(name, SHAPE, k)), steps[k])
             return builder.gep(data, [place])
         place = None
         for k, step in enumerate(steps):
-            offset = builder.mul(step, self._part(name, _STRIDES, k))
+            offset = builder.mul(step, self._part(name, STRIDES, k))
             place = offset if place is None else builder.add(place, offset)
         return builder.bitcast(builder.gep(builder.bitcast(data, ADDRESS), [place]), data.type)
 
@@ -303,33 +177,14 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         parts = [self.builder.extract_value(value, k) for k in range(len(own))]
         return list(zip(parts, own, kinds, strict=True))
 
-    # ------------------------------------------------------------------ doors
-
-    def create_cpython_wrapper(self, release_gil: bool = False) -> None:
-        """A door for Python."""
-        context, described = self.context, self.fndesc
-        if self.genlower or not fits_door(context, described.argtypes):
-            super().create_cpython_wrapper(release_gil)
-            return
-        module = context.create_module("wrapper")
-        kind = self.call_conv.get_function_type(described.restype, described.argtypes)
-        inner = llvm.Function(module, kind, described.llvm_func_name)
-        Door(context, module, inner, described, self.env, self.call_helper, release_gil).build()
-        self.library.add_ir_module(module)
-
-    def create_cfunc_wrapper(self) -> None:
-        """A door for C: of kernels of numbers only, which machine code calls by their address."""
-        if all(isinstance(kind, types.Number) for kind in self.fndesc.argtypes):
-            super().create_cfunc_wrapper()
-
     # ------------------------------------------------------------------ expressions and calls
 
     def lower_expr(self, resty: Any, expr: Any) -> Any:
         """The value of an expression."""
         if expr.op == "getattr" and expr.attr == "shape":
             array = self.typeof(expr.value.name)
-            if _is_array(array) and isinstance(resty, types.UniTuple):
-                parts = [self._part(expr.value.name, _SHAPE, axis) for axis in range(array.ndim)]
+            if is_array(array) and isinstance(resty, types.UniTuple):
+                parts = [self._part(expr.value.name, SHAPE, axis) for axis in range(array.ndim)]
                 return self.context.make_tuple(self.builder, resty, parts)
         elif expr.op == "static_getitem" and expr.index_var is not None:
             array, signature = self.typeof(expr.value.name), self.fndesc.calltypes[expr]
@@ -352,23 +207,9 @@ class ShortLower(lowering.Lower):  # type: ignore[misc]
         value = context.get_function(function, answer)(builder, values)
         return context.cast(builder, value, signature.return_type, resty)
 
-    def fold_call_args(self, fnty: Any, signature: Any, pos_args: Any, vararg: Any, kw_args: Any) -> Any:
-        """Arguments of a call; one of another kernel gets addresses and parts."""
-        self._calls_kernel = isinstance(fnty, types.Dispatcher)
-        return super().fold_call_args(fnty, signature, pos_args, vararg, kw_args)
-
-    def _cast_var(self, var: Any, ty: Any) -> Any:
-        name = getattr(var, "name", None)
-        if self._calls_kernel and name in self._members and self.typeof(name) == ty:
-            if is_by_address(self._model(ty)):
-                return self._address(name)
-            if _is_array(ty):
-                return self._parts(name, ty)
-        return super()._cast_var(var, ty)
-
 
 @register_pass(mutates_CFG=True, analysis_only=False)
-class ShortLowering(NativeLowering):  # type: ignore[misc]
+class ShortLowering(NativeLowering):
     """The step of numba's that makes LLVM's language of a kernel."""
 
     _name = "carom_lowering"

@@ -79,7 +79,8 @@ COMPILER = (
     "linking",
     "short_lowering",
     "bundles",
-    "entering",
+    "doors",
+    "members",
     "lean",
 )
 

@@ -26,7 +26,7 @@ _LONG = ir.IntType(64)
 _REFUSED = "can't unbox array from PyObject into native value.  The object maybe of a different type"
 
 
-class Door(PyCallWrapper):  # type: ignore[misc]
+class Door(PyCallWrapper):
     """numba's function for Python around a kernel; large tuples are laid into memory."""
 
     def build_wrapper(self, api: Any, builder: Any, closure: Any, args: Any, kws: Any) -> None:
