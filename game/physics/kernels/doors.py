@@ -36,12 +36,19 @@ class Door(PyCallWrapper):
 
 
 def fits_door(context: Any, kinds: tuple[Any, ...]) -> bool:
-    """Whether a kernel of these arguments gets such a door: no tuple may lie in another kind of container."""
-    models = [context.data_model_manager[kind] for kind in kinds]
-    plain = (types.Number, types.Boolean, types.Array)
-    return not context.enable_nrt and all(
-        isinstance(kind, plain) or is_by_address(model) for kind, model in zip(kinds, models, strict=True)
-    )
+    """Whether a kernel of these arguments gets such a door: numbers, arrays, and tuples of these.
+
+    In a tuple that is handed over by its members none may lie that goes by its address.
+    """
+    lookup = context.data_model_manager.lookup
+
+    def is_plain(kind: Any, may_go: bool) -> bool:
+        if isinstance(kind, types.BaseTuple):
+            goes = is_by_address(lookup(kind))
+            return (may_go or not goes) and all(is_plain(member, goes) for member in kind)
+        return isinstance(kind, types.Number | types.Boolean) or type(kind) is types.Array
+
+    return not context.enable_nrt and all(is_plain(kind, True) for kind in kinds)
 
 
 @unbox(types.NamedTuple)
@@ -53,53 +60,51 @@ def unbox_named_tuple(kind: Any, obj: Any, c: Any) -> Any:
         return unbox_tuple(kind, obj, c)
     failed = cgutils.alloca_once_value(c.builder, cgutils.false_bit)
     address = model.room(c.builder)
-    cleanups: list[Any] = []
-    _lay_out(kind, obj, c, address, failed, cleanups)
-
-    def cleanup() -> None:
-        for one in reversed(cleanups):
-            one()
-
-    is_error = c.builder.load(failed)
-    return NativeValue(address, cleanup=cleanup if cleanups else None, is_error=is_error)
+    _lay_out(kind, obj, c, address, failed)
+    return NativeValue(address, is_error=c.builder.load(failed))
 
 
-def _lay_out(kind: Any, obj: Any, c: Any, address: Any, failed: Any, cleanups: list[Any]) -> None:
+def _lay_out(kind: Any, obj: Any, c: Any, address: Any, failed: Any) -> None:
     """Write the members of the tuple ``obj`` to where they belong from ``address`` on."""
-    builder, model = c.builder, c.context.data_model_manager[kind]
+    builder = c.builder
     size = c.pyapi.tuple_size(obj)
     fits = builder.icmp_unsigned("==", size, size.type(len(kind)))
-    with builder.if_then(builder.not_(fits), likely=False):
-        said = f"size mismatch for tuple, expected {len(kind)} element(s) but got %zd"
-        c.pyapi.err_format("PyExc_ValueError", said, size)
-        builder.store(cgutils.true_bit, failed)
+    with builder.if_else(fits, likely=True) as (then, otherwise):
+        with then:
+            _lay_out_members(kind, obj, c, address, failed)
+        with otherwise:
+            said = f"size mismatch for tuple, expected {len(kind)} element(s) but got %zd"
+            c.pyapi.err_format("PyExc_ValueError", said, size)
+            builder.store(cgutils.true_bit, failed)
+
+
+def _lay_out_members(kind: Any, obj: Any, c: Any, address: Any, failed: Any) -> None:
+    builder, model = c.builder, c.context.data_model_manager[kind]
     arrays = [k for k, member in enumerate(kind) if type(member) is types.Array]
-    table = [(k, model.offsets[k], as_dtype(kind[k].dtype).itemsize) for k in arrays]
-    if table:
-        _lay_out_arrays(table, obj, c, address, failed, builder.select(fits, _LONG(len(table)), _LONG(0)))
+    if arrays:
+        table = [(k, model.offsets[k], as_dtype(kind[k].dtype).itemsize) for k in arrays]
+        _lay_out_arrays(table, obj, c, address, failed)
     for k, member in enumerate(kind):
         if k in arrays:
             continue
         item = c.pyapi.tuple_getitem(obj, k)
         if is_by_address(model.members[k]):
-            _lay_out(member, item, c, model.address_of(builder, address, k), failed, cleanups)
+            _lay_out(member, item, c, model.address_of(builder, address, k), failed)
             continue
         native = c.unbox(member, item)
         builder.store(native.value, model.pointer_to(builder, address, k))
         with builder.if_then(native.is_error, likely=False):
             builder.store(cgutils.true_bit, failed)
-        if native.cleanup is not None:
-            cleanups.append(native.cleanup)
 
 
-def _lay_out_arrays(table: Any, obj: Any, c: Any, address: Any, failed: Any, count: Any) -> None:
+def _lay_out_arrays(table: Any, obj: Any, c: Any, address: Any, failed: Any) -> None:
     """The same for arrays: for each its index, its offset, and bytes of an element."""
     builder = c.builder
     row = ir.ArrayType(_LONG, 3)
     rows = ir.Constant(ir.ArrayType(row, len(table)), [ir.Constant(row, list(one)) for one in table])
     place = cgutils.global_constant(builder.module, builder.module.get_unique_name(".arrays"), rows)
     get = c.pyapi._get_function(ir.FunctionType(obj.type, [obj.type, _LONG]), name="PyTuple_GetItem")
-    with cgutils.for_range(builder, count, intp=_LONG) as loop:
+    with cgutils.for_range(builder, _LONG(len(table)), intp=_LONG) as loop:
         k, offset, expected = (
             builder.load(cgutils.gep_inbounds(builder, place, 0, loop.index, column)) for column in range(3)
         )

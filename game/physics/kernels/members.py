@@ -66,6 +66,8 @@ class MemberLower(lowering.Lower):
 
     def extract_function_arguments(self) -> Any:
         """Values of the arguments; of arrays their parts, of tuples in memory their addresses."""
+        if self.generator_info is not None:  # it keeps them between two calls, in numba's form
+            return super().extract_function_arguments()
         packer = self.call_conv._get_arg_packer(self.fndesc.argtypes)
         self.fnargs = packer._unflattener.unflatten(self.call_conv.get_arguments(self.function))
         for k, kind in enumerate(self.fndesc.argtypes):
