@@ -36,7 +36,7 @@ class Bundle(NamedTuple):
     inside: Inside
     small: np.ndarray
     on: bool
-    count: int
+    number: int
 
 
 class Pair(NamedTuple):
@@ -85,7 +85,7 @@ def deep(given, pair):
 @lean_kernel
 def whole(given, pair):
     given.grid[0, -1] = 7
-    total = deep(given, pair) + given.grid[0, 3] + given.grid.shape[1] + given.count
+    total = deep(given, pair) + given.grid[0, 3] + given.grid.shape[1] + given.number
     return total + (1000.0 if given.on else 0.0) + given.small[2]
 
 
@@ -94,7 +94,7 @@ def makes_one(given, times):
     last, total = given, 0.0
     for k in range(times):
         new = Bundle(
-            given.grid, given.marks, last.scale + k, given.inside, given.small, given.on, given.count
+            given.grid, given.marks, last.scale + k, given.inside, given.small, given.on, given.number
         )
         total += lowest(new.inside, 0) + scale_of(last) * 1000.0 + scale_of(new)
         last = new
@@ -168,7 +168,7 @@ class TestTuples:
             high, same = gives_back(given)
             assert high.tolist() == [10.0, 11.0, 12.0, 13.0]
             assert same.inside.low.tolist() == [0.0, 1.0, 2.0]
-            assert same.count == 3
+            assert same.number == 3
         del high, same
         after = rtsys.get_allocation_stats()
         assert after.mi_alloc - before.mi_alloc == after.mi_free - before.mi_free
