@@ -134,7 +134,6 @@ class ShortLower(MemberLower):
         kinds = index if isinstance(index, types.BaseTuple) else (index,)
         return (
             array.ndim == len(kinds)
-            and array.layout in "CA"
             and all(isinstance(kind, types.Integer) for kind in kinds)
             and not self.context.enable_boundscheck
         )
