@@ -186,6 +186,16 @@ class TestTuples:
 
         assert outside(bundle(), Pair(0.5, 0.0)) == DEEP
 
+    def test_only_kernels_of_numbers_have_a_door_for_c(self) -> None:
+        cubes(1.0)
+        takes_another(bundle(), bundle(), False)
+        doors = []
+        for one in (cubes, takes_another):
+            [result] = one.overloads.values()
+            held = {function.name for function in result.library.get_defined_functions()}
+            doors.append(result.fndesc.llvm_cfunc_wrapper_name in held)
+        assert doors == [True, False]
+
     def test_numbers_change_from_call_to_call(self) -> None:
         assert [takes_another(bundle(x), bundle(), False) for x in (1.0, 2.0, 4.0)] == [1.0, 2.0, 4.0]
 
@@ -264,6 +274,11 @@ def powers(x, k):
 
 
 @lean_kernel
+def cubes(x):
+    return x**3, x * (x * x)
+
+
+@lean_kernel
 def compares(x, k):
     return x < k, x == k, x / k, k // 2, k % 3, -x + True
 
@@ -308,6 +323,8 @@ class TestElements:
     def test_operators_of_numbers(self) -> None:
         assert powers(3.0, 2) == powers.py_func(3.0, 2)
         assert powers(1.1, 5)[0] == 1.1 * 1.1
+        both = [cubes(1.0 + k / 7.0) for k in range(200)]  # products, not what the power of two numbers gives
+        assert all(cube == product for cube, product in both)
         assert compares(0.5, 7) == compares.py_func(0.5, 7)
 
 
