@@ -19,6 +19,9 @@ import llvmlite.binding as llvm
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult
 from numba.core.environment import lookup_environment
+from numba.core.typed_passes import NativeLowering
+
+from game.physics.kernels.short_lowering import ShortLowering
 
 _ENVIRONMENT = "_ZN08NumbaEnv"  # how the name of a function's environment begins, numba's table of constants
 _CIRCLE = ".numba.unresolved$"  # and that of a function that is called before it is there
@@ -164,6 +167,16 @@ class OuterCompiler(Compiler):
             library.counts_references = bool(flags.nrt)
             library.enable_object_caching()
         super().__init__(typing, target, library, arguments, returned, flags, local)
+
+    def define_pipelines(self) -> list[Any]:
+        """numba's steps, with the last one of this package."""
+        found: list[Any] = super().define_pipelines()
+        for pipeline in found:
+            pipeline.passes = [
+                (ShortLowering if step is NativeLowering else step, said) for step, said in pipeline.passes
+            ]
+            pipeline.finalize()
+        return found
 
 
 class InnerCompiler(OuterCompiler):

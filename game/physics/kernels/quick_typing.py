@@ -21,9 +21,11 @@ from collections.abc import Iterable
 from typing import Any
 
 import llvmlite.binding as llvm
+from numba.core import base as contexts
 from numba.core import ir, postproc, targetconfig, transforms, types
 from numba.core.types.containers import BaseAnonymousTuple
 from numba.core.types.functions import BaseFunction
+from numba.core.typing import context as typing_contexts
 
 _PLAIN = (types.Number, types.Boolean)
 _ELEMENT = (types.Array, *_PLAIN)
@@ -52,6 +54,8 @@ def answer_at_once() -> None:
         _list_variables_only()
         _find_lifetimes_once()
         _tell_nobody_of_locks()
+        _refresh_when_there_is_more()
+        _look_at_signatures_once()
 
 
 def _remember_operators() -> None:
@@ -159,3 +163,44 @@ def _tell_nobody_of_locks() -> None:
     for callbacks in list(getattr(lock, "_cblist", ())):
         if callbacks[0].__module__ == "numba.core.base":
             llvm.ffi.unregister_lock_callback(*callbacks)
+
+
+def _refresh_when_there_is_more() -> None:
+    """numba looks for new rules before each kernel, and whenever it finds none; mostly there are no more."""
+    for kind, lists in (
+        (contexts.BaseContext, ("functions", "getattrs", "setattrs", "casts", "constants")),
+        (typing_contexts.BaseContext, ("functions", "attributes", "globals")),
+    ):
+        kind.refresh = _counting(kind.refresh, lists)
+
+
+def _counting(refresh: Any, lists: tuple[str, ...]) -> Any:
+    def refresh_if_more(self: Any) -> None:
+        counted = sum(len(getattr(registry, name)) for registry in self._registries for name in lists)
+        if getattr(self, "carom_rules", None) != counted:
+            refresh(self)
+            self.carom_rules = sum(
+                len(getattr(registry, name)) for registry in self._registries for name in lists
+            )
+        elif hasattr(self, "typing_context"):
+            self.typing_context.refresh()
+
+    return refresh_if_more
+
+
+def _look_at_signatures_once() -> None:
+    """Whether a function takes a place in the source: that is asked of the same code at each call written."""
+    ask = getattr(contexts, "_has_loc", None)
+    if ask is None:
+        return
+    known: dict[Any, bool] = {}
+
+    def has_loc(function: Any) -> bool:
+        code = getattr(function, "__code__", None)
+        if code is None or hasattr(function, "__wrapped__") or hasattr(function, "__signature__"):
+            return bool(ask(function))
+        if code not in known:
+            known[code] = bool(ask(function))
+        return known[code]
+
+    setattr(contexts, "_has_loc", has_loc)  # noqa: B010 (no plain assignment to a function)

@@ -70,7 +70,19 @@ print(json.dumps({
 }))
 """
 
-COMPILER = ("jit", "jit_cache", "jit_sources", "prebuilt", "quick_typing", "linking", "lean")
+COMPILER = (
+    "jit",
+    "jit_cache",
+    "jit_sources",
+    "prebuilt",
+    "quick_typing",
+    "linking",
+    "short_lowering",
+    "bundles",
+    "doors",
+    "members",
+    "lean",
+)
 
 
 class Answer(NamedTuple):

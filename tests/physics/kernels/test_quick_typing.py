@@ -13,6 +13,7 @@ from numba import types
 from numba.core import event, ir, postproc, utils
 from numba.core.compiler import Flags, run_frontend
 from numba.core.errors import TypingError
+from numba.core.imputils import builtin_registry
 from numba.core.registry import cpu_target
 
 import game.physics.kernels.jit  # noqa: F401  (takes the short cuts)
@@ -175,3 +176,16 @@ def test_nobody_hears_of_locks() -> None:
     with event.install_listener("numba:llvm_lock", Hears()):
         llvm.parse_assembly("")
     assert not heard
+
+
+def test_rules_are_looked_for_when_there_are_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    target = cpu_target.target_context
+    target.refresh()
+    looked: list[int] = []
+    monkeypatch.setattr(type(target), "load_additional_registries", lambda _self: looked.append(1))
+    target.refresh()
+    assert not looked
+    builtin_registry.lower(lambda x: x, types.float64)(lambda *_arguments: None)
+    target.refresh()
+    target.refresh()
+    assert looked == [1]
