@@ -65,10 +65,11 @@ def run_digests(copy: Path, scenes: list[str]) -> str | None:
 
 def _names_of(copy: Path, folder: str) -> list[str]:
     """Names of the scenes that a folder holds, as its catalogue entries state them."""
-    program = (
-        f"import game.scenes.{folder} as f; print(*[entry.names.name for entry in getattr(f, 'ENTRIES', ())])"
-    )
-    return _run([sys.executable, "-c", program], copy, dict(os.environ), DIGESTS_S)[1].split()
+    program = f"import game.scenes.{folder} as f; print(*[entry.name for entry in getattr(f, 'ENTRIES', ())])"
+    status, told = _run([sys.executable, "-c", program], copy, dict(os.environ), DIGESTS_S)
+    if status != 0:  # else what it says of the trouble would be taken for names, and those for noticed
+        raise RuntimeError(f"game.scenes.{folder}: {told}")
+    return told.split()
 
 
 def _run(
