@@ -13,7 +13,7 @@ from game.app.stagehand.headless import prepare
 from game.scenes import CATALOGUE
 from game.stage import Stage
 from tests.golden import kept
-from tests.golden.accounts import TICK, counted_time
+from tests.golden.accounts import TICK, nothing_by_chance
 from tests.golden.drawn import MOST, SIZE, Tally, drawing_of, in_one, lines, painted
 
 
@@ -117,6 +117,6 @@ def test_what_is_painted_past_the_verbs_is_seen_by_its_place() -> None:
 
 
 def test_a_clock_is_counted() -> None:
-    with counted_time():
+    with nothing_by_chance():
         assert time.perf_counter() == 0.0 and time.perf_counter() == TICK
     assert time.perf_counter() != 2.0 * TICK
