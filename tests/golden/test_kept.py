@@ -44,6 +44,8 @@ def test_rounding_is_no_difference(one: str, other: str) -> None:
         ("energy: 12.3456 J", "energy: 12.3456 N"),
         ("energy: 12.3456 J", "energy: 12.3456"),
         ("balls: 15", "balls: 16"),
+        ("boxes: 100000", "boxes: 100001"),
+        ("4/92.1", "4"),
         ("heat: nan", "heat: 1.5"),
         ("3 12 4.00000001/92.1 1f2e3d4c", "4 12 4.00000001/92.1 1f2e3d4c"),
         ("3 12 4.00000001/92.1 1f2e3d4c", "3 13 4.00000001/92.1 1f2e3d4c"),
@@ -82,9 +84,14 @@ def test_a_tally_depends_on_every_number_and_word_and_on_their_order() -> None:
     assert tally(*values).text() == tally(*values).text()
 
 
+def test_a_tally_in_a_line() -> None:
+    """Weights are 0.5 and the fractions of the golden ratio's multiples: 0.5 1 - 1.118034 2."""
+    assert tally(1.0, -2.0).text() == "0 2 -1.73606798/2.736 00000000"
+
+
 def test_a_long_array_is_looked_at_here_and_there() -> None:
     long = np.linspace(0.0, 1.0, 10 * MOST)
-    assert tally(long).count <= MOST + 1
+    assert tally(long).count == 1 + len(long[::11]) <= MOST + 1
     assert tally(long).text() != tally(long[::-1]).text() != tally(long[:-1]).text()
 
 
@@ -97,6 +104,7 @@ def test_in_one_tally_no_verb_outweighs_another() -> None:
         return in_one({"circle": tally(0.1, radius), "field": tally(np.full(1000, 1e6))})
 
     assert not kept.same(drawn(0.2).text(), drawn(0.2001).text())
+    assert not kept.same(drawn(0.2).text(), drawn(-0.2).text())
     assert kept.same(drawn(0.2).text(), drawn(0.2 + 1e-15).text())
 
 
@@ -107,6 +115,7 @@ def test_a_drawing_lists_the_verbs_and_paints_none_of_them() -> None:
     assert {"line", "circle"} & set(before) and painted(surface) == ""
     stage.run(5)
     after = drawing_of(stage)[0]
+    assert all(tally.calls > 0 for tally in after.values())
     assert lines(before) != lines(after) and lines(after) == lines(drawing_of(stage)[0])
 
 
