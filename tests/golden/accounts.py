@@ -57,14 +57,12 @@ PLANS = {  # where a step, a picture or the opening takes many times as long as 
     **dict.fromkeys(("solids", "wind-tunnel"), SHORT),
     **dict.fromkeys(("a08", "a10", "a22", "a26", "real-table", "solver-race"), LEAST),
 }
-
-
 LIVELY = {  # the level, and the action that sets it going, where parameters show more than in the default one
     "billiards": ("default", ""),
     "c03": ("hard-07-running-target", ""),
     "c04": ("stone-garden", "emit"),
     "c12": ("bouncing", ""),
-    "c13": ("pile", ""),
+    "c13": ("bouncing", ""),
     "carom": ("default", ""),
     "falling-plates": ("litter", ""),
     "lecture-balls": ("hard-03-corner", ""),

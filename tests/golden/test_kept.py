@@ -11,6 +11,8 @@ import pytest
 
 from game.app.stagehand.headless import prepare
 from game.scenes import CATALOGUE
+from game.scenes.shared.newest import Newest
+from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.stage import Stage
 from tests.golden import kept
 from tests.golden.accounts import TICK, nothing_by_chance
@@ -123,6 +125,17 @@ def test_what_is_painted_past_the_verbs_is_seen_by_its_place() -> None:
     surface = pygame.Surface(SIZE, 0, 32)
     surface.fill((90, 90, 90), (0, 0, SIZE[0] // 4, SIZE[1] // 2))
     assert painted(surface).split() == ["90.0", *["0.0"] * 7]
+
+
+def test_no_thread_answers() -> None:
+    asked: Newest[int] = Newest("asked")
+    thinker = Thinker(lambda _: Thought(()), lambda: None)
+    with nothing_by_chance():
+        asked.ask("question", lambda: 1)
+        thinker.prepare()
+        assert thinker.ask(Question("question", None, "", 0)) is None
+    asked.wait()
+    assert asked.latest is None and not thinker.thinking and not thinker.warm
 
 
 def test_a_clock_is_counted() -> None:
