@@ -23,7 +23,10 @@ from game.app.stagehand.opening import read_level
 from game.app.stagehand.script import Script, demo_of
 from game.levels import level_files
 from game.scenes import CATALOGUE
+from game.scenes.billiards.practice.landing import LandingMeter
+from game.scenes.carom.advisor import MapMaker
 from game.scenes.shared.newest import Newest
+from game.scenes.shared.tables.odds import OddsMeter
 from game.scenes.shared.thinker import Thinker
 from game.stage import Action, Choice, Param, Parameter, ParameterError, Pointer, SetParameter, Stage
 from game.ui.canvas.pen import CARD
@@ -92,9 +95,12 @@ def nothing_by_chance() -> Iterator[None]:
             if getattr(owner, "perf_counter", None) is time.perf_counter:
                 patch = mock.patch.object(owner, "perf_counter", lambda: TICK * next(ticks))
                 stack.enter_context(patch)
-        stack.enter_context(mock.patch.object(Newest, "ask", lambda *_: None))
+        for meter in (LandingMeter, OddsMeter):  # they measure as long as a picture leaves time for
+            clock = mock.patch.object(meter.__init__, "__defaults__", (lambda: TICK * next(ticks),))
+            stack.enter_context(clock)
+        for thinking in (Newest, Thinker, MapMaker):
+            stack.enter_context(mock.patch.object(thinking, "ask", lambda *_: None))
         stack.enter_context(mock.patch.object(Thinker, "prepare", lambda _: None))
-        stack.enter_context(mock.patch.object(Thinker, "ask", lambda *_: None))
         yield
 
 
