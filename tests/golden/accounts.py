@@ -25,12 +25,13 @@ from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.scenes.billiards.practice.landing import LandingMeter
 from game.scenes.carom.advisor import MapMaker
+from game.scenes.papers import papers_of
 from game.scenes.shared.newest import Newest
 from game.scenes.shared.tables.odds import OddsMeter
 from game.scenes.shared.thinker import Thinker
 from game.stage import Action, Choice, Param, Parameter, ParameterError, Pointer, SetParameter, Stage
 from game.ui.canvas.pen import CARD
-from tests.golden.drawn import Tally, drawing_of, figure_of, in_one, lines, painted
+from tests.golden.drawn import FINE_PARTS, Tally, drawing_of, figure_of, in_one, lines, painted
 
 Account = dict[str, Any]
 
@@ -131,6 +132,11 @@ def declared(name: str) -> Account:
         told["card"] = lines(figure_of(painter, CARD))
     if scene_type.figure is not None:
         told["figure"] = lines(figure_of(scene_type.figure))
+    for row in papers_of(name):
+        for number, step in enumerate(row.load().steps):
+            told[f"{row.number} {number} words"] = _tallied((step.words, step.formula)).text()
+            if step.figure is not None:
+                told[f"{row.number} {number}"] = lines(figure_of(step.figure))
     return told
 
 
@@ -228,7 +234,7 @@ def moment(stage: Stage) -> Account:
         "readouts": _readouts(stage),
         "words": _words(stage),
         "drawn": lines(tallies),
-        "painted": painted(surface),
+        "painted": painted(surface, FINE_PARTS),
     }
 
 

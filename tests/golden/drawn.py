@@ -25,7 +25,7 @@ SIZE = (1280, 720)  # px
 MARGIN = 20.0  # px
 COLORS = 2.0**24
 MOST = 4096  # numbers of an array that are added: of a longer one every second, third or so on
-PARTS = (4, 2)  # of the picture, across and down
+PARTS, FINE_PARTS = (4, 2), (16, 9)  # of the picture, across and down
 GOLDEN_RATIO = 0.5 * (math.sqrt(5.0) - 1.0)
 BEYOND = 1e3  # what stands for a number that is not finite
 ASIDE = {  # of the canvas: they say something, or prepare; what they give shows in a verb
@@ -141,14 +141,14 @@ def in_one(tallies: Tallies) -> Tally:
     return whole
 
 
-def painted(surface: pygame.Surface) -> str:
+def painted(surface: pygame.Surface, parts: tuple[int, int] = PARTS) -> str:
     """How bright the pixels are in each part of a picture, if any were painted past the verbs."""
     pixels = np.frombuffer(surface.get_buffer(), np.uint32)
     if not pixels.any():
         return ""
-    across, down = PARTS
-    parts = pixels.view(np.uint8).reshape(down, SIZE[1] // down, across, SIZE[0] // across, 4)
-    return " ".join(f"{value:.1f}" for value in parts[..., :3].mean(axis=(1, 3, 4)).ravel())
+    across, down = parts
+    cells = pixels.view(np.uint8).reshape(down, SIZE[1] // down, across, SIZE[0] // across, 4)
+    return " ".join(f"{value:.1f}" for value in cells[..., :3].mean(axis=(1, 3, 4)).ravel())
 
 
 @functools.cache

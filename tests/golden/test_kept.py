@@ -125,6 +125,7 @@ def test_what_is_painted_past_the_verbs_is_seen_by_its_place() -> None:
     surface = pygame.Surface(SIZE, 0, 32)
     surface.fill((90, 90, 90), (0, 0, SIZE[0] // 4, SIZE[1] // 2))
     assert painted(surface).split() == ["90.0", *["0.0"] * 7]
+    assert painted(surface, (2, 1)).split() == ["22.5", "0.0"]
 
 
 def test_no_thread_answers() -> None:
