@@ -6,6 +6,8 @@ Digests are written by `python -m game selftest --update-golden`.
 from __future__ import annotations
 
 import argparse
+import os
+import tempfile
 
 from game.app.stagehand.headless import prepare
 from game.scenes import CATALOGUE
@@ -18,6 +20,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tests.golden", description=__doc__)
     parser.add_argument("scenes", nargs="*", metavar="SCENE")
     options = parser.parse_args()
+    os.environ.setdefault("CAROM_HOME", tempfile.mkdtemp(prefix="carom-home-"))
     prepare()
     for name in options.scenes or [entry.name for entry in CATALOGUE]:
         account = account_of(name)
