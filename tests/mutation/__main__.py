@@ -5,8 +5,9 @@
 
 Each fault is sown into a copy of the checkout. In the first round the tests that call the changed function
 run without the compiler, the quickest first (tests.mutation.uncompiled). What none of them notices is judged
-with the compiler: the tests that import the module, those of its folder and of what stands on it, last the
-recorded digests of the scenes that use it. The first that fails ends the search. The log can be continued;
+with the compiler: the tests that import the module, the accounts of the scenes that use it (tests.golden),
+the tests of its folder and of what stands on it, last the recorded digests of those scenes. The first that
+fails ends the search. The log can be continued;
 beside it lies what each test costs. equivalent.toml lists the faults that change nothing, with reasons.
 """
 

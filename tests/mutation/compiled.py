@@ -17,6 +17,8 @@ TESTS_S = 420.0  # for all tests of a fault; those that are left then have not n
 UNCOMPILED_S = 90.0  # for the tests nearby without the compiler, of what runs at import
 DIGESTS_S = 240.0
 MOST_SCENES = 2  # whose digests are taken
+MOST_TOLD = 6  # folders of scenes whose accounts are taken
+ACCOUNTS = "tests/golden/test_accounts.py::test_a_scene_tells_what_it_told"
 
 
 def judge(sown: Sown, copy: Path, watchers: Watchers) -> tuple[bool, str]:
@@ -30,12 +32,14 @@ def judge(sown: Sown, copy: Path, watchers: Watchers) -> tuple[bool, str]:
         if failed := run_tests(copy, near, UNCOMPILED_S, jit=False):
             return True, failed
         ends = time.monotonic() + TESTS_S
-        for files in (near, wide):
+        told = [f"{ACCOUNTS}[{name}]" for name in names_of(copy, watchers.scenes(sown.module)[:MOST_TOLD])]
+        for files in (near, told, wide):
             for start in range(0, len(files), FILES):
                 left = ends - time.monotonic()
                 if left > 0.0 and (failed := run_tests(copy, files[start : start + FILES], left)):
                     return True, failed
-        if (scenes := watchers.scenes(sown.module)[:MOST_SCENES]) and (failed := run_digests(copy, scenes)):
+        scenes = watchers.scenes(sown.module)[:MOST_SCENES]
+        if scenes and (failed := run_digests(copy, scenes)):
             return True, failed
     finally:
         path.write_text(kept)
@@ -57,18 +61,28 @@ def run_tests(copy: Path, files: list[str], limit_s: float, jit: bool = True) ->
 
 def run_digests(copy: Path, scenes: list[str]) -> str | None:
     """What selftest says if the recorded digests of some scenes hold no longer."""
-    names = [name for folder in scenes for name in _names_of(copy, folder)]
-    command = [sys.executable, "-m", "game", "selftest", *names, "--golden", "tests/golden/scenes.json"]
+    command = [
+        sys.executable,
+        "-m",
+        "game",
+        "selftest",
+        *names_of(copy, scenes),
+        "--golden",
+        "tests/golden/scenes.json",
+    ]
     status, told = _run(command, copy, dict(os.environ), DIGESTS_S)
     return None if status in (None, 0) else told[-200:]
 
 
-def _names_of(copy: Path, folder: str) -> list[str]:
-    """Names of the scenes that a folder holds, as its catalogue entries state them."""
-    program = (
-        f"import game.scenes.{folder} as f; print(*[entry.names.name for entry in getattr(f, 'ENTRIES', ())])"
-    )
-    return _run([sys.executable, "-c", program], copy, dict(os.environ), DIGESTS_S)[1].split()
+def names_of(copy: Path, folders: list[str]) -> list[str]:
+    """Names of the scenes that some folders hold, as their catalogue entries state them."""
+    modules = [f"game.scenes.{folder}" for folder in folders]
+    listing = "print(*[e.name for m in sys.argv[1:] for e in getattr(import_module(m), 'ENTRIES', ())])"
+    program = f"import sys; from importlib import import_module; {listing}"
+    status, told = _run([sys.executable, "-c", program, *modules], copy, dict(os.environ), DIGESTS_S)
+    if status != 0:  # else what it says of the trouble would be taken for names, and those for noticed
+        raise RuntimeError(f"{modules}: {told}")
+    return told.split()
 
 
 def _run(

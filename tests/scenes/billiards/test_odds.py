@@ -128,6 +128,19 @@ def test_a_picture_waits_for_a_slice_of_time_alone_and_what_is_known_is_kept():
     assert other.margin is None and other.chance is None
 
 
+def test_other_places_of_the_balls_are_measured_anew():
+    """The ball to be potted lies elsewhere in the second frame: by the first one's odds it would go down."""
+    stroke = Stroke(1.5, AT_THE_CORNER)
+    moved = (
+        'game = "practice"\nballs = [{ number = 0, position = [0.5, 0.5] },'
+        " { number = 3, position = [0.3, 1.8] }, { number = 5, position = [0.9, 2.2] }]"
+    )
+    meter = OddsMeter(lambda: 0.0)  # no time passes, so that a picture waits for all
+    assert meter.of(straight_pot().scene.model.frame, stroke, 3).chance == 1.0
+    odds = meter.of(level_of(moved).scene.model.frame, stroke, 3)
+    assert odds.missed and odds.chance == 0.0
+
+
 def test_the_figures_beside_the_aim():
     assert odds_numbers(None) == ()
     margin, pot = odds_numbers(Odds(10, margin=(math.radians(0.312), math.radians(0.309)), chance=0.84))
