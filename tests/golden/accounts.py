@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 from unittest import mock
 
 import msgspec
+import pygame
 
 from game.app.stagehand.opening import read_level
 from game.app.stagehand.script import Script, demo_of
@@ -81,7 +82,7 @@ LIVELY = {  # the level, and the action that sets it going, where parameters sho
 
 
 def account_of(name: str) -> Account:
-    """All accounts of one scene: ``declared``, ``levels``, ``hand``, ``parameters``."""
+    """All accounts of one scene: ``declared``, ``levels``, ``hand``, ``parameters``; and ``with`` what."""
     CATALOGUE[name].load()  # so that its modules are there, which look at the clock
     with nothing_by_chance():
         return _account_of(name)
@@ -108,11 +109,18 @@ def nothing_by_chance() -> Iterator[None]:
 
 def _account_of(name: str) -> Account:
     return {
+        "with": written_with(),
         "declared": declared(name),
         "levels": {file.stem: level_account(name, file) for file in levels_of(name)},
         "hand": hand_account(name),
         "parameters": parameter_account(name),
     }
+
+
+def written_with() -> str:
+    """By what words are measured, and so where they are put: with another one they may lie elsewhere."""
+    ttf = ".".join(map(str, pygame.font.get_sdl_ttf_version()))
+    return f"pygame-ce {pygame.version.ver}, SDL_ttf {ttf}"
 
 
 def declared(name: str) -> Account:
