@@ -93,7 +93,7 @@ def contacts_of(capacity: int) -> Contacts:
 def rows_of(capacity: int) -> Rows:
     """Room for so many rows, none there."""
     return Rows(
-        np.zeros(1, dtype=np.int64),
+        np.zeros(2, dtype=np.int64),
         np.zeros((capacity, 4), dtype=_INT),
         np.zeros((capacity, ROW_WIDTH)),
         np.zeros((capacity, RARE_WIDTH)),

@@ -125,9 +125,9 @@ ROW_WIDTH = 29
 RESTITUTION, APPROACH_0, APPROACH_1, IMPACT, MOST_0, MOST_1 = range(6)
 RARE_WIDTH = 6
 # columns of Batches.values behind those of Rows.rows: gaps of both points now, their largest impulses, how
-# many points there are, restitution, and IMPACT
-BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_BOUNCE, BATCH_IMPACT = (ROW_WIDTH + k for k in (0, 2, 4, 5, 6))
-BATCH_WIDTH = ROW_WIDTH + 7
+# many points there are, and RESTITUTION, APPROACH_0/1, IMPACT
+BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_RARE = (ROW_WIDTH + k for k in (0, 2, 4, 5))
+BATCH_WIDTH = ROW_WIDTH + 9
 POINTS_WIDTH = 8
 WORKS_WIDTH, DRIFTS_WIDTH = 7, 8
 # columns of Rows.ends
@@ -139,9 +139,12 @@ MOTION_WIDTH = 8
 
 
 class Rows(NamedTuple):
-    """Contacts that touch, made ready for a solver; one contiguous row each. ``count[0]`` are in use."""
+    """Contacts that touch, made ready for a solver; one contiguous row each. ``count[0]`` are in use.
 
-    count: Longs  # type: ignore[assignment]  # (1,)
+    Where ``count[1]`` is 0, only ends are there; the rest is in batches, until `rows.ensure_rows` is called.
+    """
+
+    count: Longs  # type: ignore[assignment]  # (2,)
     ends: Ints  # (p, 4) body a, body b, points, pair
     rows: Floats  # (p, ROW_WIDTH)
     rare: Floats  # (p, RARE_WIDTH)

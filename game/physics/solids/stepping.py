@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.boxes import has_outgrown, make_boxes, make_room
@@ -25,13 +27,14 @@ from game.physics.solids.joints.layout import (
 )
 from game.physics.solids.joints.lines import joint_load
 from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
-from game.physics.solids.rows import copy_rows
+from game.physics.solids.rows import FIRST, SECOND, copy_rows, ensure_rows
 from game.physics.solids.solvers.governor import hold_step
 from game.physics.solids.solvers.motion import start_motion
 from game.physics.solids.state import (
     APPROACH_0,
     APPROACH_1,
     ASLEEP,
+    BATCH_MOST,
     CROSS_A,
     DA,
     DOT_A,
@@ -50,6 +53,7 @@ from game.physics.solids.state import (
     MOST_1,
     NORMAL_IMPULSE,
     POINT_WIDTH,
+    POINTS,
     ROW_NX,
     ROW_NY,
     ROW_POINT,
@@ -155,18 +159,38 @@ def note_beginning(bodies, contacts, rows, scratch, c, impulse, latest):
 
 
 @inner_kernel
+def impulses_of(rows, batches, c, k, lane):
+    """Of row c, which is this lane of batch k: JN and JT of both points, MOST_0, MOST_1."""
+    row, rare, values = rows.rows, rows.rare, batches.values
+    if rows.count[1]:
+        return (
+            row[c, FIRST + JN], row[c, FIRST + JT], row[c, SECOND + JN], row[c, SECOND + JT],
+            rare[c, MOST_0], rare[c, MOST_1],
+        )  # fmt: skip
+    return (
+        values[k, FIRST + JN, lane], values[k, FIRST + JT, lane], values[k, SECOND + JN, lane],
+        values[k, SECOND + JT, lane], values[k, BATCH_MOST, lane], values[k, BATCH_MOST + 1, lane],
+    )  # fmt: skip
+
+
+@inner_kernel
 def keep_impulses(bodies, contacts, rows, scratch, numbers):
     """Impulses back to the manifolds; which contacts began. Called while bodies are where the step began."""
-    for c in range(rows.count[0]):
-        pair, most = rows.ends[c, END_PAIR], 0.0
-        for k in range(rows.ends[c, END_POINTS]):
-            at, to = ROW_POINT + k * ROW_POINT_WIDTH, FIRST_POINT + k * POINT_WIDTH
-            contacts.manifolds[pair, to + NORMAL_IMPULSE] = rows.rows[c, at + JN]
-            contacts.manifolds[pair, to + TANGENT_IMPULSE] = rows.rows[c, at + JT]
-            most += rows.rare[c, MOST_0 + k]
-        if most > 0.0 and contacts.marks[pair, TOUCHING] == 0:
-            note_beginning(bodies, contacts, rows, scratch, c, most, numbers.dt + numbers.h)
-        contacts.marks[pair, TOUCHING] = 1 if most > 0.0 else 0
+    batches, kept, marks = scratch.batches, contacts.manifolds, contacts.marks
+    for k in range(batches.count[0]):
+        for lane in range(batches.filled[k]):
+            c, pair = batches.rows[k, lane], np.uint64(batches.pairs[k, lane])
+            n1, t1, n2, t2, most1, most2 = impulses_of(rows, batches, np.uint64(c), k, lane)
+            kept[pair, FIRST_POINT + NORMAL_IMPULSE] = n1
+            kept[pair, FIRST_POINT + TANGENT_IMPULSE] = t1
+            if marks[pair, POINTS] == 2:
+                kept[pair, FIRST_POINT + POINT_WIDTH + NORMAL_IMPULSE] = n2
+                kept[pair, FIRST_POINT + POINT_WIDTH + TANGENT_IMPULSE] = t2
+                most1 += most2
+            if most1 > 0.0 and marks[pair, TOUCHING] == 0:
+                ensure_rows(rows, batches)
+                note_beginning(bodies, contacts, rows, scratch, c, most1, numbers.dt + numbers.h)
+            marks[pair, TOUCHING] = 1 if most1 > 0.0 else 0
 
 
 @inner_kernel
@@ -189,12 +213,12 @@ def finish_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
     scratch.events[BEGUN], scratch.events[SNAPPED], scratch.events[STOPPED] = 0, 0, 0
     keep_impulses(bodies, contacts, rows, scratch, numbers)
     break_joints(joints, scratch, numbers)
-    if mark_touched(bodies, rows):
+    if mark_touched(bodies, contacts, rows):
         wake_islands(bodies, contacts, joints, scratch)
     if numbers.mask & CONTINUOUS_BIT and numbers.mask & CONTACTS_BIT:
         scratch.events[STOPPED] = stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers)
     if numbers.passive:
-        hold_step(bodies, contacts, rows, scratch, numbers)
+        hold_step(bodies, contacts, scratch, numbers)
     scratch.events[WRONG] = place_bodies(bodies, scratch)
     if numbers.mask & SLEEP_BIT:
         send_to_sleep(bodies, rows, contacts, joints, scratch, numbers)

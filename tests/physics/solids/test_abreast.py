@@ -111,7 +111,7 @@ def test_sweeps_over_batches_give_the_bits_of_sweeps_over_rows(anew):
             np.testing.assert_array_equal(rows.rows[:count, :SECOND], expected[1][:, :SECOND])
             np.testing.assert_array_equal(rows.rare[:count], expected[2])
             assert not np.array_equal(scratch.motion, motion)
-            kinds |= set(scratch.batches.kinds[: scratch.batches.count[0]].tolist())
+            kinds |= set((scratch.batches.kinds[: scratch.batches.count[0]] & (SINGLE | CHILLED)).tolist())
             singles, hits = singles + int((~two).sum()), hits + int(rows.rare[:count, IMPACT].sum())
     assert singles > 0 and hits > 0 and {0, SINGLE, SINGLE | CHILLED} <= kinds
 

@@ -17,13 +17,19 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
+from game.physics.kernels.lanes import LANES, choose, load_quads, store
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.islands import root_of, unite
-from game.physics.solids.solvers.impulses import gap_now
+from game.physics.solids.rows import FIRST, SECOND, SINGLE, SIZE
+from game.physics.solids.solvers.abreast import column, levers
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.solvers.passive import EXCUSED
 from game.physics.solids.state import (
     ASLEEP,
+    BATCH_GAP,
+    BATCH_POINTS,
     DA,
     DC,
     DS,
@@ -32,16 +38,18 @@ from game.physics.solids.state import (
     DYNAMIC,
     END_A,
     END_B,
-    END_PAIR,
-    END_POINTS,
     GIVEN,
-    MOST_0,
-    MOST_1,
+    MOTION_WIDTH,
+    ROUND_A,
+    ROUND_B,
     ROW_HARD,
-    ROW_POINT,
-    ROW_POINT_WIDTH,
+    ROW_IMA,
+    ROW_IMB,
+    ROW_NX,
+    ROW_NY,
     SEP,
     STIFF_N,
+    TOUCHING,
     VX,
     VY,
     W,
@@ -127,29 +135,29 @@ def rise(bodies, scratch, h):
 
 
 @inner_kernel
-def group_by_contact(bodies, contacts, rows, scratch):
+def group_by_contact(bodies, contacts, scratch):
     """Representatives of bodies that touched in this step; drifts tell which touch what is fixed.
 
     Groups with a source are marked as excused.
     """
-    parents, drifts, excused = scratch.parents, scratch.drifts, scratch.excused
+    parents, drifts, excused, batches = scratch.parents, scratch.drifts, scratch.excused, scratch.batches
     drifts[:] = 0.0
     for i in range(parents.shape[0]):
         parents[i] = i
-    for c in range(rows.count[0]):
-        a, b, pair = rows.ends[c, END_A], rows.ends[c, END_B], rows.ends[c, END_PAIR]
-        deepest = rows.rows[c, ROW_POINT + SEP]
-        if rows.ends[c, END_POINTS] == 2:
-            deepest = min(deepest, rows.rows[c, ROW_POINT + ROW_POINT_WIDTH + SEP])
-        if not (rows.rare[c, MOST_0] > 0.0 or rows.rare[c, MOST_1] > 0.0 or deepest < 0.0):
-            continue
-        moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
-        if moves_a and moves_b:
-            unite(parents, a, b)
-        else:
-            drifts[a if moves_a else b, HELD] = 1.0
-        if contacts.marks[pair, GIVEN]:
-            excused[a], excused[b] = EXCUSED, EXCUSED
+    for k in range(batches.count[0]):
+        for lane in range(batches.filled[k]):
+            a, b, pair = batches.ends[k, END_A, lane], batches.ends[k, END_B, lane], batches.pairs[k, lane]
+            # of a second point that there is not, the gap is 0
+            deepest = min(batches.values[k, FIRST + SEP, lane], batches.values[k, SECOND + SEP, lane])
+            if not (contacts.marks[pair, TOUCHING] or deepest < 0.0):
+                continue
+            moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
+            if moves_a and moves_b:
+                unite(parents, a, b)
+            else:
+                drifts[a if moves_a else b, HELD] = 1.0
+            if contacts.marks[pair, GIVEN]:
+                excused[a], excused[b] = EXCUSED, EXCUSED
     for i in range(parents.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
             r = root_of(parents, i)
@@ -233,32 +241,49 @@ def what_to_take_back(works, r, most):
 
 
 @inner_kernel
-def spring_energy(rows, motion, c, pull):
-    """J in the spring of contact c, where it is now. pull: its frequency's square, 1/s²."""
-    row, a, b = rows.rows, rows.ends[c, END_A], rows.ends[c, END_B]
-    gap, under = gap_now(row, c, ROW_POINT, motion, a, b), row[c, ROW_POINT + STIFF_N]
-    if rows.ends[c, END_POINTS] == 2:
-        second = ROW_POINT + ROW_POINT_WIDTH
-        gap = 0.5 * (gap + gap_now(row, c, second, motion, a, b))
-        under = 0.25 * (under + row[c, second + STIFF_N])
-    if row[c, ROW_HARD] > 0.0:
-        pull *= 4.0
-    return 0.5 * pull * gap * gap / under if gap < 0.0 else 0.0
+def gaps_now(values, at, point, places_a, places_b):
+    """`impulses.gap_now` of eight rows. point: its first column; places: DX, DY, DC, DS of a and b."""
+    (ax, ay, ca, sa), (bx, by, cb, sb) = places_a, places_b
+    cross_a, cross_b, dot_a, dot_b = levers(values, at, point)
+    nx, ny = column(values, at, ROW_NX), column(values, at, ROW_NY)
+    gap = column(values, at, point + SEP) + (bx - ax) * nx + (by - ay) * ny
+    gap = gap + ((cb - 1.0) * (dot_b + column(values, at, ROUND_B)) + sb * cross_b)
+    return gap - ((ca - 1.0) * (dot_a + column(values, at, ROUND_A)) + sa * cross_a)
 
 
 @inner_kernel
-def measure_springs(bodies, rows, scratch, numbers):
+def spring_energies(batches, motion, k, pull):
+    """J in the springs of batch k, where they are now, to its gaps. pull: their frequency's square, 1/s²."""
+    values, at = batches.values, k * SIZE
+    a = load_quads(motion, MOTION_WIDTH, batches.ends, 2 * k * LANES, DX)
+    b = load_quads(motion, MOTION_WIDTH, batches.ends, (2 * k + 1) * LANES, DX)
+    gap1, under1 = gaps_now(values, at, FIRST, a, b), column(values, at, FIRST + STIFF_N)
+    gap = 0.5 * (gap1 + gaps_now(values, at, SECOND, a, b))
+    under = 0.25 * (under1 + column(values, at, SECOND + STIFF_N))
+    if batches.kinds[k] & SINGLE:
+        single = column(values, at, BATCH_POINTS) < 2.0
+        gap, under = choose(single, gap1, gap), choose(single, under1, under)
+    stiff = 0.5 * choose(column(values, at, ROW_HARD) > 0.0, 4.0 * pull, pull)
+    store(values, at + BATCH_GAP * LANES, choose(gap < 0.0, stiff * gap * gap / under, 0.0))
+
+
+@inner_kernel
+def measure_springs(bodies, scratch, numbers):
     """Room (J) in the springs at each body, to works, and in all; what they hold beyond it is lost."""
-    works, stored, total = scratch.works, bodies.stored, 0.0
-    works[:] = 0.0
-    for c in range(rows.count[0]):
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
-        held = spring_energy(rows, scratch.motion, c, numbers.contact_pull)
-        moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
-        if moves_a:
-            works[a, STORED] += 0.5 * held if moves_b else held
-        if moves_b:
-            works[b, STORED] += 0.5 * held if moves_a else held
+    works, stored, batches, total = scratch.works, bodies.stored, scratch.batches, 0.0
+    for i in range(stored.shape[0]):
+        works[i, STORED] = 0.0
+    for k in range(batches.count[0]):
+        spring_energies(batches, scratch.motion, k, numbers.contact_pull)
+        for lane in range(batches.filled[k]):
+            a, b = np.uint64(batches.ends[k, END_A, lane]), np.uint64(batches.ends[k, END_B, lane])
+            held = batches.values[k, BATCH_GAP, lane]
+            moves_a = batches.values[k, ROW_IMA, lane] > 0.0
+            moves_b = batches.values[k, ROW_IMB, lane] > 0.0
+            if moves_a:
+                works[a, STORED] += 0.5 * held if moves_b else held
+            if moves_b:
+                works[b, STORED] += 0.5 * held if moves_a else held
     for i in range(stored.shape[0]):
         if bodies.flags[i] & ASLEEP:  # its contacts are not looked at
             works[i, STORED] = 0.0
@@ -296,20 +321,23 @@ def weigh_sleepers(bodies, scratch, numbers):
 
 
 @inner_kernel
-def hold_step(bodies, contacts, rows, scratch, numbers):
-    """Take back what the energy of groups that have no source has risen in this step."""
+def hold_step(bodies, contacts, scratch, numbers):
+    """Take back what the energy of groups that have no source has risen in this step.
+
+    Contacts are read in their batches.
+    """
     weigh_sleepers(bodies, scratch, numbers)
     risen, noise = rise(bodies, scratch, numbers.h)
     if abs(risen) <= noise:
         return
-    room = measure_springs(bodies, rows, scratch, numbers)
+    room = measure_springs(bodies, scratch, numbers)
     if risen < 0.0:
         part = min(1.0, -risen / room) if room > 0.0 else 0.0
         for i in range(bodies.stored.shape[0]):
             bodies.stored[i] += part * scratch.works[i, STORED]
         return
     motion, works, parents = scratch.motion, scratch.works, scratch.parents
-    group_by_contact(bodies, contacts, rows, scratch)
+    group_by_contact(bodies, contacts, scratch)
     sum_groups(bodies, scratch, numbers.h)
     give_back(bodies, scratch)
     for i in range(motion.shape[0]):
