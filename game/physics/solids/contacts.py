@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from game.physics.kernels.lanes import fetch
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import collide_polygon_disc, touch_points
 from game.physics.solids.collide.hull import Hull
@@ -37,6 +38,8 @@ from game.physics.solids.state import (
     IN_A_Y,
     IN_B_X,
     IN_B_Y,
+    LINE,
+    MANIFOLD_WIDTH,
     NORMAL_IMPULSE,
     NORMAL_X,
     NORMAL_Y,
@@ -51,6 +54,8 @@ from game.physics.solids.state import (
     VY,
     W,
 )
+
+FETCHED = 8  # pairs ahead, of which the memory is asked for
 
 
 @inner_kernel
@@ -174,13 +179,22 @@ def is_computed(bodies, i, j):
 
 
 @inner_kernel
+def fetch_manifold(kept, p, lines):
+    """Let the first lines of memory of a manifold come, that will be asked for before long."""
+    for line in range(lines):
+        fetch(kept, p * MANIFOLD_WIDTH + line * LINE)
+
+
+@inner_kernel
 def update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers):
     """Manifolds of all pairs, and rows of those that have points."""
     batches, motion = scratch.batches, scratch.motion
     note_places(bodies, motion)
     rows.count[:] = 0
     start_batches(batches)
-    for place in range(contacts.count[0]):
+    count = contacts.count[0]
+    for place in range(count):
+        fetch_manifold(contacts.manifolds, contacts.order[min(place + FETCHED, count - 1)], 3)
         p = np.uint64(contacts.order[place])
         if not is_computed(bodies, np.uint64(contacts.bodies[p, 0]), np.uint64(contacts.bodies[p, 1])):
             continue

@@ -37,7 +37,9 @@ POINT_WIDTH = 7
 PLACE_X, PLACE_Y, PLACE_ANGLE = 16, 17, 18
 # stiffness N/m of both points along normal and tangent, that solvers by penalty have come to
 STIFF = 19
-MANIFOLD_WIDTH = 23
+MANIFOLD_NUMBERS = 23
+LINE = 8  # numbers of a line of the processor's memory
+MANIFOLD_WIDTH = 3 * LINE  # one of them free, so that a manifold lies in three lines and not in four
 # columns of Contacts.marks; GIVEN: they overlap by no motion of their own (born so, or put so)
 POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND, GIVEN = range(6)
 MARKS_WIDTH = 6

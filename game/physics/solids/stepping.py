@@ -14,7 +14,7 @@ import numpy as np
 from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.boxes import has_outgrown, make_boxes, make_room
-from game.physics.solids.contacts import update_contacts
+from game.physics.solids.contacts import fetch_manifold, update_contacts
 from game.physics.solids.effects import CONTACTS_BIT, CONTINUOUS_BIT, SLEEP_BIT
 from game.physics.solids.islands import mark_touched, send_to_sleep, wake_islands
 from game.physics.solids.joints.layout import (
@@ -35,6 +35,7 @@ from game.physics.solids.state import (
     APPROACH_1,
     ASLEEP,
     BATCH_MOST,
+    BATCH_POINTS,
     CROSS_A,
     DA,
     DOT_A,
@@ -53,7 +54,6 @@ from game.physics.solids.state import (
     MOST_1,
     NORMAL_IMPULSE,
     POINT_WIDTH,
-    POINTS,
     ROW_NX,
     ROW_NY,
     ROW_POINT,
@@ -177,20 +177,25 @@ def impulses_of(rows, batches, c, k, lane):
 def keep_impulses(bodies, contacts, rows, scratch, numbers):
     """Impulses back to the manifolds; which contacts began. Called while bodies are where the step began."""
     batches, kept, marks = scratch.batches, contacts.manifolds, contacts.marks
-    for k in range(batches.count[0]):
+    last = batches.count[0] - 1
+    for k in range(last + 1):
         for lane in range(batches.filled[k]):
+            fetch_manifold(kept, batches.pairs[min(k + 1, last), lane], 2)
             c, pair = batches.rows[k, lane], np.uint64(batches.pairs[k, lane])
             n1, t1, n2, t2, most1, most2 = impulses_of(rows, batches, np.uint64(c), k, lane)
             kept[pair, FIRST_POINT + NORMAL_IMPULSE] = n1
             kept[pair, FIRST_POINT + TANGENT_IMPULSE] = t1
-            if marks[pair, POINTS] == 2:
+            if batches.values[k, BATCH_POINTS, lane] == 2.0:
                 kept[pair, FIRST_POINT + POINT_WIDTH + NORMAL_IMPULSE] = n2
                 kept[pair, FIRST_POINT + POINT_WIDTH + TANGENT_IMPULSE] = t2
                 most1 += most2
-            if most1 > 0.0 and marks[pair, TOUCHING] == 0:
+            touching = 1 if most1 > 0.0 else 0
+            if marks[pair, TOUCHING] == touching:
+                continue
+            marks[pair, TOUCHING] = touching
+            if touching:
                 ensure_rows(rows, batches)
                 note_beginning(bodies, contacts, rows, scratch, c, most1, numbers.dt + numbers.h)
-            marks[pair, TOUCHING] = 1 if most1 > 0.0 else 0
 
 
 @inner_kernel

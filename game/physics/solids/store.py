@@ -10,7 +10,17 @@ from numpy.typing import NDArray
 from game.physics.kernels import elementwise, linear
 from game.physics.solids import memory
 from game.physics.solids.joints.layout import NO_JOINT, Joints
-from game.physics.solids.state import DYNAMIC, NONE, SEGMENT, USED, Bodies, Contacts, Pool, Shapes
+from game.physics.solids.state import (
+    DYNAMIC,
+    MANIFOLD_NUMBERS,
+    NONE,
+    SEGMENT,
+    USED,
+    Bodies,
+    Contacts,
+    Pool,
+    Shapes,
+)
 
 Floats = NDArray[np.float64]
 
@@ -81,7 +91,8 @@ class SolidStore:
     def contacts(self) -> Contacts:
         """Pairs and manifolds in use: views."""
         count = int(self._contacts.count[0])
-        return Contacts(self._contacts.count, *(array[:count] for array in arrays_of(self._contacts)[1:]))
+        rows = Contacts(self._contacts.count, *(array[:count] for array in arrays_of(self._contacts)[1:]))
+        return rows._replace(manifolds=rows.manifolds[:, :MANIFOLD_NUMBERS])
 
     def ids(self) -> NDArray[np.int64]:
         """Of all bodies, ascending."""
@@ -145,8 +156,8 @@ class SolidStore:
             self._contacts, self._spare = memory.contacts_of(count), memory.contacts_of(count)
             self._rows = memory.rows_of(count)
         np.copyto(self._contacts.count, state.contacts.count)
-        for own, kept in zip(arrays_of(self._contacts)[1:], arrays_of(state.contacts)[1:], strict=True):
-            own[:count] = kept
+        for own, kept in zip(arrays_of(self.contacts)[1:], arrays_of(state.contacts)[1:], strict=True):
+            own[:] = kept
         if len(self._origins) < len(state.origins):
             self._origins, self._masses = np.zeros((2, 2 * len(state.origins), 2))
         self._origins[: len(state.origins)] = state.origins

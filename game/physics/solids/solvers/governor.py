@@ -17,19 +17,13 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from game.physics.kernels.lanes import LANES, choose, load_quads, store
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.islands import root_of, unite
-from game.physics.solids.rows import FIRST, SECOND, SINGLE, SIZE
-from game.physics.solids.solvers.abreast import column, levers
+from game.physics.solids.rows import FIRST, SECOND
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.solvers.passive import EXCUSED
+from game.physics.solids.solvers.springs import STORED, measure_springs
 from game.physics.solids.state import (
-    ASLEEP,
-    BATCH_GAP,
-    BATCH_POINTS,
     DA,
     DC,
     DS,
@@ -39,16 +33,7 @@ from game.physics.solids.state import (
     END_A,
     END_B,
     GIVEN,
-    MOTION_WIDTH,
-    ROUND_A,
-    ROUND_B,
-    ROW_HARD,
-    ROW_IMA,
-    ROW_IMB,
-    ROW_NX,
-    ROW_NY,
     SEP,
-    STIFF_N,
     TOUCHING,
     VX,
     VY,
@@ -57,7 +42,7 @@ from game.physics.solids.state import (
 
 NEXT_TO_NOTHING = 1e-6  # of the energy m (h g)²/2 that gravity gives in a substep: below that it is rounding
 LOWERED = 0.02  # of the slop: how far a group is lowered at most, before it is slowed down
-GAIN, LIFT, HEIGHT, FORCE, NOISE, MOTION, STORED = range(7)  # columns of Scratch.works, J; N
+GAIN, LIFT, HEIGHT, FORCE, NOISE, MOTION = range(6)  # columns of Scratch.works, J; N; then STORED
 # columns of Scratch.drifts: kg, kg m, kg m, N s, N s, N m s, kg m², and whether it touches what is fixed
 MASS, CENTRE_X, CENTRE_Y, PUSH_X, PUSH_Y, TURN, INERTIA, HELD = range(8)
 
@@ -238,60 +223,6 @@ def what_to_take_back(works, r, most):
     gain -= motion
     stay = max(0.0, 1.0 - gain / height) if gain > 0.0 and height > 0.0 else 1.0
     return back, down, keep, stay
-
-
-@inner_kernel
-def gaps_now(values, at, point, places_a, places_b):
-    """`impulses.gap_now` of eight rows. point: its first column; places: DX, DY, DC, DS of a and b."""
-    (ax, ay, ca, sa), (bx, by, cb, sb) = places_a, places_b
-    cross_a, cross_b, dot_a, dot_b = levers(values, at, point)
-    nx, ny = column(values, at, ROW_NX), column(values, at, ROW_NY)
-    gap = column(values, at, point + SEP) + (bx - ax) * nx + (by - ay) * ny
-    gap = gap + ((cb - 1.0) * (dot_b + column(values, at, ROUND_B)) + sb * cross_b)
-    return gap - ((ca - 1.0) * (dot_a + column(values, at, ROUND_A)) + sa * cross_a)
-
-
-@inner_kernel
-def spring_energies(batches, motion, k, pull):
-    """J in the springs of batch k, where they are now, to its gaps. pull: their frequency's square, 1/s²."""
-    values, at = batches.values, k * SIZE
-    a = load_quads(motion, MOTION_WIDTH, batches.ends, 2 * k * LANES, DX)
-    b = load_quads(motion, MOTION_WIDTH, batches.ends, (2 * k + 1) * LANES, DX)
-    gap1, under1 = gaps_now(values, at, FIRST, a, b), column(values, at, FIRST + STIFF_N)
-    gap = 0.5 * (gap1 + gaps_now(values, at, SECOND, a, b))
-    under = 0.25 * (under1 + column(values, at, SECOND + STIFF_N))
-    if batches.kinds[k] & SINGLE:
-        single = column(values, at, BATCH_POINTS) < 2.0
-        gap, under = choose(single, gap1, gap), choose(single, under1, under)
-    stiff = 0.5 * choose(column(values, at, ROW_HARD) > 0.0, 4.0 * pull, pull)
-    store(values, at + BATCH_GAP * LANES, choose(gap < 0.0, stiff * gap * gap / under, 0.0))
-
-
-@inner_kernel
-def measure_springs(bodies, scratch, numbers):
-    """Room (J) in the springs at each body, to works, and in all; what they hold beyond it is lost."""
-    works, stored, batches, total = scratch.works, bodies.stored, scratch.batches, 0.0
-    for i in range(stored.shape[0]):
-        works[i, STORED] = 0.0
-    for k in range(batches.count[0]):
-        spring_energies(batches, scratch.motion, k, numbers.contact_pull)
-        for lane in range(batches.filled[k]):
-            a, b = np.uint64(batches.ends[k, END_A, lane]), np.uint64(batches.ends[k, END_B, lane])
-            held = batches.values[k, BATCH_GAP, lane]
-            moves_a = batches.values[k, ROW_IMA, lane] > 0.0
-            moves_b = batches.values[k, ROW_IMB, lane] > 0.0
-            if moves_a:
-                works[a, STORED] += 0.5 * held if moves_b else held
-            if moves_b:
-                works[b, STORED] += 0.5 * held if moves_a else held
-    for i in range(stored.shape[0]):
-        if bodies.flags[i] & ASLEEP:  # its contacts are not looked at
-            works[i, STORED] = 0.0
-            continue
-        stored[i] = min(stored[i], works[i, STORED])
-        works[i, STORED] -= stored[i]
-        total += works[i, STORED]
-    return total
 
 
 @inner_kernel
