@@ -91,8 +91,7 @@ class SolidStore:
     def contacts(self) -> Contacts:
         """Pairs and manifolds in use: views."""
         count = int(self._contacts.count[0])
-        rows = Contacts(self._contacts.count, *(array[:count] for array in arrays_of(self._contacts)[1:]))
-        return rows._replace(manifolds=rows.manifolds[:, :MANIFOLD_NUMBERS])
+        return Contacts(self._contacts.count, *(array[:count] for array in arrays_of(self._contacts)[1:]))
 
     def ids(self) -> NDArray[np.int64]:
         """Of all bodies, ascending."""
@@ -136,7 +135,9 @@ class SolidStore:
     def state(self) -> SolidState:
         """Copies of all that later steps depend on."""
         tables: list[Any] = [table.copy() for table in self._tables()]
-        contacts = Contacts(*(array.copy() for array in arrays_of(self.contacts)))
+        contacts = self.contacts
+        contacts = contacts._replace(manifolds=contacts.manifolds[:, :MANIFOLD_NUMBERS])
+        contacts = Contacts(*(array.copy() for array in arrays_of(contacts)))
         runs = tuple((start, count) for count, starts in self._runs.items() for start in starts)
         return SolidState(
             tables[0][0], tables[1][0], tables[2][0], tables[3][0], contacts,
@@ -156,8 +157,8 @@ class SolidStore:
             self._contacts, self._spare = memory.contacts_of(count), memory.contacts_of(count)
             self._rows = memory.rows_of(count)
         np.copyto(self._contacts.count, state.contacts.count)
-        for own, kept in zip(arrays_of(self.contacts)[1:], arrays_of(state.contacts)[1:], strict=True):
-            own[:] = kept
+        for own, kept in zip(arrays_of(self._contacts)[1:], arrays_of(state.contacts)[1:], strict=True):
+            own[tuple(slice(size) for size in kept.shape)] = kept
         if len(self._origins) < len(state.origins):
             self._origins, self._masses = np.zeros((2, 2 * len(state.origins), 2))
         self._origins[: len(state.origins)] = state.origins
