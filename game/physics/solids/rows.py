@@ -194,20 +194,20 @@ def copy_rows(rows, batches):
                 load(values, at + 3 * LANES),
             )  # fmt: skip
             store_quads(rows.rows, ROW_WIDTH, batches.rows, k * LANES, column, four)
-        for lane in range(batches.filled[k]):
-            c = batches.rows[k, lane]
-            for column in range(MOST_0):
-                rows.rare[c, column] = values[k, BATCH_RARE + column, lane]
-            rows.rare[c, MOST_0] = values[k, BATCH_MOST, lane]
-            rows.rare[c, MOST_1] = values[k, BATCH_MOST + 1, lane]
+    copy_rare(rows, batches)
     rows.count[1] = 1
 
 
 @inner_kernel
-def ensure_rows(rows, batches):
-    """`copy_rows`, where that has not been done yet: a pile at rest needs none."""
-    if rows.count[1] == 0:
-        copy_rows(rows, batches)
+def copy_rare(rows, batches):
+    """Of `copy_rows`, what is in Rows.rare."""
+    rare, values = rows.rare, batches.values
+    for k in range(batches.count[0]):
+        for lane in range(batches.filled[k]):
+            c = np.uint64(batches.rows[k, lane])
+            for column in range(MOST_0):
+                rare[c, column] = values[k, BATCH_RARE + column, lane]
+            rare[c, MOST_0], rare[c, MOST_1] = values[k, BATCH_MOST, lane], values[k, BATCH_MOST + 1, lane]
 
 
 @inner_kernel

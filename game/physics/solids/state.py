@@ -143,7 +143,7 @@ MOTION_WIDTH = 8
 class Rows(NamedTuple):
     """Contacts that touch, made ready for a solver; one contiguous row each. ``count[0]`` are in use.
 
-    Where ``count[1]`` is 0, only ends are there; the rest is in batches, until `rows.ensure_rows` is called.
+    Where ``count[1]`` is 0, only ends are there; the rest is in batches.
     """
 
     count: Longs  # type: ignore[assignment]  # (2,)

@@ -268,9 +268,11 @@ def test_rows_are_copied_where_something_asks_for_them_and_left_where_all_is_at_
     assert world._rows.count[1] == 0
     box_above = world.add_body(box(1.0, 1.0), (0.0, 3.5))
     world.step(FRAME)
-    shapes, _ = world.contacts_begun()
+    shapes, places = world.contacts_begun()
     assert shapes.max() == world.shapes_of(box_above)[0]
-    assert world._rows.count.tolist() == [4, 1]  # of a contact that begins it is told where
+    assert world._rows.count.tolist() == [4, 0]
+    assert np.abs(places[0, :2] - (0.0, 3.0)) == pytest.approx((0.5, 0.0), abs=0.01)  # one of its corners
+    assert places[0, 2] > 0.0
 
 
 def test_rows_of_one_point_have_a_second_one_that_does_nothing():

@@ -15,7 +15,7 @@ from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
-from game.physics.solids.rows import BOUNCING, VIOLENT, copy_rows, kinds_seen
+from game.physics.solids.rows import BOUNCING, VIOLENT, copy_rare, copy_rows, kinds_seen
 from game.physics.solids.solvers.abreast import (
     put_back,
     sweep_batches,
@@ -51,7 +51,7 @@ def _soft_step(joined: bool) -> Any:
         # in piles at rest there is nothing to watch, and what settles there by overlap alone is let be
         violent = seen & VIOLENT != 0
         if violent:
-            copy_rows(rows, batches)
+            copy_rare(rows, batches)
         for _ in range(numbers.substeps):
             accelerate(scratch, numbers)
             if violent:
