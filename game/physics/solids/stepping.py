@@ -127,23 +127,24 @@ def place_bodies(bodies, scratch):
 
 
 @inner_kernel
-def first_touch(values, k, lane, most, latest):
+def first_touch(rows, batches, k, lane, most, latest):
     """When (s, from the step's beginning) the first of the points that pressed closes its gap.
 
     That may be in the substep after the step: what would close there is slowed down already. most: largest
     impulses of both points.
     """
-    earliest = latest
+    earliest, values, c = latest, batches.values, np.uint64(batches.rows[k, lane])
     for n in range(2):
         speed = -values[k, BATCH_RARE + APPROACH_0 + n, lane]
-        gap = values[k, FIRST + n * ROW_POINT_WIDTH + SEP, lane]
+        at = FIRST + n * ROW_POINT_WIDTH + SEP
+        gap = rows.rows[c, at] if rows.count[1] else values[k, at, lane]  # a solver may leave some overlap
         if most[n] > 0.0:
             earliest = min(earliest, gap / speed if speed > 0.0 and gap > 0.0 else 0.0)
     return earliest
 
 
 @inner_kernel
-def note_beginning(bodies, contacts, scratch, k, lane, most, latest):
+def note_beginning(bodies, contacts, rows, scratch, k, lane, most, latest):
     """Write down a contact that began in this step, before latest (s): this lane of batch k.
 
     most: largest impulses of both points (0 of one that there is not).
@@ -164,7 +165,7 @@ def note_beginning(bodies, contacts, scratch, k, lane, most, latest):
     scratch.begun_places[number, 2] = most[0] + most[1]
     approach = APPROACH_1 if second else APPROACH_0
     scratch.begun_places[number, 3] = -values[k, BATCH_RARE + approach, lane]
-    first = first_touch(values, k, lane, most, latest)
+    first = first_touch(rows, batches, k, lane, most, latest)
     scratch.begun_places[number, 4] = first - max(bodies.late[a], bodies.late[b])
 
 
@@ -205,7 +206,9 @@ def keep_impulses(bodies, contacts, rows, scratch, numbers):
                 continue
             marks[pair, TOUCHING] = touching
             if touching:
-                note_beginning(bodies, contacts, scratch, k, lane, (most1, most2), numbers.dt + numbers.h)
+                note_beginning(
+                    bodies, contacts, rows, scratch, k, lane, (most1, most2), numbers.dt + numbers.h
+                )
 
 
 @inner_kernel
