@@ -222,6 +222,19 @@ def _store(typing_context: Any, array: Any, at: Any, value: Any) -> Any:
 
 
 @intrinsic
+def _fetch(typing_context: Any, array: Any, at: Any) -> Any:
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        place = builder.gep(_data(context, builder, signature.args[0], args[0]), [args[1]])
+        byte, flags = ir.IntType(8).as_pointer(), [ir.Constant(_INT, number) for number in (0, 3, 1)]
+        kind = ir.FunctionType(ir.VoidType(), [byte, _INT, _INT, _INT])
+        known = cgutils.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0i8")
+        builder.call(known, [builder.bitcast(place, byte), *flags])  # to read, often, data
+        return context.get_dummy_value()
+
+    return types.void(array, types.uint64), generate
+
+
+@intrinsic
 def _zeros(typing_context: Any) -> Any:
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         return ir.Constant(_VECTOR, [0.0] * LANES)
@@ -301,6 +314,10 @@ def _store_plainly(array: Any, at: Any, value: Any) -> None:
     array.reshape(-1)[int(at) : int(at) + LANES] = value
 
 
+def _fetch_plainly(array: Any, at: Any) -> None:
+    """Bring the line of memory that has the number at ``at`` of an array nearer, to be read before long."""
+
+
 def _gather_plainly(table: Any, width: Any, numbers: Any, at: Any, column: Any) -> Any:
     """A column of the rows numbers[at + lane] of a table of ``width`` columns."""
     rows = numbers.reshape(-1)[int(at) : int(at) + LANES]
@@ -332,9 +349,9 @@ if config.DISABLE_JIT:
     any_of: Any = np.any
     zeros: Any = lambda: np.zeros(LANES)  # noqa: E731
     all_of: Any = np.all
-    load, store = _load_plainly, _store_plainly
+    load, store, fetch = _load_plainly, _store_plainly, _fetch_plainly
     gather, load_quads, store_quads = _gather_plainly, _load_quads_plainly, _store_quads_plainly
 else:
     choose, larger, smaller = _choose, _extreme(">"), _extreme("<")
-    any_of, all_of, zeros, load, store = _any_of, _all_of, _zeros, _load, _store
+    any_of, all_of, zeros, load, store, fetch = _any_of, _all_of, _zeros, _load, _store, _fetch
     either, root, gather, load_quads, store_quads = _either, _root, _gather, _load_quads, _store_quads

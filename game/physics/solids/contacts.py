@@ -11,16 +11,22 @@ import math
 
 import numpy as np
 
+from game.physics.kernels.lanes import fetch
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import collide_polygon_disc, touch_points
 from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import collide_polygons
 from game.physics.solids.collide.segments import collide_segment_disc, collide_segment_polygon
 from game.physics.solids.islands import is_moving
-from game.physics.solids.rows import add_row, finish_batch, frames_of, limits_of, start_batches
+from game.physics.solids.rows import add_row, finish_batch, frames_of, limits_of, note_places, start_batches
 from game.physics.solids.state import (
     ASLEEP,
+    DA,
+    DC,
     DISC,
+    DS,
+    DX,
+    DY,
     DYNAMIC,
     FEATURE_0,
     FEATURE_1,
@@ -32,6 +38,8 @@ from game.physics.solids.state import (
     IN_A_Y,
     IN_B_X,
     IN_B_Y,
+    LINE,
+    MANIFOLD_WIDTH,
     NORMAL_IMPULSE,
     NORMAL_X,
     NORMAL_Y,
@@ -42,7 +50,12 @@ from game.physics.solids.state import (
     POINTS,
     SEGMENT,
     TANGENT_IMPULSE,
+    VX,
+    VY,
+    W,
 )
+
+FETCHED = 8  # pairs ahead, of which the memory is asked for
 
 
 @inner_kernel
@@ -126,18 +139,18 @@ def keep_manifold(contacts, p, points, place, angle, scratch, slop):
 def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
     """Bring the manifold of a pair up to date; its number of points."""
     # inline, and left at its end only: by calls with so many arrays a third of a step would go
-    a, b = contacts.shapes[p, 0], contacts.shapes[p, 1]
-    i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
-    dx, dy = bodies.positions[j, 0] - bodies.positions[i, 0], bodies.positions[j, 1] - bodies.positions[i, 1]
-    ca, sa = bodies.rotations[i, 0], bodies.rotations[i, 1]
+    a, b = np.uint64(contacts.shapes[p, 0]), np.uint64(contacts.shapes[p, 1])
+    i, j = np.uint64(contacts.bodies[p, 0]), np.uint64(contacts.bodies[p, 1])
+    motion = scratch.motion
+    dx, dy = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    ca, sa = motion[i, DC], motion[i, DS]
     x, y = ca * dx + sa * dy, ca * dy - sa * dx
-    angle = bodies.angles[j] - bodies.angles[i]
+    angle = motion[j, DA] - motion[i, DA]
     size = min(shapes.sizes[a], shapes.sizes[b])
     near = min(numbers.near, 0.25 * size)
-    vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
-    vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
-    speed = math.sqrt(vx * vx + vy * vy) + abs(bodies.spins[i]) * bodies.reaches[i]
-    speed += abs(bodies.spins[j]) * bodies.reaches[j]
+    vx, vy = motion[j, VX] - motion[i, VX], motion[j, VY] - motion[i, VY]
+    speed = math.sqrt(vx * vx + vy * vy) + abs(motion[i, W]) * bodies.reaches[i]
+    speed += abs(motion[j, W]) * bodies.reaches[j]
     reach = near + min(1.5 * numbers.dt * speed, 0.5 * size)
     kept, points = contacts.manifolds, contacts.marks[p, POINTS]
     moved = abs(x - kept[p, PLACE_X]) + abs(y - kept[p, PLACE_Y])
@@ -149,7 +162,7 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
         keep = keep and shapes.kinds[b] != DISC and moved <= numbers.recycle * near
         keep = keep and speed * numbers.dt < near
     if not keep:
-        cb, sb = bodies.rotations[j, 0], bodies.rotations[j, 1]
+        cb, sb = motion[j, DC], motion[j, DS]
         place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
         points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
         keep_manifold(contacts, p, points, place, angle, scratch, numbers.slop)
@@ -166,15 +179,25 @@ def is_computed(bodies, i, j):
 
 
 @inner_kernel
+def fetch_manifold(kept, p, lines):
+    """Let the first lines of memory of a manifold come, that will be asked for before long."""
+    for line in range(lines):
+        fetch(kept, p * MANIFOLD_WIDTH + line * LINE)
+
+
+@inner_kernel
 def update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers):
     """Manifolds of all pairs, and rows of those that have points."""
-    batches = scratch.batches
-    rows.count[0] = 0
+    batches, motion = scratch.batches, scratch.motion
+    note_places(bodies, motion)
+    rows.count[:] = 0
     start_batches(batches)
-    for place in range(contacts.count[0]):
-        p = contacts.order[place]
-        if not is_computed(bodies, contacts.bodies[p, 0], contacts.bodies[p, 1]):
+    count = contacts.count[0]
+    for place in range(count):
+        fetch_manifold(contacts.manifolds, contacts.order[min(place + FETCHED, count - 1)], 3)
+        p = np.uint64(contacts.order[place])
+        if not is_computed(bodies, np.uint64(contacts.bodies[p, 0]), np.uint64(contacts.bodies[p, 1])):
             continue
         if update_pair(bodies, shapes, pool, contacts, p, scratch, numbers) > 0:
-            add_row(bodies, shapes, contacts, p, rows, batches, numbers)
-    finish_batch(frames_of(bodies), contacts.manifolds, rows, batches, limits_of(numbers))
+            add_row(bodies, shapes, contacts, p, rows, batches, motion, numbers)
+    finish_batch(frames_of(bodies, motion), contacts.manifolds, batches, limits_of(numbers))

@@ -18,9 +18,8 @@ from game.physics.solids.state import (
     DYNAMIC,
     END_A,
     END_B,
+    END_PAIR,
     KEY_FRAMED,
-    MOST_0,
-    MOST_1,
     RESTLESS,
     TOUCHING,
     WAKING,
@@ -100,12 +99,16 @@ def wake_islands(bodies, contacts, joints, scratch):
 
 
 @inner_kernel
-def mark_touched(bodies, rows):
+def mark_touched(bodies, contacts, rows):
     """Mark what sleeps and was touched in this step; true if there is any."""
-    flags, any_marked = bodies.flags, False
+    flags, any_asleep, any_marked = bodies.flags, 0, False
+    for i in range(flags.shape[0]):
+        any_asleep |= flags[i] & ASLEEP
+    if not any_asleep:
+        return False
     for c in range(rows.count[0]):
         a, b = rows.ends[c, END_A], rows.ends[c, END_B]
-        if (flags[a] | flags[b]) & ASLEEP and rows.rare[c, MOST_0] + rows.rare[c, MOST_1] > 0.0:
+        if (flags[a] | flags[b]) & ASLEEP and contacts.marks[rows.ends[c, END_PAIR], TOUCHING] == 1:
             if flags[a] & ASLEEP:
                 flags[a] |= WAKING
             if flags[b] & ASLEEP:

@@ -11,6 +11,7 @@ from game.physics.solids.joints.plan import empty_plan
 from game.physics.solids.state import (
     BATCH_WIDTH,
     DRIFTS_WIDTH,
+    LINE,
     MANIFOLD_WIDTH,
     MARKS_WIDTH,
     MOST_CORNERS,
@@ -31,7 +32,6 @@ from game.physics.solids.state import (
 from game.physics.solids.tables import Column, Table
 
 MOST_BODIES, MOST_SHAPES, MOST_POOL, MOST_JOINTS = 20_000, 200_000, 2_000_000, 100_000
-LINE = 8  # numbers of a line of the processor's memory
 EVENTS = 4096  # of one step that are kept
 
 _INT = np.int32
@@ -86,14 +86,14 @@ def contacts_of(capacity: int) -> Contacts:
         np.zeros((capacity, 2), dtype=_INT),
         np.zeros((capacity, 2), dtype=_INT),
         np.zeros((capacity, MARKS_WIDTH), dtype=_INT),
-        np.zeros((capacity, MANIFOLD_WIDTH)),
+        aligned_zeros(capacity, MANIFOLD_WIDTH),
     )
 
 
 def rows_of(capacity: int) -> Rows:
     """Room for so many rows, none there."""
     return Rows(
-        np.zeros(1, dtype=np.int64),
+        np.zeros(2, dtype=np.int64),
         np.zeros((capacity, 4), dtype=_INT),
         np.zeros((capacity, ROW_WIDTH)),
         np.zeros((capacity, RARE_WIDTH)),

@@ -11,6 +11,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.physics.kernels.lanes import (
     LANES,
     QUAD,
@@ -29,29 +31,36 @@ from game.physics.kernels.lanes import (
 )
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import (
-    BATCH_BOUNCE,
+    APPROACH_0,
+    APPROACH_1,
     BATCH_GAP,
-    BATCH_IMPACT,
     BATCH_MOST,
     BATCH_POINTS,
+    BATCH_RARE,
     BATCH_WIDTH,
     COUPLING,
     CROSS_A,
     CROSS_B,
+    DA,
+    DC,
     DOT_A,
     DOT_B,
+    DS,
+    DX,
+    DY,
     END_A,
     END_B,
     END_PAIR,
     END_POINTS,
+    IMPACT,
     JN,
     JT,
     MANIFOLD_WIDTH,
     MASS_T,
     MOST_0,
     MOST_1,
+    MOTION_WIDTH,
     POINTS,
-    RARE_WIDTH,
     RESTITUTION,
     ROUND_A,
     ROUND_B,
@@ -68,11 +77,17 @@ from game.physics.solids.state import (
     ROW_WIDTH,
     SEP,
     STIFF_N,
+    VX,
+    VY,
+    W,
 )
 
 SIZE = BATCH_WIDTH * LANES  # numbers of a batch
-SINGLE, CHILLED = 1, 2  # bits of Batches.kinds: it has a row of one point; one whose impulses are no guess
+# bits of Batches.kinds: it has a row of one point; one whose impulses are no guess; one that is not at rest;
+# one that may bounce
+SINGLE, CHILLED, VIOLENT, BOUNCING = 1, 2, 4, 8
 COLD = 30.0  # m/s², what closes faster than that in a step hits, it does not rest
+RESTLESS = 10.0  # m/s², what parts or closes faster than that in a step is not at rest
 MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
 FIRST, SECOND = ROW_POINT, ROW_POINT + ROW_POINT_WIDTH
 
@@ -85,50 +100,65 @@ def start_batches(batches):
 
 
 @inner_kernel(inline="always")
-def add_row(bodies, shapes, contacts, p, rows, batches, numbers):
+def add_row(bodies, shapes, contacts, p, rows, batches, motion, numbers):
     """Give a pair that has points the next row."""
-    # inline: a call with so many arrays would take longer than all that is done here
-    i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
-    a, b = contacts.shapes[p, 0], contacts.shapes[p, 1]
-    k, lately = batches.count[0], batches.lately
+    # inline: a call with so many arrays would take longer than all that is done here; numbers without a sign
+    # need no look at whether they count from the end
+    i, j = np.uint64(contacts.bodies[p, 0]), np.uint64(contacts.bodies[p, 1])
+    a, b = np.uint64(contacts.shapes[p, 0]), np.uint64(contacts.shapes[p, 1])
+    k, lately = np.uint64(batches.count[0]), batches.lately
     shared = (lately[i] == k and bodies.inverse_masses[i] > 0.0) or (
         lately[j] == k and bodies.inverse_masses[j] > 0.0
     )
     if shared or batches.filled[k] == LANES:
-        finish_batch(frames_of(bodies), contacts.manifolds, rows, batches, limits_of(numbers))
-        k = batches.count[0]
+        finish_batch(frames_of(bodies, motion), contacts.manifolds, batches, limits_of(numbers))
+        k = np.uint64(batches.count[0])
     lately[i], lately[j] = k, k
-    c, lane, points, values = rows.count[0], batches.filled[k], contacts.marks[p, POINTS], batches.values
-    rows.count[0], batches.filled[k] = c + 1, lane + 1
+    c, lane = np.uint64(rows.count[0]), np.uint64(batches.filled[k])
+    points, values = contacts.marks[p, POINTS], batches.values
+    rows.count[0] += 1
+    batches.filled[k] += 1
     rows.ends[c, END_A], rows.ends[c, END_B] = i, j
     rows.ends[c, END_POINTS], rows.ends[c, END_PAIR] = points, p
     batches.rows[k, lane], batches.pairs[k, lane] = c, p
     batches.ends[k, END_A, lane], batches.ends[k, END_B, lane] = i, j
     values[k, ROW_MU, lane] = numbers.friction * math.sqrt(shapes.frictions[a] * shapes.frictions[b])
     values[k, ROUND_A, lane], values[k, ROUND_B, lane] = -shapes.radii[a], shapes.radii[b]
-    values[k, BATCH_BOUNCE, lane] = max(shapes.restitutions[a], shapes.restitutions[b])
+    values[k, BATCH_RARE + RESTITUTION, lane] = max(shapes.restitutions[a], shapes.restitutions[b])
     values[k, BATCH_POINTS, lane] = points
     if points == 1:
         batches.kinds[k] |= SINGLE
 
 
 @inner_kernel(inline="always")
-def frames_of(bodies):
-    """Of bodies, what rows are made of: each array is a handful of arguments of a call."""
-    return (
-        bodies.positions, bodies.rotations, bodies.velocities, bodies.spins, bodies.inverse_masses,
-        bodies.inverse_inertias,
-    )  # fmt: skip
+def frames_of(bodies, motion):
+    """Of bodies, what rows are made of: each array is a handful of arguments of a call.
+
+    motion: as `note_places` leaves it.
+    """
+    return motion, bodies.inverse_masses, bodies.inverse_inertias
+
+
+@inner_kernel
+def note_places(bodies, motion):
+    """Velocities and places of all bodies to motion, until a step begins: each in one line of memory."""
+    for i in range(motion.shape[0]):
+        motion[i, VX], motion[i, VY] = bodies.velocities[i, 0], bodies.velocities[i, 1]
+        motion[i, W], motion[i, DA] = bodies.spins[i], bodies.angles[i]
+        motion[i, DX], motion[i, DY] = bodies.positions[i, 0], bodies.positions[i, 1]
+        motion[i, DC], motion[i, DS] = bodies.rotations[i, 0], bodies.rotations[i, 1]
 
 
 @inner_kernel(inline="always")
 def limits_of(numbers):
-    """Speed of closing (m/s) and rate of parting (1/s) by which contacts count as hits, and fastest push."""
-    return -COLD * numbers.dt, numbers.contact_rate, -numbers.push
+    """Speed of closing (m/s) and rate of parting (1/s) by which contacts count as hits, and fastest push;
+    speeds (m/s) beyond which they are not at rest, and at which they bounce.
+    """
+    return -COLD * numbers.dt, numbers.contact_rate, -numbers.push, RESTLESS * numbers.dt, -numbers.bounce
 
 
 @inner_kernel
-def finish_batch(frames, kept, rows, batches, limits):
+def finish_batch(frames, kept, batches, limits):
     """Numbers of the batch that was being filled, if it has any rows; the next one begins.
 
     frames, limits: `frames_of`, `limits_of`. kept: manifolds.
@@ -138,11 +168,11 @@ def finish_batch(frames, kept, rows, batches, limits):
         return
     for lane in range(batches.filled[k], LANES):
         batches.rows[k, lane], batches.pairs[k, lane] = batches.rows[k, 0], batches.pairs[k, 0]
-        for column in (ROW_MU, ROUND_A, ROUND_B, BATCH_BOUNCE, BATCH_POINTS):
+        for column in (ROW_MU, ROUND_A, ROUND_B, BATCH_RARE + RESTITUTION, BATCH_POINTS):
             values[k, column, lane] = values[k, column, 0]
         for end in (END_A, END_B):
             batches.ends[k, end, lane] = batches.ends[k, end, 0]
-    write_batch(frames, kept, rows, batches, k, limits)
+    write_batch(frames, kept, batches, k, limits)
     for lane in range(batches.filled[k], LANES):
         for column in (ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB):
             values[k, column, lane] = 0.0
@@ -164,10 +194,29 @@ def copy_rows(rows, batches):
                 load(values, at + 3 * LANES),
             )  # fmt: skip
             store_quads(rows.rows, ROW_WIDTH, batches.rows, k * LANES, column, four)
+    copy_rare(rows, batches)
+    rows.count[1] = 1
+
+
+@inner_kernel
+def copy_rare(rows, batches):
+    """Of `copy_rows`, what is in Rows.rare."""
+    rare, values = rows.rare, batches.values
+    for k in range(batches.count[0]):
         for lane in range(batches.filled[k]):
-            c = batches.rows[k, lane]
-            rows.rare[c, MOST_0] = values[k, BATCH_MOST, lane]
-            rows.rare[c, MOST_1] = values[k, BATCH_MOST + 1, lane]
+            c = np.uint64(batches.rows[k, lane])
+            for column in range(MOST_0):
+                rare[c, column] = values[k, BATCH_RARE + column, lane]
+            rare[c, MOST_0], rare[c, MOST_1] = values[k, BATCH_MOST, lane], values[k, BATCH_MOST + 1, lane]
+
+
+@inner_kernel
+def kinds_seen(batches):
+    """Bits of all batches."""
+    seen = 0
+    for k in range(batches.count[0]):
+        seen |= batches.kinds[k]
+    return seen
 
 
 @inner_kernel
@@ -203,23 +252,21 @@ def write_point(values, at, point, frames, masses, place):
 
 
 @inner_kernel(inline="always")
-def write_batch(frames, kept, rows, batches, k, limits):
+def write_batch(frames, kept, batches, k, limits):
     """What solvers read of the pairs of batch k."""
-    positions, rotations, velocities, spins, inverse_masses, inverse_inertias = frames
+    motion, inverse_masses, inverse_inertias = frames
     values, ends, pairs = batches.values, batches.ends, batches.pairs
     at, one, a, b = k * SIZE, k * LANES, 2 * k * LANES, (2 * k + 1) * LANES
     lx, ly, pax, pay = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 0)
     pbx, pby, found1, jn1 = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 4)
     jt1, qax, qay, qbx = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 8)
     qby, found2, jn2, jt2 = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 12)
-    ca, sa = gather(rotations, 2, ends, a, 0), gather(rotations, 2, ends, a, 1)
-    cb, sb = gather(rotations, 2, ends, b, 0), gather(rotations, 2, ends, b, 1)
+    vxa, vya, wa, xa = load_quads(motion, MOTION_WIDTH, ends, a, VX)
+    vxb, vyb, wb, xb = load_quads(motion, MOTION_WIDTH, ends, b, VX)
+    ya, ca, sa, _ = load_quads(motion, MOTION_WIDTH, ends, a, DY)
+    yb, cb, sb, _ = load_quads(motion, MOTION_WIDTH, ends, b, DY)
     nx, ny = ca * lx - sa * ly, sa * lx + ca * ly
-    dx = gather(positions, 2, ends, b, 0) - gather(positions, 2, ends, a, 0)
-    dy = gather(positions, 2, ends, b, 1) - gather(positions, 2, ends, a, 1)
-    vx = gather(velocities, 2, ends, b, 0) - gather(velocities, 2, ends, a, 0)
-    vy = gather(velocities, 2, ends, b, 1) - gather(velocities, 2, ends, a, 1)
-    wa, wb = gather(spins, 1, ends, a, 0), gather(spins, 1, ends, b, 0)
+    dx, dy, vx, vy = xb - xa, yb - ya, vxb - vxa, vyb - vya
     ima, imb = gather(inverse_masses, 1, ends, a, 0), gather(inverse_masses, 1, ends, b, 0)
     iia, iib = gather(inverse_inertias, 1, ends, a, 0), gather(inverse_inertias, 1, ends, b, 0)
     store(values, at + ROW_NX * LANES, nx)
@@ -234,13 +281,17 @@ def write_batch(frames, kept, rows, batches, k, limits):
     gap2, opens2 = write_point(values, at, SECOND, given, masses, (qax, qay, qbx, qby, found2, jn2, jt2))
     fastest, deepest = smaller(zeros(), opens1), smaller(zeros(), gap1)
     most2, lowest2 = smaller(fastest, opens2), smaller(deepest, gap2)
+    stir = larger(opens1, -opens1)
+    stir2 = larger(stir, larger(opens2, -opens2))
     if batches.kinds[k] & SINGLE:
         single = load(values, at + BATCH_POINTS * LANES) < 2.0
         most2, lowest2 = choose(single, fastest, most2), choose(single, deepest, lowest2)
+        stir2 = choose(single, stir, stir2)
         clear_second(values, at, single)
     cold = either(most2 < limits[0], limits[1] * lowest2 < limits[2])
-    hit = choose(cold, 1.0, zeros())
-    store(values, at + BATCH_IMPACT * LANES, hit)
+    store(values, at + (BATCH_RARE + APPROACH_0) * LANES, opens1)
+    store(values, at + (BATCH_RARE + APPROACH_1) * LANES, opens2)
+    store(values, at + (BATCH_RARE + IMPACT) * LANES, choose(cold, 1.0, zeros()))
     couple(values, at, ima + imb, iia, iib)
     for point in range(2):
         sep = at + (FIRST + SEP + point * ROW_POINT_WIDTH) * LANES
@@ -248,8 +299,10 @@ def write_batch(frames, kept, rows, batches, k, limits):
         store(values, at + (BATCH_MOST + point) * LANES, zeros())
     if any_of(cold):
         batches.kinds[k] |= CHILLED
-    bounce = load(values, at + BATCH_BOUNCE * LANES)
-    store_quads(rows.rare, RARE_WIDTH, batches.rows, one, RESTITUTION, (bounce, opens1, opens2, hit))
+    if any_of(either(cold, stir2 > limits[3])):
+        batches.kinds[k] |= VIOLENT
+    if any_of((load(values, at + (BATCH_RARE + RESTITUTION) * LANES) > 0.0) & (most2 <= limits[4])):
+        batches.kinds[k] |= BOUNCING
 
 
 @inner_kernel

@@ -63,7 +63,7 @@ class Numbers(NamedTuple):
     friction: float  # 1, or 0 without friction
     passive: bool  # the energy of what has no source is kept from rising
     calm: float  # m/s: slower than that is quiet
-    abreast: bool  # the solver takes rows in batches, and copies them when it is done
+    abreast: bool  # the solver takes rows in batches, and copies them where that is needed
     patience: float  # s of quiet before a group falls asleep
 
 

@@ -37,7 +37,9 @@ POINT_WIDTH = 7
 PLACE_X, PLACE_Y, PLACE_ANGLE = 16, 17, 18
 # stiffness N/m of both points along normal and tangent, that solvers by penalty have come to
 STIFF = 19
-MANIFOLD_WIDTH = 23
+MANIFOLD_NUMBERS = 23
+LINE = 8  # numbers of a line of the processor's memory
+MANIFOLD_WIDTH = 3 * LINE  # one of them free, so that a manifold lies in three lines and not in four
 # columns of Contacts.marks; GIVEN: they overlap by no motion of their own (born so, or put so)
 POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND, GIVEN = range(6)
 MARKS_WIDTH = 6
@@ -125,9 +127,9 @@ ROW_WIDTH = 29
 RESTITUTION, APPROACH_0, APPROACH_1, IMPACT, MOST_0, MOST_1 = range(6)
 RARE_WIDTH = 6
 # columns of Batches.values behind those of Rows.rows: gaps of both points now, their largest impulses, how
-# many points there are, restitution, and IMPACT
-BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_BOUNCE, BATCH_IMPACT = (ROW_WIDTH + k for k in (0, 2, 4, 5, 6))
-BATCH_WIDTH = ROW_WIDTH + 7
+# many points there are, and RESTITUTION, APPROACH_0/1, IMPACT
+BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_RARE = (ROW_WIDTH + k for k in (0, 2, 4, 5))
+BATCH_WIDTH = ROW_WIDTH + 9
 POINTS_WIDTH = 8
 WORKS_WIDTH, DRIFTS_WIDTH = 7, 8
 # columns of Rows.ends
@@ -139,9 +141,12 @@ MOTION_WIDTH = 8
 
 
 class Rows(NamedTuple):
-    """Contacts that touch, made ready for a solver; one contiguous row each. ``count[0]`` are in use."""
+    """Contacts that touch, made ready for a solver; one contiguous row each. ``count[0]`` are in use.
 
-    count: Longs  # type: ignore[assignment]  # (1,)
+    Where ``count[1]`` is 0, only ends are there; the rest is in batches.
+    """
+
+    count: Longs  # type: ignore[assignment]  # (2,)
     ends: Ints  # (p, 4) body a, body b, points, pair
     rows: Floats  # (p, ROW_WIDTH)
     rare: Floats  # (p, RARE_WIDTH)

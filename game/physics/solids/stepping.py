@@ -1,6 +1,7 @@
 """A step of solids: what comes before the solver, and what after it.
 
 begin_step: pairs if a body may have left its boxes; manifolds; rows; velocities
+fill_rows: for solvers that do not take rows in batches
 a solver of `SOLVERS`: all substeps
 finish_step: impulses kept, places, contacts that began, joints that broke
 """
@@ -9,10 +10,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.physics.kernels import elementary
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.boxes import has_outgrown, make_boxes, make_room
-from game.physics.solids.contacts import update_contacts
+from game.physics.solids.contacts import fetch_manifold, update_contacts
 from game.physics.solids.effects import CONTACTS_BIT, CONTINUOUS_BIT, SLEEP_BIT
 from game.physics.solids.islands import mark_touched, send_to_sleep, wake_islands
 from game.physics.solids.joints.layout import (
@@ -25,13 +28,16 @@ from game.physics.solids.joints.layout import (
 )
 from game.physics.solids.joints.lines import joint_load
 from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
-from game.physics.solids.rows import copy_rows
+from game.physics.solids.rows import FIRST, SECOND, copy_rows
 from game.physics.solids.solvers.governor import hold_step
 from game.physics.solids.solvers.motion import start_motion
 from game.physics.solids.state import (
     APPROACH_0,
     APPROACH_1,
     ASLEEP,
+    BATCH_MOST,
+    BATCH_POINTS,
+    BATCH_RARE,
     CROSS_A,
     DA,
     DOT_A,
@@ -40,8 +46,6 @@ from game.physics.solids.state import (
     DYNAMIC,
     END_A,
     END_B,
-    END_PAIR,
-    END_POINTS,
     FIRST_POINT,
     JN,
     JT,
@@ -52,7 +56,6 @@ from game.physics.solids.state import (
     POINT_WIDTH,
     ROW_NX,
     ROW_NY,
-    ROW_POINT,
     ROW_POINT_WIDTH,
     SEP,
     TANGENT_IMPULSE,
@@ -89,12 +92,16 @@ def begin_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
         if has_outgrown(bodies, numbers):
             return False
         update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers)
-        if not numbers.abreast:
-            copy_rows(rows, scratch.batches)
     else:
         rows.count[0], scratch.batches.count[0] = 0, 0
     start_motion(bodies, scratch, numbers)
     return True
+
+
+@lean_kernel
+def fill_rows(rows, scratch):
+    """All rows, for solvers that go row by row: not of `begin_step`, where most do without its code."""
+    copy_rows(rows, scratch.batches)
 
 
 @inner_kernel
@@ -120,53 +127,88 @@ def place_bodies(bodies, scratch):
 
 
 @inner_kernel
-def first_touch(rows, c, latest):
+def first_touch(rows, batches, k, lane, most, latest):
     """When (s, from the step's beginning) the first of the points that pressed closes its gap.
 
-    That may be in the substep after the step: what would close there is slowed down already.
+    That may be in the substep after the step: what would close there is slowed down already. most: largest
+    impulses of both points.
     """
-    earliest = latest
-    for k in range(rows.ends[c, END_POINTS]):
-        speed, gap = -rows.rare[c, APPROACH_0 + k], rows.rows[c, ROW_POINT + k * ROW_POINT_WIDTH + SEP]
-        if rows.rare[c, MOST_0 + k] > 0.0:
+    earliest, values, c = latest, batches.values, np.uint64(batches.rows[k, lane])
+    for n in range(2):
+        speed = -values[k, BATCH_RARE + APPROACH_0 + n, lane]
+        at = FIRST + n * ROW_POINT_WIDTH + SEP
+        gap = rows.rows[c, at] if rows.count[1] else values[k, at, lane]  # a solver may leave some overlap
+        if most[n] > 0.0:
             earliest = min(earliest, gap / speed if speed > 0.0 and gap > 0.0 else 0.0)
     return earliest
 
 
 @inner_kernel
-def note_beginning(bodies, contacts, rows, scratch, c, impulse, latest):
-    """Write down a contact that began in this step, before latest (s)."""
+def note_beginning(bodies, contacts, rows, scratch, k, lane, most, latest):
+    """Write down a contact that began in this step, before latest (s): this lane of batch k.
+
+    most: largest impulses of both points (0 of one that there is not).
+    """
     number = scratch.events[BEGUN]
     scratch.events[BEGUN] += 1
     if number >= scratch.begun.shape[0]:
         return
-    pair, a, b = rows.ends[c, END_PAIR], rows.ends[c, END_A], rows.ends[c, END_B]
+    batches, values = scratch.batches, scratch.batches.values
+    pair, a, b = batches.pairs[k, lane], batches.ends[k, END_A, lane], batches.ends[k, END_B, lane]
     scratch.begun[number, 0], scratch.begun[number, 1] = contacts.shapes[pair, 0], contacts.shapes[pair, 1]
-    at = ROW_POINT if rows.rare[c, MOST_0] >= rows.rare[c, MOST_1] else ROW_POINT + ROW_POINT_WIDTH
-    if rows.ends[c, END_POINTS] == 1:
-        at = ROW_POINT
-    row, x, y = rows.rows, rows.rows[c, ROW_NX], rows.rows[c, ROW_NY]
-    dot, cross = row[c, at + DOT_A], row[c, at + CROSS_A]  # of the lever: r = (r . n) n + (r x n) (ny, -nx)
+    second = most[1] > most[0]
+    at, x, y = SECOND if second else FIRST, values[k, ROW_NX, lane], values[k, ROW_NY, lane]
+    # of the lever: r = (r . n) n + (r x n) (ny, -nx)
+    dot, cross = values[k, at + DOT_A, lane], values[k, at + CROSS_A, lane]
     scratch.begun_places[number, 0] = bodies.positions[a, 0] + dot * x + cross * y
     scratch.begun_places[number, 1] = bodies.positions[a, 1] + dot * y - cross * x
-    scratch.begun_places[number, 2] = impulse
-    scratch.begun_places[number, 3] = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1]
-    scratch.begun_places[number, 4] = first_touch(rows, c, latest) - max(bodies.late[a], bodies.late[b])
+    scratch.begun_places[number, 2] = most[0] + most[1]
+    approach = APPROACH_1 if second else APPROACH_0
+    scratch.begun_places[number, 3] = -values[k, BATCH_RARE + approach, lane]
+    first = first_touch(rows, batches, k, lane, most, latest)
+    scratch.begun_places[number, 4] = first - max(bodies.late[a], bodies.late[b])
+
+
+@inner_kernel
+def impulses_of(rows, batches, c, k, lane):
+    """Of row c, which is this lane of batch k: JN and JT of both points, MOST_0, MOST_1."""
+    row, rare, values = rows.rows, rows.rare, batches.values
+    if rows.count[1]:
+        return (
+            row[c, FIRST + JN], row[c, FIRST + JT], row[c, SECOND + JN], row[c, SECOND + JT],
+            rare[c, MOST_0], rare[c, MOST_1],
+        )  # fmt: skip
+    return (
+        values[k, FIRST + JN, lane], values[k, FIRST + JT, lane], values[k, SECOND + JN, lane],
+        values[k, SECOND + JT, lane], values[k, BATCH_MOST, lane], values[k, BATCH_MOST + 1, lane],
+    )  # fmt: skip
 
 
 @inner_kernel
 def keep_impulses(bodies, contacts, rows, scratch, numbers):
     """Impulses back to the manifolds; which contacts began. Called while bodies are where the step began."""
-    for c in range(rows.count[0]):
-        pair, most = rows.ends[c, END_PAIR], 0.0
-        for k in range(rows.ends[c, END_POINTS]):
-            at, to = ROW_POINT + k * ROW_POINT_WIDTH, FIRST_POINT + k * POINT_WIDTH
-            contacts.manifolds[pair, to + NORMAL_IMPULSE] = rows.rows[c, at + JN]
-            contacts.manifolds[pair, to + TANGENT_IMPULSE] = rows.rows[c, at + JT]
-            most += rows.rare[c, MOST_0 + k]
-        if most > 0.0 and contacts.marks[pair, TOUCHING] == 0:
-            note_beginning(bodies, contacts, rows, scratch, c, most, numbers.dt + numbers.h)
-        contacts.marks[pair, TOUCHING] = 1 if most > 0.0 else 0
+    batches, kept, marks = scratch.batches, contacts.manifolds, contacts.marks
+    last = batches.count[0] - 1
+    for k in range(last + 1):
+        for lane in range(batches.filled[k]):
+            fetch_manifold(kept, batches.pairs[min(k + 1, last), lane], 2)
+            c, pair = np.uint64(batches.rows[k, lane]), np.uint64(batches.pairs[k, lane])
+            n1, t1, n2, t2, most1, most2 = impulses_of(rows, batches, c, k, lane)
+            kept[pair, FIRST_POINT + NORMAL_IMPULSE] = n1
+            kept[pair, FIRST_POINT + TANGENT_IMPULSE] = t1
+            if batches.values[k, BATCH_POINTS, lane] == 2.0:
+                kept[pair, FIRST_POINT + POINT_WIDTH + NORMAL_IMPULSE] = n2
+                kept[pair, FIRST_POINT + POINT_WIDTH + TANGENT_IMPULSE] = t2
+            else:
+                most2 = 0.0
+            touching = 1 if most1 + most2 > 0.0 else 0
+            if marks[pair, TOUCHING] == touching:
+                continue
+            marks[pair, TOUCHING] = touching
+            if touching:
+                note_beginning(
+                    bodies, contacts, rows, scratch, k, lane, (most1, most2), numbers.dt + numbers.h
+                )
 
 
 @inner_kernel
@@ -189,12 +231,12 @@ def finish_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
     scratch.events[BEGUN], scratch.events[SNAPPED], scratch.events[STOPPED] = 0, 0, 0
     keep_impulses(bodies, contacts, rows, scratch, numbers)
     break_joints(joints, scratch, numbers)
-    if mark_touched(bodies, rows):
+    if mark_touched(bodies, contacts, rows):
         wake_islands(bodies, contacts, joints, scratch)
     if numbers.mask & CONTINUOUS_BIT and numbers.mask & CONTACTS_BIT:
         scratch.events[STOPPED] = stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers)
     if numbers.passive:
-        hold_step(bodies, contacts, rows, scratch, numbers)
+        hold_step(bodies, contacts, scratch, numbers)
     scratch.events[WRONG] = place_bodies(bodies, scratch)
     if numbers.mask & SLEEP_BIT:
         send_to_sleep(bodies, rows, contacts, joints, scratch, numbers)

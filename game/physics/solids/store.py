@@ -10,7 +10,17 @@ from numpy.typing import NDArray
 from game.physics.kernels import elementwise, linear
 from game.physics.solids import memory
 from game.physics.solids.joints.layout import NO_JOINT, Joints
-from game.physics.solids.state import DYNAMIC, NONE, SEGMENT, USED, Bodies, Contacts, Pool, Shapes
+from game.physics.solids.state import (
+    DYNAMIC,
+    MANIFOLD_NUMBERS,
+    NONE,
+    SEGMENT,
+    USED,
+    Bodies,
+    Contacts,
+    Pool,
+    Shapes,
+)
 
 Floats = NDArray[np.float64]
 
@@ -125,7 +135,9 @@ class SolidStore:
     def state(self) -> SolidState:
         """Copies of all that later steps depend on."""
         tables: list[Any] = [table.copy() for table in self._tables()]
-        contacts = Contacts(*(array.copy() for array in arrays_of(self.contacts)))
+        contacts = self.contacts
+        contacts = contacts._replace(manifolds=contacts.manifolds[:, :MANIFOLD_NUMBERS])
+        contacts = Contacts(*(array.copy() for array in arrays_of(contacts)))
         runs = tuple((start, count) for count, starts in self._runs.items() for start in starts)
         return SolidState(
             tables[0][0], tables[1][0], tables[2][0], tables[3][0], contacts,
@@ -146,7 +158,7 @@ class SolidStore:
             self._rows = memory.rows_of(count)
         np.copyto(self._contacts.count, state.contacts.count)
         for own, kept in zip(arrays_of(self._contacts)[1:], arrays_of(state.contacts)[1:], strict=True):
-            own[:count] = kept
+            own[tuple(slice(size) for size in kept.shape)] = kept
         if len(self._origins) < len(state.origins):
             self._origins, self._masses = np.zeros((2, 2 * len(state.origins), 2))
         self._origins[: len(state.origins)] = state.origins

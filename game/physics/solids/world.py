@@ -51,6 +51,7 @@ from game.physics.solids.stepping import (
     SNAPPED,
     WRONG,
     begin_step,
+    fill_rows,
     finish_step,
     renew_pairs,
 )
@@ -233,6 +234,8 @@ class SolidWorld(SolidBodies):
         ):
             self._renew()
             call(begin_step, *parts, self._contacts, self._rows, joints, self._scratch, numbers)
+        if not numbers.abreast:
+            call(fill_rows, self._rows, self._scratch)
         if numbers.drag > 0.0 or numbers.spin_drag > 0.0:
             self._feel_air(numbers.mask)
         name = self._settings.solver

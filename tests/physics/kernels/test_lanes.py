@@ -18,6 +18,7 @@ from game.physics.kernels.lanes import (
     any_of,
     choose,
     either,
+    fetch,
     gather,
     larger,
     load,
@@ -112,6 +113,21 @@ def test_of_lanes_that_name_one_row_the_first_stays():
     np.testing.assert_array_equal(table[2, 1:], values[:, 0])
     np.testing.assert_array_equal(table[1, 1:], values[:, 1])
     assert not table[[0, 3]].any() and not table[:, 0].any()
+
+
+@lean_kernel
+def total_of(table, whole):
+    total = 0.0
+    for k in range(whole.shape[0]):
+        fetch(table, min(k + 2, whole.shape[0] - 1) * table.shape[1])
+        total += table[k, 0] + whole[k]
+    return total
+
+
+def test_what_is_fetched_stays_as_it_is():
+    table, whole = np.arange(60.0).reshape(20, 3), np.arange(20, dtype=np.int32)
+    assert total_of(table, whole) == 3.0 * 190.0 + 190.0
+    assert table.tolist() == np.arange(60.0).reshape(20, 3).tolist()
 
 
 @pytest.mark.skipif(config.DISABLE_JIT, reason="it is what runs already")

@@ -10,7 +10,7 @@ import pytest
 
 from game.physics.solids import Capsule, Chain, Disc, SolidSettings, SolidWorld, box
 from game.physics.solids.state import DA, DX, DY, MOTION_WIDTH, VX, VY, W
-from game.physics.solids.sweep import cut_motion
+from game.physics.solids.sweep import THIN, all_slow, cut_motion
 from tests.physics.solids.setups import energy, run
 
 PLATES = {
@@ -25,6 +25,40 @@ def wall_world(**settings):
     world = SolidWorld(SolidSettings(**settings))
     world.add_body(box(0.05, 40.0), (0.0, 0.0), kind="fixed")
     return world
+
+
+class Sizes(NamedTuple):
+    """What `all_slow` reads of bodies."""
+
+    reaches: np.ndarray
+    cores: np.ndarray
+
+
+@numba.njit
+def _all_slow(bodies, motion):
+    return all_slow(bodies, motion)
+
+
+def test_where_all_are_slow_no_two_approach_as_far_as_they_are_thick():
+    random, seen = np.random.default_rng(5), set()
+    for turn in range(3000):
+        bodies = Sizes(random.uniform(0.5, 2.0, 4), random.uniform(0.1, 1.0, 4))
+        motion = np.zeros((4, MOTION_WIDTH))
+        columns = ([DX], [DY], [DA], [DX, DY, DA])[turn % 4]
+        motion[:, columns] = random.normal(size=(4, len(columns)))
+        gone = np.abs(motion[:, DX]) + np.abs(motion[:, DY]) + np.abs(motion[:, DA]) * bodies.reaches
+        motion *= (random.uniform(0.7, 1.3, 4) * THIN * bodies.cores / gone)[:, None]
+        motion[random.integers(4)] = 0.0
+        turned = np.abs(motion[:, DA]) * bodies.reaches
+        ways = motion[:, None, [DX, DY]] - motion[None, :, [DX, DY]]
+        approach = np.abs(ways).sum(axis=2) + turned[:, None] + turned[None, :]
+        fast = approach > THIN * (bodies.cores[:, None] + bodies.cores[None, :])
+        slow = _all_slow(bodies, motion)
+        assert not (slow and fast[~np.eye(4, dtype=bool)].any())
+        part = (np.abs(motion[:, [DX, DY]]).sum(axis=1) + turned) / (THIN * bodies.cores)
+        assert slow or part.max() > 0.99
+        seen.add(slow)
+    assert seen == {False, True}
 
 
 @pytest.mark.parametrize("name", PLATES)

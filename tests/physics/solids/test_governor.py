@@ -268,8 +268,8 @@ def test_springs_pay_for_lifting_only_and_of_their_own_group():
 
 
 @numba.njit
-def _grouped(bodies, contacts, rows, scratch, h):
-    group_by_contact(bodies, contacts, rows, scratch)
+def _grouped(bodies, contacts, scratch, h):
+    group_by_contact(bodies, contacts, scratch)
     sum_groups(bodies, scratch, h)
 
 
@@ -290,7 +290,7 @@ def test_groups_are_told_from_each_other_and_move_as_one_body_if_nothing_holds_t
     for body in (*ground, *air, lone):
         x, y = rows.positions[body]
         scratch.motion[body, [VX, VY, W]] = drift[0] - spin * y, drift[1] + spin * x, spin
-    _grouped(rows, world._contacts, world._rows, scratch, FRAME / 4)
+    _grouped(rows, world._contacts, scratch, FRAME / 4)
     parents, drifts, works = scratch.parents, scratch.drifts, scratch.works
     assert parents[ground].tolist() == [ground[0]] * 2
     assert parents[air].tolist() == [air[0]] * 2

@@ -4,7 +4,7 @@ The protocol. A solver is one ``lean_kernel`` ``solve(bodies, contacts, rows, jo
 called once a step. It runs all ``numbers.substeps`` of ``numbers.h`` s. To add one: a file with that
 kernel, a line below.
 
-Prepared before the call (`stepping.begin_step`):
+Prepared before the call (`stepping.begin_step`, `stepping.fill_rows`):
 
 - ``scratch.motion`` (n, MOTION_WIDTH): velocities VX, VY, W; what each body has moved since the step began,
   DX, DY, and turned, DA with cosine DC and sine DS: 0, 0, 0, 1, 0. Bodies that are fixed or asleep have no

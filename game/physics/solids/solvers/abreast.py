@@ -28,15 +28,16 @@ from game.physics.solids.rows import CHILLED, FIRST, SECOND, SINGLE, SIZE
 from game.physics.solids.solvers.impulses import TILT
 from game.physics.solids.state import (
     BATCH_GAP,
-    BATCH_IMPACT,
     BATCH_MOST,
     BATCH_POINTS,
+    BATCH_RARE,
     COUPLING,
     CROSS_A,
     CROSS_B,
     DOT_A,
     DOT_B,
     END_POINTS,
+    IMPACT,
     JN,
     JT,
     MASS_T,
@@ -110,7 +111,7 @@ def warm_batches(batches, motion):
     for k in range(batches.count[0]):
         at, end = k * SIZE, 2 * k * LANES
         if batches.kinds[k] & CHILLED:
-            cold = column(values, at, BATCH_IMPACT) > 0.0
+            cold = column(values, at, BATCH_RARE + IMPACT) > 0.0
             for number in (FIRST + JN, FIRST + JT, SECOND + JN, SECOND + JT):
                 store(values, at + number * LANES, choose(cold, 0.0, column(values, at, number)))
         nx, ny = column(values, at, ROW_NX), column(values, at, ROW_NY)

@@ -19,11 +19,11 @@ import math
 
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.islands import root_of, unite
-from game.physics.solids.solvers.impulses import gap_now
+from game.physics.solids.rows import FIRST, SECOND
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.solvers.passive import EXCUSED
+from game.physics.solids.solvers.springs import STORED, measure_springs
 from game.physics.solids.state import (
-    ASLEEP,
     DA,
     DC,
     DS,
@@ -32,16 +32,9 @@ from game.physics.solids.state import (
     DYNAMIC,
     END_A,
     END_B,
-    END_PAIR,
-    END_POINTS,
     GIVEN,
-    MOST_0,
-    MOST_1,
-    ROW_HARD,
-    ROW_POINT,
-    ROW_POINT_WIDTH,
     SEP,
-    STIFF_N,
+    TOUCHING,
     VX,
     VY,
     W,
@@ -49,7 +42,7 @@ from game.physics.solids.state import (
 
 NEXT_TO_NOTHING = 1e-6  # of the energy m (h g)²/2 that gravity gives in a substep: below that it is rounding
 LOWERED = 0.02  # of the slop: how far a group is lowered at most, before it is slowed down
-GAIN, LIFT, HEIGHT, FORCE, NOISE, MOTION, STORED = range(7)  # columns of Scratch.works, J; N
+GAIN, LIFT, HEIGHT, FORCE, NOISE, MOTION = range(6)  # columns of Scratch.works, J; N; then STORED
 # columns of Scratch.drifts: kg, kg m, kg m, N s, N s, N m s, kg m², and whether it touches what is fixed
 MASS, CENTRE_X, CENTRE_Y, PUSH_X, PUSH_Y, TURN, INERTIA, HELD = range(8)
 
@@ -127,29 +120,29 @@ def rise(bodies, scratch, h):
 
 
 @inner_kernel
-def group_by_contact(bodies, contacts, rows, scratch):
+def group_by_contact(bodies, contacts, scratch):
     """Representatives of bodies that touched in this step; drifts tell which touch what is fixed.
 
     Groups with a source are marked as excused.
     """
-    parents, drifts, excused = scratch.parents, scratch.drifts, scratch.excused
+    parents, drifts, excused, batches = scratch.parents, scratch.drifts, scratch.excused, scratch.batches
     drifts[:] = 0.0
     for i in range(parents.shape[0]):
         parents[i] = i
-    for c in range(rows.count[0]):
-        a, b, pair = rows.ends[c, END_A], rows.ends[c, END_B], rows.ends[c, END_PAIR]
-        deepest = rows.rows[c, ROW_POINT + SEP]
-        if rows.ends[c, END_POINTS] == 2:
-            deepest = min(deepest, rows.rows[c, ROW_POINT + ROW_POINT_WIDTH + SEP])
-        if not (rows.rare[c, MOST_0] > 0.0 or rows.rare[c, MOST_1] > 0.0 or deepest < 0.0):
-            continue
-        moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
-        if moves_a and moves_b:
-            unite(parents, a, b)
-        else:
-            drifts[a if moves_a else b, HELD] = 1.0
-        if contacts.marks[pair, GIVEN]:
-            excused[a], excused[b] = EXCUSED, EXCUSED
+    for k in range(batches.count[0]):
+        for lane in range(batches.filled[k]):
+            a, b, pair = batches.ends[k, END_A, lane], batches.ends[k, END_B, lane], batches.pairs[k, lane]
+            # of a second point that there is not, the gap is 0
+            deepest = min(batches.values[k, FIRST + SEP, lane], batches.values[k, SECOND + SEP, lane])
+            if not (contacts.marks[pair, TOUCHING] or deepest < 0.0):
+                continue
+            moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
+            if moves_a and moves_b:
+                unite(parents, a, b)
+            else:
+                drifts[a if moves_a else b, HELD] = 1.0
+            if contacts.marks[pair, GIVEN]:
+                excused[a], excused[b] = EXCUSED, EXCUSED
     for i in range(parents.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
             r = root_of(parents, i)
@@ -233,43 +226,6 @@ def what_to_take_back(works, r, most):
 
 
 @inner_kernel
-def spring_energy(rows, motion, c, pull):
-    """J in the spring of contact c, where it is now. pull: its frequency's square, 1/s²."""
-    row, a, b = rows.rows, rows.ends[c, END_A], rows.ends[c, END_B]
-    gap, under = gap_now(row, c, ROW_POINT, motion, a, b), row[c, ROW_POINT + STIFF_N]
-    if rows.ends[c, END_POINTS] == 2:
-        second = ROW_POINT + ROW_POINT_WIDTH
-        gap = 0.5 * (gap + gap_now(row, c, second, motion, a, b))
-        under = 0.25 * (under + row[c, second + STIFF_N])
-    if row[c, ROW_HARD] > 0.0:
-        pull *= 4.0
-    return 0.5 * pull * gap * gap / under if gap < 0.0 else 0.0
-
-
-@inner_kernel
-def measure_springs(bodies, rows, scratch, numbers):
-    """Room (J) in the springs at each body, to works, and in all; what they hold beyond it is lost."""
-    works, stored, total = scratch.works, bodies.stored, 0.0
-    works[:] = 0.0
-    for c in range(rows.count[0]):
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
-        held = spring_energy(rows, scratch.motion, c, numbers.contact_pull)
-        moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
-        if moves_a:
-            works[a, STORED] += 0.5 * held if moves_b else held
-        if moves_b:
-            works[b, STORED] += 0.5 * held if moves_a else held
-    for i in range(stored.shape[0]):
-        if bodies.flags[i] & ASLEEP:  # its contacts are not looked at
-            works[i, STORED] = 0.0
-            continue
-        stored[i] = min(stored[i], works[i, STORED])
-        works[i, STORED] -= stored[i]
-        total += works[i, STORED]
-    return total
-
-
-@inner_kernel
 def give_back(bodies, scratch):
     """Springs pay for what they lift, as far as they can and as far as motion lost has not paid for it."""
     works, parents, stored = scratch.works, scratch.parents, bodies.stored
@@ -296,20 +252,23 @@ def weigh_sleepers(bodies, scratch, numbers):
 
 
 @inner_kernel
-def hold_step(bodies, contacts, rows, scratch, numbers):
-    """Take back what the energy of groups that have no source has risen in this step."""
+def hold_step(bodies, contacts, scratch, numbers):
+    """Take back what the energy of groups that have no source has risen in this step.
+
+    Contacts are read in their batches.
+    """
     weigh_sleepers(bodies, scratch, numbers)
     risen, noise = rise(bodies, scratch, numbers.h)
     if abs(risen) <= noise:
         return
-    room = measure_springs(bodies, rows, scratch, numbers)
+    room = measure_springs(bodies, scratch, numbers)
     if risen < 0.0:
         part = min(1.0, -risen / room) if room > 0.0 else 0.0
         for i in range(bodies.stored.shape[0]):
             bodies.stored[i] += part * scratch.works[i, STORED]
         return
     motion, works, parents = scratch.motion, scratch.works, scratch.parents
-    group_by_contact(bodies, contacts, rows, scratch)
+    group_by_contact(bodies, contacts, scratch)
     sum_groups(bodies, scratch, numbers.h)
     give_back(bodies, scratch)
     for i in range(motion.shape[0]):

@@ -15,6 +15,7 @@ import math
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.islands import is_moving, root_of, unite
 from game.physics.solids.joints.layout import SUBSTEP
+from game.physics.solids.rows import RESTLESS
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.state import (
     APPROACH_0,
@@ -38,7 +39,6 @@ from game.physics.solids.state import (
 )
 
 FIRST, SECOND = ROW_POINT, ROW_POINT + ROW_POINT_WIDTH
-RESTLESS = 10.0  # m/s², what parts or closes faster than that in a step is not at rest
 EXCUSED, HIT = 1, 2  # marks of a body; shifted by two, of its group
 FREE, PUSHED = 0, 3  # columns of Scratch.speeds: velocities and spin after the forces, and with the push
 
@@ -53,24 +53,21 @@ def is_violent(rows, c, dt):
 
 
 @inner_kernel
-def excuse(bodies, rows, joints, scratch, dt):
-    """Mark bodies that joints or moving key-framed bodies may give energy to.
-
-    True if any two move against each other: in piles at rest there is nothing to watch, and what settles
-    there by overlap alone is let be.
-    """
-    excused, violent = scratch.excused, False
+def excuse(bodies, rows, joints, scratch):
+    """Mark bodies that joints or moving key-framed bodies may give energy to."""
+    excused, any_moving = scratch.excused, False
     excused[:] = 0
     for k in range(joints.kinds.shape[0]):
         if joints.rows[k, SUBSTEP] >= 0.0:
             excused[joints.bodies[k, 0]] = EXCUSED
             excused[joints.bodies[k, 1]] = EXCUSED
-    for c in range(rows.count[0]):
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
-        violent = violent or is_violent(rows, c, dt)
-        if is_moving(bodies, a) or is_moving(bodies, b):
-            excused[a], excused[b] = EXCUSED, EXCUSED
-    return violent
+    for i in range(excused.shape[0]):
+        any_moving = any_moving or is_moving(bodies, i)
+    if any_moving:
+        for c in range(rows.count[0]):
+            a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+            if is_moving(bodies, a) or is_moving(bodies, b):
+                excused[a], excused[b] = EXCUSED, EXCUSED
 
 
 @inner_kernel
