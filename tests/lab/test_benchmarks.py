@@ -11,6 +11,7 @@ from game.lab.benchmarks import Measured, Peer, Scenario, all_scenarios, measure
 from game.lab.benchmarks.billiards import random_shots
 from game.lab.benchmarks.broadphase import Workload, kd_tree, pymunk_step, str_tree
 from game.lab.benchmarks.constraints import NumpyCloth, pymunk_chain
+from game.lab.benchmarks.solids import pymunk_pyramid, pyramid
 
 
 def test_names_differ_and_words_are_there():
@@ -29,6 +30,7 @@ def test_names_differ_and_words_are_there():
         "gjk-warm-8",
         "overlap-obb",
         "body-rk4",
+        "pyramid-210",
         "skin-rotor",
     ],
 )
@@ -36,6 +38,14 @@ def test_a_scenario_of_each_room_runs(name):
     scenario = next(scenario for scenario in all_scenarios() if scenario.name == name)
     measured = measure_scenario(replace(scenario, peers=()), turns=1)
     assert 0.0 < measured.least_s <= measured.median_s
+
+
+def test_both_pyramids_are_the_same_and_ours_sinks_less():
+    pytest.importorskip("pymunk")
+    (world, top), (space, other) = pyramid(10, steps=60), pymunk_pyramid(10, steps=60)
+    assert len(world.ids()) == len(space.bodies) + 1 == 56  # pymunk's ground is not among them
+    np.testing.assert_allclose(world.bodies.positions[top], other.position, atol=0.02)
+    assert 0.0 < 9.5 - world.bodies.positions[top, 1] < 9.5 - other.position.y
 
 
 @pytest.mark.parametrize("kind", ["equal", "power-law"])

@@ -17,7 +17,19 @@ def all_scenarios() -> tuple[Scenario, ...]:
         particles,
         plates,
         rigid,
+        solids,
     )
 
-    rooms = (billiards, broadphase, bounds, narrowphase, rigid, constraints, particles, plates, animation)
+    rooms = (
+        billiards,
+        broadphase,
+        bounds,
+        narrowphase,
+        rigid,
+        solids,
+        constraints,
+        particles,
+        plates,
+        animation,
+    )
     return tuple(scenario for room in rooms for scenario in room.SCENARIOS)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from shapely import affinity, geometry
 
-from game.physics.solids import Polygon, SolidSettings, SolidWorld
+from game.physics.solids import Polygon, SolidSettings, SolidWorld, box
 from game.physics.solids.state import FIRST_POINT, GAP, NORMAL_X, POINT_WIDTH, POINTS
 
 
@@ -51,3 +51,30 @@ def test_all_that_overlap_are_found_and_a_push_along_the_normal_parts_them(seed)
                 moved = affinity.translate(outlines[b], *(-part * gap * normal))
                 assert (outlines[a].intersection(moved).area < 1e-9) == parted
     assert deep > 20
+
+
+@pytest.mark.parametrize("turns", [(0.05, -0.05), (-0.08, 0.0), (0.0, 0.08), (0.06, 0.02)])
+def test_what_is_kept_of_a_pair_is_forgotten_when_its_bodies_turn_against_each_other(turns):
+    """The middle of the second is led round with the first: seen from there only the angle changes."""
+
+    def pair(turn_a, turn_b):
+        c, s = np.cos(turn_a), np.sin(turn_a)
+        return ((0.0, 0.0), turn_a), ((0.98 * -s, 0.98 * c), turn_b)
+
+    def gaps(poses):
+        world = SolidWorld(SolidSettings(gravity=(0.0, 0.0)))
+        for position, angle in poses[0]:
+            world.add_body(box(1.0, 1.0), position, angle)
+        for pose in poses:
+            for body, (position, angle) in enumerate(pose):
+                rows = world.bodies
+                rows.velocities[body], rows.spins[body] = 0.0, 0.0
+                rows.positions[body], rows.angles[body] = position, angle
+                rows.rotations[body] = np.cos(angle), np.sin(angle)
+            world.step(1e-9)
+        kept = world.contacts.manifolds[0, FIRST_POINT:]
+        return np.array([kept[k * POINT_WIDTH + GAP] for k in range(world.contacts.marks[0, POINTS])])
+
+    still, turned = pair(0.0, 0.0), pair(*turns)
+    np.testing.assert_allclose(gaps([still, turned]), gaps([turned]), atol=1e-6)
+    assert gaps([turned]).min() < gaps([still]).min() - 0.015
