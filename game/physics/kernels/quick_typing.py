@@ -10,7 +10,7 @@ compile in.
 
 `answer_at_once` lets the operators on plain numbers, and on elements of arrays, remember what they answered,
 compares flags as dictionaries, passes over what can have no variable in it, finds lifetimes when they are
-asked for, and tells nobody of locks. The answers are numba's own, so the machine code is the same. What a
+asked for, tells nobody of locks, and puts no shapes into words. The answers are numba's own, so the machine code is the same. What a
 later numba has moved is left as it is.
 """
 
@@ -26,6 +26,8 @@ from numba.core import ir, postproc, targetconfig, transforms, types
 from numba.core.types.containers import BaseAnonymousTuple
 from numba.core.types.functions import BaseFunction
 from numba.core.typing import context as typing_contexts
+from numba.core.typing.templates import builtin_registry
+from numba.np import arrayobj
 
 _PLAIN = (types.Number, types.Boolean)
 _ELEMENT = (types.Array, *_PLAIN)
@@ -56,6 +58,7 @@ def answer_at_once() -> None:
         _tell_nobody_of_locks()
         _refresh_when_there_is_more()
         _look_at_signatures_once()
+        _say_little_of_shapes()
 
 
 def _remember_operators() -> None:
@@ -204,3 +207,14 @@ def _look_at_signatures_once() -> None:
         return known[code]
 
     setattr(contexts, "_has_loc", has_loc)  # noqa: B010 (no plain assignment to a function)
+
+
+def _say_little_of_shapes() -> None:
+    """Where an array is put into a slice of another shape numba's error tells both, as texts put together
+    by kernels of their own: these took as long as the largest of ours. Without them it says that they differ.
+    """
+    brief = getattr(arrayobj, "ol_raise_with_shape_context_generic", None)
+    for rule in builtin_registry.functions:
+        written = getattr(rule, "_overload_func", None)
+        if brief is not None and getattr(written, "__name__", "") == "ol_raise_with_shape_context_cpu":
+            rule._overload_func = staticmethod(brief)

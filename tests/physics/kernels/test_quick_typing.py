@@ -8,6 +8,8 @@ import sys
 from typing import Any
 
 import llvmlite.binding as llvm
+import numba
+import numpy as np
 import pytest
 from numba import types
 from numba.core import event, ir, postproc, utils
@@ -189,3 +191,15 @@ def test_rules_are_looked_for_when_there_are_more(monkeypatch: pytest.MonkeyPatc
     target.refresh()
     target.refresh()
     assert looked == [1]
+
+
+def test_what_does_not_fit_into_a_slice_is_refused_in_few_words():
+    @numba.njit
+    def put(target, values):
+        target[1:] = values
+
+    target = np.zeros(3)
+    put(target, np.array([1.0, 2.0]))
+    assert target.tolist() == [0.0, 1.0, 2.0]
+    with pytest.raises(ValueError, match="cannot assign slice from input of different size"):
+        put(target, np.ones(3))
