@@ -10,8 +10,8 @@ compile in.
 
 `answer_at_once` lets the operators on plain numbers, and on elements of arrays, remember what they answered,
 compares flags as dictionaries, passes over what can have no variable in it, finds lifetimes when they are
-asked for, tells nobody of locks, and puts no shapes into words. The answers are numba's own, so the machine code is the same. What a
-later numba has moved is left as it is.
+asked for, tells nobody of locks, and puts no shapes into words. The answers are numba's own, so the machine
+code is the same. What a later numba has moved is left as it is.
 """
 
 from __future__ import annotations
