@@ -52,13 +52,15 @@ def hit_words(position: Position, group: Group) -> str:
     return name if full >= FULLNESS[0][0] else f"{name} on its {'right' if aside > 0.0 else 'left'}"
 
 
-def tip_words(stroke: Stroke) -> str:
-    """Where the tip meets the ball: "above the centre, with left side"."""
+def tip_words(stroke: Stroke, brief: bool = False) -> str:
+    """Where the tip meets the ball: "above the centre, with some left side"; brief: "above, some left side"."""
     up, left = stroke.tip_up, stroke.tip_left
     words = [] if abs(up) < LEAST_TIP else ["above the centre" if up > 0.0 else "below the centre"]
     if abs(left) >= LEAST_TIP:
         much = "much" if abs(left) > 0.35 else "some"
         words.append(f"with {much} {'left' if left > 0.0 else 'right'} side")
+    if brief and len(words) == 2:
+        words = [words[0].removesuffix(" the centre"), words[1].removeprefix("with ")]
     return ", ".join(words) or "in the centre"
 
 

@@ -32,8 +32,7 @@ def draw_list(canvas: Canvas, look: Look, course: Course, advisor: Advisor, draw
     for row, group in enumerate(groups[: layout.ROWS]):
         words = route_words(group.code, drawn.position.cue)
         alike = [other for other in groups if route_words(other.code, drawn.position.cue) == words]
-        tip = tip_words(group.stroke).replace(" the centre, with ", ", ")  # as short as a row is narrow
-        line = rails_words(group.code) if len(alike) > 1 else tip
+        line = rails_words(group.code) if len(alike) > 1 else tip_words(group.stroke, brief=True)
         lit = course.chosen == group.stroke
         share = group.chance if drawn.map.fine else float("nan")
         _draw_row(canvas, look, layout.row_box(row), (words, line), share, lit)
