@@ -53,7 +53,7 @@ def hit_words(position: Position, group: Group) -> str:
 
 
 def tip_words(stroke: Stroke, brief: bool = False) -> str:
-    """Where the tip meets the ball: "above the centre, with some left side"; brief: "above, some left side"."""
+    """Where the tip meets the ball: "above the centre, with some left side", or "above, some left side"."""
     up, left = stroke.tip_up, stroke.tip_left
     words = [] if abs(up) < LEAST_TIP else ["above the centre" if up > 0.0 else "below the centre"]
     if abs(left) >= LEAST_TIP:
