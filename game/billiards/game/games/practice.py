@@ -33,6 +33,11 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
     set_up: tuple[Place, ...] = ()
     hand: Hand = ""
 
+    @property
+    def from_behind(self) -> bool:
+        """False: nothing is forbidden."""
+        return False
+
     def judge(self, shot: ShotSummary, call: Call = Call()) -> Verdict:  # noqa: B008  (immutable)
         """What follows from a stroke: a cue ball that went down is in hand."""
         self.check_playable()
