@@ -108,6 +108,11 @@ class Play(Part):
         """True if a person may aim and strike now."""
         return self.phase == AIMING and self.person_plays and self.model.frame.playable
 
+    @property
+    def asked(self) -> bool:
+        """True if a person has to choose an option."""
+        return self.phase == AIMING and self.person_plays and bool(self.model.frame.game.options)
+
     # -- phases -------------------------------------------------------------------------------------
 
     def start_phase(self, phase: str) -> None:

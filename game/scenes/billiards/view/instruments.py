@@ -14,7 +14,7 @@ from game.billiards.game.table_lengths import table_lengths
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
-from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, STRIKING, Play
+from game.scenes.billiards.play import REPLAY, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.motion import power_of
 from game.scenes.billiards.view.words import aim_words
 from game.scenes.shared.tables.buttons import draw_button
@@ -54,7 +54,7 @@ class Instruments:
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
-        if play.phase == AIMING and play.model.frame.game.options:
+        if play.asked:
             _draw_options(canvas, look, play.model.frame, play.grip)
         if play.phase == SET_UP:
             words = MAKING if self.buttons.maker.active else PLACING

@@ -176,7 +176,7 @@ class BilliardsView:
         if play.phase not in (SET_UP, REPLAY):
             line = line_of(play, self.hint)
             shaky = play.parameters.hand != "none"
-            if not (play.phase == AIMING and play.model.frame.game.options):  # these stand there then
+            if not play.asked:  # the options stand there then
                 draw_line(canvas, look, line, key_rows(play.guide, shaky) if play.may_aim else ())
         self.instruments.draw(canvas, look, odds)
         if is_shown(play):
