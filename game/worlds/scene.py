@@ -11,7 +11,6 @@ from game.physics.effects import EffectSet
 from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, WarmUp
 from game.stage.messages import Messages
 from game.worlds.expectations import captions_of, draw_captions, with_headroom
-from game.worlds.hands.hand import Hand
 from game.worlds.world import World
 
 
@@ -167,7 +166,7 @@ class WorldScene(BuiltScene):
     """
 
     model: World
-    hand: Hand
+    hand: Any
     parts: ClassVar[Parts]
     tool_prefix: ClassVar[str | None] = None
     painters: ClassVar[Sequence[tuple[str, Callable[[], None]]]] = ()

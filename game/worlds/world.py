@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any, ClassVar, NamedTuple
+from collections.abc import Callable, Iterator
+from typing import Any, ClassVar
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
@@ -36,7 +36,7 @@ class World(Part):
     parameters: as the scene has them; active: effects that are computed; time: s, since the beginning.
     """
 
-    state_type: ClassVar[type[tuple[Any, ...]]]
+    state_type: ClassVar[Callable[..., Any]]
 
     def __init__(self, content: Any, parameters: Any, active: EffectSet, *members: Member):
         self.content, self.parameters, self.active = content, parameters, active
@@ -65,10 +65,9 @@ class World(Part):
         """m/s² downwards, as it acts now."""
         return float(self.parameters.gravity) if GRAVITY in self.active else 0.0
 
-    def state(self) -> NamedTuple:
+    def state(self) -> Any:
         """All that later steps depend on, field by field."""
-        found: Any = self.state_type(*(field for member in self.members for field in member.state()))
-        return found
+        return self.state_type(*(field for member in self.members for field in member.state()))
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
