@@ -536,3 +536,10 @@ def test_window_and_menu_do_not_import_the_compiler():
     code = "import sys, game.app.start, game.app.application; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120)
     assert done.stdout.split()[-1] == "False"
+
+
+def test_a_level_that_no_scene_has_is_answered_with_names(capsys):
+    for word, offered in (("ghost-9-ball", "ghost-09"), ("drill", "drill-01-stop"), ("zzz", "there are ")):
+        status, _, said = run(capsys, "run", "billiards", "--seconds", "0", "--level", word)
+        assert status == 2
+        assert f"no level of billiards is called {word}" in said and offered in said, said
