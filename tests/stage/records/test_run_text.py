@@ -183,8 +183,8 @@ class TestHostileTexts:
         text = text_of(played().recording)
         document = unpacked(text)
         for wrong, reason in (
-            (b"\xff\xfe", "not JSON"), (b"[" * 200_000, "Expected object"), ([1], "Expected object, got array"),
-            ({}, "Object missing required field"), ({**document, "more": 1}, "unknown field"),
+            (b"\xff\xfe", "not JSON"), (b"[" * 200_000, "Expected object, got array"),
+            ([1], "Expected object, got array"), ({}, "Object missing required field"), ({**document, "more": 1}, "unknown field"),
             ({**document, "digest": "0" * 32}, "unknown field digest"),
             ({**document, "steps": 10}, "is out of order"), ({**document, "seed": -1}, "seed"),
             ({**document, "dt": 0.0}, "dt"),
