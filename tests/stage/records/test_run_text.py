@@ -184,7 +184,8 @@ class TestHostileTexts:
         document = unpacked(text)
         for wrong, reason in (
             (b"\xff\xfe", "not JSON"), (b"[" * 200_000, "Expected object, got array"),
-            ([1], "Expected object, got array"), ({}, "Object missing required field"), ({**document, "more": 1}, "unknown field"),
+            ([1], "Expected object, got array"), ({}, "Object missing required field"),
+            ({**document, "more": 1}, "unknown field"),
             ({**document, "digest": "0" * 32}, "unknown field digest"),
             ({**document, "steps": 10}, "is out of order"), ({**document, "seed": -1}, "seed"),
             ({**document, "dt": 0.0}, "dt"),
