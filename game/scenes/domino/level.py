@@ -10,7 +10,7 @@ from game.worlds.entries.entry import LevelEntry
 from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e4)]
+Length = Annotated[float, msgspec.Meta(ge=1e-6, le=1e4)]
 Density = Annotated[float, msgspec.Meta(ge=1e-3, le=1e5)]
 Grip = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
 Degrees = Annotated[float, msgspec.Meta(ge=-80.0, le=80.0)]

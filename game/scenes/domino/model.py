@@ -93,6 +93,7 @@ class DominoModel(Part):
         self.floors = [floor_points(floor) for floor in content.floors]
         self.heard = none_of(HEARD_WIDTH)
         self._build()
+        self.world.check_solver()
 
     # -- building -------------------------------------------------------------------------------------
 

@@ -78,6 +78,7 @@ class SolidModel(Part):
         joints = [self.join(entry, ids) for entry in made.joints]
         self.heard: Floats = np.zeros((0, HEARD_WIDTH))
         self.gauges = Gauges(self.world, content.gauges, ids, joints)
+        self.world.check_solver()
 
     @property
     def time(self) -> float:

@@ -9,7 +9,7 @@ import msgspec
 from game.worlds.entries.entry import LevelEntry
 
 Metre = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e4)]
+Length = Annotated[float, msgspec.Meta(ge=1e-6, le=1e4)]
 Point = tuple[Metre, Metre]
 
 
