@@ -21,6 +21,7 @@ FLOORS = (
         "folders",
         "files",
         "packed_text",
+        "arrays",
     ),  # where things lie and how they are read and written: for every floor
     *(
         "physics",
@@ -78,11 +79,11 @@ FOLDERS = {
     "ui": ("look raster sound", "text", "canvas", "painters widgets", "charts panel"),
     "worlds": (
         "entries stopwatch tables",
+        "world",
         "painting hearing",
         "members",
         "hands",
         "expectations",
-        "world",
         "scene",
     ),
     "app": (

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.worlds.entries.entry import LevelEntry
-from game.worlds.entries.tracks import Length, Metre, Point, TrackEntry
+from game.worlds.entries.entry import Length, LevelEntry, Metre, Point
+from game.worlds.entries.tracks import TrackEntry
 from game.worlds.expectations import Expectations
 
 Colour = Literal["chalk", "green", "vermilion", "pink", "violet", "yellow", "amber"]
