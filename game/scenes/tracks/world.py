@@ -72,7 +72,7 @@ class TracksWorld(World):
         for entry in content.balls:
             self.add(entry)
         for k, gauge in enumerate(content.gauges):
-            if gauge.of >= max(len(content.balls), 1):
+            if gauge.of >= len(content.balls):
                 raise ValueError(
                     f"gauges: {gauge.name!r} is of ball {gauge.of}; there are {len(content.balls)}"
                 )
