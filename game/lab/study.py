@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol
 
 COST = "CPU time for one simulated second"
+PRESENT = "present"  # the method of a scene's own setting that is none of the study's
 
 
 @dataclass(frozen=True)
