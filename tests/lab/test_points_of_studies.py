@@ -60,6 +60,21 @@ def test_the_scene_accepts_the_setting_of_each_point(name: str, number: int):
     assert without == ELSEWHERE.get(study.name, set())
 
 
+# knobs that count what is divided, or how much is taken into account: more of it is finer
+PARTS = {
+    *("cells", "substeps", "steps", "turns", "chords", "window", "work", "budget", "iterations", "passes"),
+    *("samples", "keys", "joints", "influences", "angles", "rounds", "meshes"),
+}
+
+
+@pytest.mark.parametrize(("name", "number"), CASES)
+def test_a_knob_that_counts_parts_says_so(name: str, number: int):
+    """Else its order would come out with the wrong sign, and points before a failure be fitted."""
+    _, study = study_of(name, number)
+    if study.axes.up == "error":
+        assert study.knob.parts == (study.knob.name in PARTS)
+
+
 @pytest.mark.parametrize(("name", "number"), CASES)
 def test_points_are_told_apart_and_belong_to_methods(name: str, number: int):
     _, study = study_of(name, number)
