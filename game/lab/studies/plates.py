@@ -80,7 +80,9 @@ plate_study = Study(
     error_unit="a, U",
     counter="steps",
     knob=Knob("step", "step", "a/U"),
-    methods=tuple(Method(name, name.replace("-", " "), ORDERS[name], NOTES.get(name, "")) for name in METHODS),
+    methods=tuple(
+        Method(name, name.replace("-", " "), ORDERS[name], NOTES.get(name, "")) for name in METHODS
+    ),
     settings=_settings,
     trial=FallTrial,
     reference=f"RK4 in {FINEST} steps; half as many agree to 1e-12.",

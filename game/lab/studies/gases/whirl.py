@@ -124,7 +124,7 @@ whirl_study = Study(
     trial=WhirlTrial,
     reference="The whirl itself: it is steady.",
     expectation="What is carried along by interpolation alone is smeared in proportion to the cells; with a "
-    "stored pressure the error falls with their square. The twenty sweeps of 2003 are too few for many cells.",
+    "stored pressure the error falls with their square. Twenty sweeps are too few for many cells.",
     present=_present,
     workload=Workload("two whirls in a box of 2 m by 1 m, Courant number 1"),
 )

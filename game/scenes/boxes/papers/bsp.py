@@ -75,7 +75,7 @@ def _mending() -> Iterator[Comparison]:
                 done = _shares(tree, COUNT, JOURNEY)
         times["a new tree"] = mean_milliseconds(journey(BspTree(), way, True), 0)
         yield Comparison(
-            f"{COUNT} boxes in heaps that travel {way:g} sizes a step: boxes put anew; in parts cut anew; tests",
+            f"{COUNT} boxes in heaps that go {way:g} sizes a step: boxes put anew; in parts cut anew; tests",
             "most of the tree stays",
             done,
         )

@@ -163,10 +163,10 @@ KINETIC = Paper(
     ),
     measure=_measure,
     limits=(
-        "Here a bound is kept over many steps, and pairs are those at the end of a step, as for all methods "
-        "of the race. The farther boxes go in a step, the sooner bounds end: from some way on most begin anew "
-        "in each step, and where all leap they end as soon as they begin. In the plane two axes and the one "
-        "slab already bound a swept box tightly; in space more directions are needed, and gain more.",
+        "Here a bound is kept over many steps, and pairs are those at the end of a step, as for all "
+        "methods of the race. The farther boxes go in a step, the sooner bounds end; where all leap they end "
+        "as soon as they begin. In the plane two axes and the one slab already bound a swept box tightly; in "
+        "space more directions are needed, and gain more.",
     ),
     after=(
         "Fat boxes in trees, moved ahead of the motion, are the same thought in today's engines (Catto's "

@@ -61,7 +61,7 @@ def travelling(count: int, way: float) -> Callable[[int], tuple[Corners, Corners
     What it returns gives the lower and upper corners (count, 2) m at a step.
     """
     rng = np.random.default_rng(3)
-    boxes, size = some_boxes("equal", count, 0.0)
+    size = some_boxes("equal", count, 0.0)[1]
     world = np.array(EXTENT)
     home, angles = rng.random((HEAPS, 2)) * world, 2.0 * np.pi * rng.random(HEAPS)
     ways = way * size * np.stack([elementwise.cos(angles), elementwise.sin(angles)], axis=1)
@@ -111,8 +111,8 @@ def in_words(times: Mapping[str, float], whose: str) -> str:
     factor = max(times[whose], times[rival]) / min(times[whose], times[rival])
     if factor < LEVEL:
         return f"{listed} ms: {whose} is level with {rival}"
-    verdict = "the fastest" if place == 0 else f"number {place + 1} of {len(order)}"
-    return f"{listed} ms: {whose} is {verdict}, {factor:.2g} × the {'speed' if place == 0 else 'time'} of {rival}"
+    verdict, of = ("the fastest", "speed") if place == 0 else (f"number {place + 1} of {len(order)}", "time")
+    return f"{listed} ms: {whose} is {verdict}, {factor:.2g} × the {of} of {rival}"
 
 
 def _short(number: float) -> str:
