@@ -72,7 +72,7 @@ class TracksModel(Part):
         for entry in content.balls:
             self.add(entry)
         for gauge in content.gauges:
-            if gauge.of >= max(len(content.balls), 1):
+            if gauge.of >= len(content.balls):
                 raise ValueError(
                     f"gauges: {gauge.name!r} is of ball {gauge.of}; there are {len(content.balls)}"
                 )
