@@ -183,6 +183,8 @@ class WorldScene(BuiltScene):
     def build(self, level: Level | None) -> None:
         content, parts = self.content_of(level), self.parts
         self.model = parts.world(content, self.parameters, self.active, self.seed)
+        for member in self.model.members:
+            member.check()
         self.hand = parts.hand(self.model)
         self.view = parts.view(self.model, self.hand)
         self.check_content(content)

@@ -13,6 +13,9 @@ from game.stage import Part
 class Member(Part):
     """A thing of a world. Each method may be left as it is: then it does nothing."""
 
+    def check(self) -> None:
+        """All is built. ValueError if it could not go on like that."""
+
     def step(self, dt: float) -> None:
         """Go on by dt (s)."""
 

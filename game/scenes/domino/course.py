@@ -31,7 +31,10 @@ def floor_points(floor: FloorEntry) -> Floats:
         if not added:
             raise ValueError(f"pieces[{k}]: it goes nowhere")
         points += added
-    return np.array(points)
+    found = np.array(points)
+    if not (np.diff(found[:, 0]) > 0.0).any():  # nothing can stand on it: `height_at` asks for such a piece
+        raise ValueError("pieces: no part of the floor leads to the right")
+    return found
 
 
 def _piece(start: Point, heading: float, piece: PieceEntry) -> tuple[list[Point], float]:

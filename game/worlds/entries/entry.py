@@ -7,7 +7,7 @@ from typing import Annotated
 import msgspec
 
 Metre = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e4)]
+Length = Annotated[float, msgspec.Meta(ge=1e-6, le=1e4)]
 Point = tuple[Metre, Metre]
 Density = Annotated[float, msgspec.Meta(ge=1e-3, le=1e5)]  # kg/m² of a slice, water being 1
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]

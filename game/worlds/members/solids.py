@@ -89,6 +89,9 @@ class Solids(Member):
         """A body that touches nothing and never moves, for joints to hang on."""
         return self.world.add_body(Disc(0.01, material=Material(mask=0, category=0)), kind="fixed")
 
+    def check(self) -> None:
+        self.world.check_solver()
+
     def step(self, dt: float) -> None:
         with self.watch.time("step"):
             self.world.step(dt)
