@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import math
 from typing import Any, Protocol
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.compiler.entrances import Entrances
 from game.physics.kernels import elementary
+from game.physics.kernels.limits import LimitError
 from game.physics.solids import memory
 from game.physics.solids.bodies import FASTEST, SolidBodies
 from game.physics.solids.effects import WIND_BIT
@@ -39,7 +41,7 @@ from game.physics.solids.shapes import (
     checked_number,
     checked_pair,
 )
-from game.physics.solids.solvers import SOLVERS, UNJOINED
+from game.physics.solids.solvers import LIMITED, SOLVERS, UNJOINED
 from game.physics.solids.state import (
     DYNAMIC,
     KEY_FRAMED,
@@ -48,6 +50,7 @@ from game.physics.solids.state import (
 from game.physics.solids.stepping import (
     BEGUN,
     NOTHING_WRONG,
+    RUNAWAY,
     SNAPPED,
     WRONG,
     begin_step,
@@ -58,6 +61,7 @@ from game.physics.solids.stepping import (
 from game.physics.solids.store import arrays_of
 
 Floats = NDArray[np.float64]
+TRIED_S = 1.0 / 60.0  # of the step that tries a solver
 
 
 class Air(Protocol):
@@ -70,6 +74,10 @@ class Air(Protocol):
 
 class NotFiniteError(ArithmeticError):
     """A step made a number that is not finite; the message names the body, the quantity and the step."""
+
+
+class RunawayError(ArithmeticError):
+    """A step made a body faster than any can be; the message names the body, its speed and the step."""
 
 
 class SolidWorld(SolidBodies):
@@ -90,19 +98,37 @@ class SolidWorld(SolidBodies):
 
     @property
     def settings(self) -> SolidSettings:
-        """What a step does; may be replaced at any time. ValueError for a solver that there is not."""
+        """What a step does; may be replaced at any time.
+
+        ValueError for a solver that there is not, LimitError for one that cannot take what touches now.
+        """
         return self._settings
 
     @settings.setter
     def settings(self, settings: SolidSettings) -> None:
         if settings.solver not in SOLVERS:
             raise ValueError(f"solver = {settings.solver!r}: expected one of {', '.join(SOLVERS)}")
+        before = getattr(self, "_settings", settings)
         self._settings = settings
+        if settings.solver != before.solver:
+            try:
+                self.check_solver()
+            except LimitError:
+                self._settings = before
+                raise
         if settings.solver != GOVERNED:
             self.bodies.stored[:] = 0.0  # no other solver knows of it
         self.bodies.flags[self.ids()] |= WAKING
         self._numbers: Any = None
         self._fitting = False
+
+    def check_solver(self) -> None:
+        """LimitError if the solver cannot take what touches now: found by a step of another such world."""
+        if self._settings.solver in LIMITED and len(self.ids()):
+            other = SolidWorld(self._settings)
+            other.restore(self.state())
+            with contextlib.suppress(NotFiniteError):  # that is another matter, said by the step itself
+                other.step(TRIED_S)
 
     def set(self, **changes: Any) -> None:
         """Change some of the settings. ValueError, naming the field, for nonsense."""
@@ -220,7 +246,9 @@ class SolidWorld(SolidBodies):
     # ------------------------------------------------------------------ steps
 
     def step(self, dt: float) -> None:
-        """One step of dt (s). ValueError for dt or the air; NotFiniteError if a body is no longer finite."""
+        """One step of dt (s). ValueError for dt or the air; NotFiniteError if a body is no longer finite,
+        RunawayError if its solver has made it faster than `RUNAWAY`.
+        """
         if self._numbers is None or self._numbers.dt != dt:
             self._numbers = self._settings.numbers(checked_number("dt", dt, 0.0, 1e3, above=True))
             self._entrances.forget()
@@ -247,16 +275,19 @@ class SolidWorld(SolidBodies):
         if self._scratch.events[SNAPPED]:
             self._exclude()
         if self._scratch.events[WRONG] != NOTHING_WRONG:
-            body = int(self._scratch.events[WRONG])
-            raise NotFiniteError(f"body {body}: {self._wrong(body)} not finite after step {self.steps}")
+            raise self._wrong(int(self._scratch.events[WRONG]))
 
-    def _wrong(self, body: int) -> str:
-        """The first quantity of a body that is not finite."""
+    def _wrong(self, body: int) -> ArithmeticError:
+        """What a step has made of a body: a quantity that is not finite, or a speed that runs away."""
         rows = self.bodies
         for name in ("positions", "angles", "velocities", "spins"):
             if not np.isfinite(getattr(rows, name)[body]).all():
-                return name
-        return "pose and motion"
+                return NotFiniteError(f"body {body}: {name} not finite after step {self.steps}")
+        (x, y), spin = np.abs(rows.velocities[body]).tolist(), abs(float(rows.spins[body]))
+        found = f"{max(x, y):.3g} m/s" if max(x, y) > RUNAWAY else f"{spin:.3g} rad/s"
+        return RunawayError(
+            f"body {body}: {found} after step {self.steps}: the solver {self._settings.solver} runs away"
+        )
 
     def _feel_air(self, mask: int) -> None:
         """Velocities of the air about all bodies, as they are when a step begins."""

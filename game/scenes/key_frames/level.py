@@ -6,8 +6,8 @@ from typing import Annotated
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 MOST_KEYS = 200
 FARTHEST = 1000.0  # m
@@ -60,7 +60,7 @@ class Motion(LevelEntry, frozen=True, kw_only=True):
                   Annotated[float, msgspec.Meta(ge=-3.0, le=4.0)]] = (0.42, 0.0, 0.58, 1.0)  # fmt: skip
     start: Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)] = 0.0
     box: tuple[
-        Annotated[float, msgspec.Meta(gt=0.0, le=100.0)], Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
+        Annotated[float, msgspec.Meta(ge=1e-6, le=100.0)], Annotated[float, msgspec.Meta(ge=1e-6, le=100.0)]
     ] = (
         1.1,
         0.66,

@@ -27,12 +27,12 @@ from game.physics.solids.tracks.motion import (
     X,
     Y,
 )
-from game.scenes.shared.rails.level import Point
-from game.scenes.shared.rails.shapes import curve_of
-from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.tracks.level import BallEntry, GaugeEntry, TrackContent
 from game.scenes.tracks.parameters import TrackParameters
 from game.stage import Part
+from game.worlds.entries.entry import Point
+from game.worlds.entries.track_forms import curve_of
+from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
@@ -72,7 +72,7 @@ class TracksModel(Part):
         for entry in content.balls:
             self.add(entry)
         for gauge in content.gauges:
-            if gauge.of >= max(len(content.balls), 1):
+            if gauge.of >= len(content.balls):
                 raise ValueError(
                     f"gauges: {gauge.name!r} is of ball {gauge.of}; there are {len(content.balls)}"
                 )

@@ -1,0 +1,92 @@
+"""Boards and boxes as polygons, to be painted at once."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from game.arrays import Floats, Longs
+from game.physics.kernels import elementwise
+from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.polygons import NO_EDGE, paint
+
+WHOLE = (-1.0, -1.0, 1.0, 1.0)  # of a box, in shares of its half sizes
+SMOOTH = 0.5  # rad: where a floor turns by more, its board ends
+
+
+class Shapes(NamedTuple):
+    """Corners (v, 2) m of polygons, and the first corner of each, (m + 1,)."""
+
+    corners: Floats
+    starts: Longs
+
+
+def boards_of(points: Floats, thick: float) -> Shapes:
+    """What a floor is made of, ``thick`` m deep; a polygon for each smooth run."""
+    along = np.diff(points, axis=0)
+    angles = elementwise.arctan2(along[:, 1], along[:, 0])
+    turns = np.abs(np.remainder(np.diff(angles) + math.pi, math.tau) - math.pi)
+    cuts = [0, *(np.flatnonzero(turns > SMOOTH) + 1).tolist(), len(along)]
+    parts = []
+    for first, last in pairwise(cuts):
+        run = points[first : last + 1]
+        normals = np.stack(
+            [elementwise.sin(angles[first:last]), -elementwise.cos(angles[first:last])], axis=1
+        )
+        both = np.concatenate([normals[:1], 0.5 * (normals[1:] + normals[:-1]), normals[-1:]])
+        parts.append(np.concatenate([run, (run + thick * both)[::-1]]))
+    return joined(parts)
+
+
+def joined(parts: list[Floats]) -> Shapes:
+    """Polygons one after the other."""
+    starts = np.cumsum([0, *(len(part) for part in parts)])
+    return Shapes(np.concatenate([np.zeros((0, 2)), *parts]), starts.astype(np.int64))
+
+
+def moved(shapes: Shapes, by: Floats) -> Shapes:
+    """The same elsewhere: ``by`` (2,) m."""
+    return Shapes(shapes.corners + by, shapes.starts)
+
+
+def placed(box: tuple[float, float, float, float], sizes: Floats, places: Floats, turned: Floats) -> Floats:
+    """Corners (4 n, 2) m of a part of n boxes: ``box`` in shares of half sizes (n, 2), at places and cosine
+    and sine (n, 2)."""
+    x0, y0, x1, y1 = box
+    unit = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+    own = sizes[:, None, :] * unit[None]
+    c, s = turned[:, 0, None], turned[:, 1, None]
+    x, y = own[..., 0], own[..., 1]
+    corners = np.stack([c * x - s * y, s * x + c * y], axis=2) + places[:, None, :]
+    return corners.reshape(-1, 2)
+
+
+def paint_quads(
+    canvas: Canvas, corners: Floats, inks: Any, shares: Any = 1.0,
+    edges: Any = NO_EDGE,
+) -> None:  # fmt: skip
+    """Quadrangles (4 n, 2) m, those in the picture; colours, opacities and edges of all or of each."""
+    if not len(corners):
+        return
+    boxes, seen = corners.reshape(-1, 4, 2), canvas.camera.visible()
+    low, high = boxes.min(axis=1), boxes.max(axis=1)
+    there = (low[:, 0] < seen.right) & (high[:, 0] > seen.left)
+    there &= (low[:, 1] < seen.top) & (high[:, 1] > seen.bottom)
+    kept = np.ascontiguousarray(boxes[there].reshape(-1, 2))
+    count = len(kept) // 4
+    if count:
+        own, veils, rims = (
+            np.full(count, one, dtype=kind) if np.ndim(one) == 0 else np.ascontiguousarray(one[there])
+            for one, kind in ((inks, np.int64), (shares, np.float64), (edges, np.int64))
+        )  # type: Any, Any, Any
+        paint(canvas, kept, np.arange(0, 4 * count + 1, 4), own, veils, rims, np.zeros((4, 2)))
+
+
+def paint_shapes(canvas: Canvas, shapes: Shapes, ink: int, share: float = 1.0) -> None:
+    """Polygons of one colour."""
+    count = len(shapes.starts) - 1
+    inks, none = np.full(count, ink, dtype=np.int64), np.full(count, NO_EDGE, dtype=np.int64)
+    paint(canvas, shapes.corners, shapes.starts, inks, np.full(count, share), none, np.zeros((4, 2)))
