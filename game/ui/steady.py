@@ -139,7 +139,7 @@ class Loops:
         """Set each loop's loudness; begin what is new, end what is over. ValueError for an unknown kind."""
         step = int(np.argmin([abs(pitch - kept) for kept in PITCHES]))
         loudest = sorted((one for one in steady if one.level >= LEAST_LEVEL), key=lambda one: -one.level)
-        wanted = {}
+        wanted: dict[tuple[str, int, int], Steady] = {}
         for one in loudest[: len(self._free) + len(self._playing)]:
             wanted.setdefault((one.kind, bright_of(one), step), one)
         for key in [key for key in self._playing if key not in wanted]:
