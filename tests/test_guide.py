@@ -13,7 +13,7 @@ from game.levels import parse_level
 from game.physics import effects
 from game.scenes import CATALOGUE
 from game.stage import ParameterError, SetParameter, Stage
-from game.stage.story.lines import VERBS
+from game.stage.script.lines import VERBS
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import DARK
 

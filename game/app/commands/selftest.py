@@ -257,7 +257,7 @@ def _compare(first: Stage, other: Stage, straight: str) -> str:
 
 def _left_out(stage: Stage) -> str:
     """Which fields state() leaves out, if that can be told."""
-    from game.stage.states.left_out import fields_left_out
+    from game.stage.checks.left_out import fields_left_out
 
     with suppress(Exception):  # the scene is at fault already; this only says more
         names = fields_left_out(stage.build_scene(stage.scene.values, stage.scene.active), stage.dt)

@@ -19,8 +19,8 @@ from game.app.window.pictures import write_png
 from game.files import save_text
 from game.stage import Frame, Scene, Stage
 from game.stage.playing.paced import NEWEST
-from game.stage.story.course import Caption
-from game.stage.story.lines import Story
+from game.stage.script.course import Caption
+from game.stage.script.lines import Story
 from game.stage.story.rehearsal import Rehearsal, stage_of
 from game.stage.story.runner import Runner
 from game.ui.look.layout import auto_scale

@@ -13,8 +13,8 @@ from game.levels import Level
 from game.stage import Pointer, RecordingError, SetParameter, Stage, replay, replay_scene
 from game.stage.records import run_text
 from game.stage.records.excerpt import Excerpt
-from game.stage.records.replaying import recording_of_excerpt
 from game.stage.records.run_text import WORDS, looks_like_a_run, recording_in, text_of
+from game.stage.replaying import recording_of_excerpt
 from tests.stage.example_scene import KICK, BouncingBall
 from tests.stage.odd_scenes import BURST, Cloud, CloudContent, Fragile
 from tests.stage.records.test_recordings import CATALOGUE, played

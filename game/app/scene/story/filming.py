@@ -11,7 +11,7 @@ from game.app.compile.second_process import with_this_game
 from game.app.screens.host import Host
 from game.app.window.children import start
 from game.folders import pictures_folder
-from game.stage.story.lines import Story
+from game.stage.script.lines import Story
 from game.ui.widgets.list_row import ListRow
 
 LAST_S = 10.0
