@@ -49,7 +49,7 @@ class TrackHand(Part):
     def begin_again(self) -> None:
         """Let go."""
         if self.held != NOBODY and self.held < len(self.model.energies):
-            self.model.note_energy(self.held)
+            self.model.begin_here(self.held)
         self.held = self.bent = NOBODY
         self.point, self.path = None, []
 
@@ -110,18 +110,20 @@ class TrackHand(Part):
         return self._lay(curves)
 
     def _lay(self, curves: list[Curve]) -> str:
+        self.model.keep_lost()
         try:
             self.model.world.set_curves(curves, REACH)
         except ValueError as error:
             return f"{str(error)[:1].upper()}{str(error)[1:]}."
-        for ball in range(len(self.model.energies)):
-            self.model.note_energy(ball)
+        self.model.note_energies()
         return ""
 
     def _let_go(self) -> str:
         path, words = self.path, ""
         if self.held != NOBODY:
+            self.model.keep_lost(self.held)
             self.model.world.put_down(self.held, 0.5 * self.reach)
+            self.model.note_energies(self.held)
         if path:
             curve = drawn(path, self.reach)
             if curve is None:

@@ -43,6 +43,11 @@ SHOWN_BALLS = 200  # most that have a trail
 RIDERS = 50  # bits that a float holds, with some to spare
 REACH = 0.6  # m, to the track on which a ball is seated
 NOT_YET = 0.0
+ALL = slice(None)
+START_X, START_Y, START_VX, START_VY, START_SPIN, SEATED, ROLLING = range(7)  # of what a ball begins with
+START_WIDTH = 7
+BEYOND = 0.5  # of the view's width and height: a ball that flies so far beside it has left
+LIVE = ("period", "speed", "high", "past")  # gauges that go on measuring
 
 
 class TracksState(NamedTuple):
@@ -56,6 +61,8 @@ class TracksState(NamedTuple):
     energies: Floats  # (n,) J, of each ball when it was let go
     gauges: Floats  # (g, 3) value and two notes
     trail: Floats  # (TRAIL, n, 2)
+    begun: Floats  # (n, START_WIDTH), what each ball begins with again
+    spent: Floats  # (1,) J that was lost before the balls were let go as they are now
 
 
 class TracksModel(Part):
@@ -69,6 +76,8 @@ class TracksModel(Part):
         self.tints: Longs = np.zeros(0, dtype=np.int64)
         self.energies: Floats = np.zeros(0)
         self.trail: Floats = np.zeros((TRAIL, 0, 2))
+        self.begun: Floats = np.zeros((0, START_WIDTH))
+        self.spent: Floats = np.zeros(1)
         for entry in content.balls:
             self.add(entry)
         for gauge in content.gauges:
@@ -105,27 +114,52 @@ class TracksModel(Part):
             entry.restitution is not None
         )
         self.tints = np.append(self.tints, tint)
-        if entry.seated and self.world.put_down(ball, REACH) and entry.rolling:
-            row = self.world.balls.rows[ball]
-            row[SPIN] = -row[SPEED] / row[RADIUS]
-        self.energies = np.append(self.energies, 0.0)
+        begun = (*entry.position, *entry.velocity, entry.spin, entry.seated, entry.rolling)
+        self.begun = np.vstack([self.begun, begun])
+        self._seat(ball)
+        self.energies = np.append(self.energies, float(self.world.energies()[ball].sum()))
         place = self.world.balls.rows[ball, X : Y + 1]
         self.trail = np.concatenate([self.trail, np.broadcast_to(place, (TRAIL, 1, 2))], axis=1)
-        self.note_energy(ball)
         return ball
 
-    def note_energy(self, ball: int) -> None:
-        """From now on its speed is compared with what this energy allows."""
-        self.energies[ball] = float(self.world.energies()[ball].sum())
+    def _seat(self, ball: int) -> None:
+        """Put a ball on the track where it begins, if it begins on one."""
+        begun, row = self.begun[ball], self.world.balls.rows[ball]
+        if begun[SEATED] and self.world.put_down(ball, REACH) and begun[ROLLING]:
+            row[SPIN] = -row[SPEED] / row[RADIUS]
+
+    def lost(self) -> float:
+        """J that friction and impacts have taken since the beginning."""
+        return float(self.spent[0]) + float((self.energies - self.world.energies().sum(axis=1)).sum())
+
+    def keep_lost(self, balls: Any = ALL) -> None:
+        """Something is about to change balls: what they have lost stays lost; then `note_energies`."""
+        self.spent[0] += float((self.energies - self.world.energies().sum(axis=1))[balls].sum())
+
+    def note_energies(self, balls: Any = ALL) -> None:
+        """From now on speeds are compared with what these energies allow."""
+        self.energies[balls] = self.world.energies().sum(axis=1)[balls]
+
+    def begin_here(self, ball: int) -> None:
+        """A ball that was let go by hand begins there, whenever it comes back."""
+        row, on = self.world.balls.rows[ball], self.world.balls.pieces[ball, PIECE] != FREE
+        self.begun[ball] = row[X], row[Y], 0.0, 0.0, 0.0, on, False
 
     def remove(self, ball: int) -> None:
         """Take a ball away."""
+        self.keep_lost(ball)
         self.world.remove_ball(ball)
+        self.begun = np.delete(self.begun, ball, axis=0)
         self.tints, self.energies = np.delete(self.tints, ball), np.delete(self.energies, ball)
         self.trail = np.delete(self.trail, ball, axis=1)
 
     def hold(self, ball: int, place: Point) -> None:
         """Put a ball somewhere, at rest and free."""
+        self.keep_lost(ball)
+        self._place(ball, place)
+        self.note_energies(ball)
+
+    def _place(self, ball: int, place: Any) -> None:
         row = self.world.balls.rows[ball]
         row[X : Y + 1] = place
         row[VX : VY + 1], row[SPIN], row[SPEED] = 0.0, 0.0, 0.0
@@ -133,20 +167,20 @@ class TracksModel(Part):
 
     def change_parameter(self, name: str) -> None:
         """Take over a parameter's new value."""
+        self.keep_lost()
         self.world.settings = self._settings()
         rows = self.world.balls.rows
         if name == "friction":
             rows[self.tints & OWN_FRICTION == 0, FRICTION] = self.parameters.friction
         elif name == "restitution":
             rows[self.tints & OWN_RESTITUTION == 0, BOUNCE] = self.parameters.restitution
-        elif name == "gravity":
-            self.energies[:] = self.world.energies().sum(axis=1)
+        self.note_energies()
         self.watch.clear()
 
     def change_effects(self, active: EffectSet) -> None:
         """Compute these effects from now on."""
         self.active = active
-        self.change_parameter("gravity")
+        self.change_parameter("")
 
     # -- a step ---------------------------------------------------------------------------------------
 
@@ -161,6 +195,8 @@ class TracksModel(Part):
         if kept is not None:
             balls.rows[held], balls.pieces[held] = kept
         self.time += dt
+        if self.parameters.again:
+            self._bring_back(held)
         self.trail[self.steps % TRAIL] = self.world.balls.rows[:, X : Y + 1]
         self.steps += 1
         for k, gauge in enumerate(self.content.gauges):
@@ -170,6 +206,30 @@ class TracksModel(Part):
                 self._count_riders(self.gauges[k], gauge.level)
             elif gauge.of < len(on):
                 self._measure(k, gauge, before[gauge.of], bool(on[gauge.of]), dt)
+
+    def _bring_back(self, held: int) -> None:
+        """Let balls that have left the view for good begin again where they began, but for those on which a
+        gauge goes on measuring.
+        """
+        view, rows = self.content.view, self.world.balls.rows
+        wide, tall = BEYOND * (view.right - view.left), BEYOND * (view.top - view.bottom)
+        x, y = rows[:, X], rows[:, Y]
+        out = (x < view.left - wide) | (x > view.right + wide) | (y < view.bottom - tall)
+        out &= self.world.balls.pieces[:, PIECE] == FREE
+        for gauge in self.content.gauges:
+            if gauge.measure in LIVE and (gauge.measure == "past" or gauge.of < len(out)):
+                out[gauge.of if gauge.measure != "past" else ALL] = False
+        if held >= 0:
+            out[held] = False
+        if out.any():
+            self.keep_lost(out)
+            for ball in np.flatnonzero(out).tolist():
+                begun = self.begun[ball]
+                self._place(ball, begun[: START_Y + 1])
+                rows[ball, VX : VY + 1], rows[ball, SPIN] = begun[START_VX : START_VY + 1], begun[START_SPIN]
+                self._seat(ball)
+                self.trail[:, ball] = rows[ball, X : Y + 1]
+            self.note_energies(out)
 
     def _measure(self, k: int, gauge: GaugeEntry, before: Floats, on: bool, dt: float) -> None:
         row, noted = self.world.balls.rows[gauge.of], self.gauges[k]
@@ -221,7 +281,7 @@ class TracksModel(Part):
             np.concatenate(arrays) if arrays else np.zeros((0, 2)),
             counts,
             np.array([(float(c.closed), c.corner) for c in self.world.curves]).reshape(-1, 2),
-            self.tints, self.energies, self.gauges, self.trail,
+            self.tints, self.energies, self.gauges, self.trail, self.begun, self.spent,
         )  # fmt: skip
 
     def restore(self, state: Any) -> None:
@@ -240,3 +300,4 @@ class TracksModel(Part):
         self.world.restore(state.balls)
         self.tints, self.energies = state.tints.copy(), state.energies.copy()
         self.gauges, self.trail = state.gauges.copy(), state.trail.copy()
+        self.begun, self.spent = state.begun.copy(), state.spent.copy()

@@ -29,6 +29,10 @@ class TrackParameters(Parameters):
     )
     restitution = Param(0.0, 0.0, 1.0, group="World", help="part of the speed of an impact that comes back")
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
+    again = Toggle(
+        True, group="World", label="Balls come back",
+        help="a ball that has flown out of view begins again where it began",
+    )  # fmt: skip
     tier = Choice(
         "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Steps", label="Quality",
         help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say",

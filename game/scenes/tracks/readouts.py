@@ -23,7 +23,7 @@ def readouts(model: TracksModel) -> list[Readout]:
     there = len(balls.rows) > 0
     way, turn, height = model.world.energies().sum(axis=0).tolist() if there else (0.0, 0.0, 0.0)
     total = way + turn + height
-    lost = float(model.energies.sum()) - total
+    lost = model.lost()
     lost = lost if abs(lost) > ROUNDING * (way + turn + abs(height)) else 0.0
     speed = elementary.hypot(balls.rows[0, VX], balls.rows[0, VY]) if there else 0.0
     return [

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import ANGLE, RADIUS, VX, VY, X, Y
 from game.scenes.tracks.hand import TrackHand
-from game.scenes.tracks.model import COLOURS, SHOWN_BALLS, TRAIL, TracksModel, TracksState
+from game.scenes.tracks.model import BEYOND, COLOURS, SHOWN_BALLS, TRAIL, TracksModel, TracksState
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.worlds.hands.curves import NOBODY
 from game.worlds.painting.rails import lines_of
@@ -49,12 +49,19 @@ class TrackView:
         places, angles = rows[:, X : Y + 1], rows[:, ANGLE]
         if previous is not None and previous.balls.rows.shape == rows.shape:
             before = previous.balls.rows
-            places = before[:, X : Y + 1] + alpha * (places - before[:, X : Y + 1])
+            moved = places - before[:, X : Y + 1]
+            jumped = np.abs(moved).max(axis=1) > self._jump()  # it came back, and is there at once
+            places = places - (1.0 - alpha) * np.where(jumped[:, None], 0.0, moved)
             angles = before[:, ANGLE] + alpha * (angles - before[:, ANGLE])
         if self.model.parameters.trails and len(rows) <= SHOWN_BALLS:
             self._draw_trails(canvas, places)
         self._draw_balls(canvas, places, angles)
         self._draw_hand(canvas)
+
+    def _jump(self) -> float:
+        """m that a ball is moved by at least when it comes back."""
+        view = self.model.content.view
+        return BEYOND * min(view.right - view.left, view.top - view.bottom)
 
     def _tracks(self) -> list[Floats]:
         """Each track as points along its smooth curve."""
