@@ -15,7 +15,7 @@ NAMES = [file.stem for file in level_files("tracks")]
 
 
 def fastest(stage):
-    return float(np.hypot(*stage.scene.model.world.balls.rows[:, VX : VY + 1].T).max(initial=0.0))
+    return float(np.hypot(*stage.scene.model.rows[:, VX : VY + 1].T).max(initial=0.0))
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if not name.startswith("hard")])
@@ -24,7 +24,7 @@ def test_no_stage_is_empty_after_half_a_minute(name):
     view, seen = stage.scene.frame(), 0
     for _ in range(60):
         stage.run(round(0.5 / stage.dt))
-        x, y = stage.scene.model.world.balls.rows[:, X : Y + 1].T
+        x, y = stage.scene.model.rows[:, X : Y + 1].T
         there = (x > view.left) & (x < view.right) & (y > view.bottom) & (y < view.top)
         seen += bool(there.any())
         assert fastest(stage) < 25.0
@@ -33,8 +33,8 @@ def test_no_stage_is_empty_after_half_a_minute(name):
 
 def test_a_ball_comes_back_as_it_began_on_its_track():
     stage = open_level(Tracks, "default")
-    rows = stage.scene.model.world.balls.rows
-    first, pieces = rows.copy(), stage.scene.model.world.balls.pieces.copy()
+    rows = stage.scene.model.rows
+    first, pieces = rows.copy(), stage.scene.model.tracks.riders.balls.pieces.copy()
     for _ in range(round(12.0 / stage.dt)):
         before = rows[:, X].copy()
         stage.run(1)
@@ -43,12 +43,12 @@ def test_a_ball_comes_back_as_it_began_on_its_track():
             break
     (ball,) = back.tolist()
     assert np.allclose(rows[ball, : VY + 1], first[ball, : VY + 1])
-    assert stage.scene.model.world.balls.pieces[ball, PIECE] == pieces[ball, PIECE] != FREE
-    assert (stage.scene.model.trail[:, ball] == rows[ball, X : Y + 1]).all()
+    assert stage.scene.model.tracks.riders.balls.pieces[ball, PIECE] == pieces[ball, PIECE] != FREE
+    assert (stage.scene.model.balls.trail[:, ball] == rows[ball, X : Y + 1]).all()
     stage.step_back()
-    assert abs(stage.scene.model.world.balls.rows[ball, X] - first[ball, X]) > 2.0
+    assert abs(stage.scene.model.rows[ball, X] - first[ball, X]) > 2.0
     stage.run(1)
-    assert np.allclose(stage.scene.model.world.balls.rows[ball, : VY + 1], first[ball, : VY + 1])
+    assert np.allclose(stage.scene.model.rows[ball, : VY + 1], first[ball, : VY + 1])
 
 
 def falling(**parameters):
@@ -61,19 +61,19 @@ def falling(**parameters):
 
 def test_one_that_falls_is_back_when_it_is_half_a_view_below_and_its_loss_is_nothing():
     stage = falling()
-    row = stage.scene.model.world.balls.rows[0]
+    row = stage.scene.model.rows[0]
     lowest = 1.0
     for _ in range(round(3.0 / stage.dt)):
         stage.run(1)
         lowest = min(lowest, float(row[Y]))
-    assert -1.0 < lowest < -0.9 and stage.scene.model.world.balls.rows[0, VX] == 0.5
+    assert -1.0 < lowest < -0.9 and stage.scene.model.rows[0, VX] == 0.5
     assert abs(readouts(stage)["lost"]) < 1e-6
 
 
 def test_whoever_wants_it_lets_them_fall():
     stage = falling(again=False)
     stage.run(round(3.0 / stage.dt))
-    assert stage.scene.model.world.balls.rows[0, Y] < -20.0
+    assert stage.scene.model.rows[0, Y] < -20.0
 
 
 def test_a_ball_that_the_hand_has_put_somewhere_begins_there():
@@ -82,7 +82,7 @@ def test_a_ball_that_the_hand_has_put_somewhere_begins_there():
     move(stage, (0.4, 1.6))
     release(stage, (0.4, 1.6))
     stage.run(round(0.7 / stage.dt))
-    rows = stage.scene.model.world.balls.rows
+    rows = stage.scene.model.rows
     places = []
     for _ in range(round(1.0 / stage.dt)):
         stage.run(1)
@@ -101,7 +101,7 @@ def test_what_is_lost_stays_lost_after_an_edit(edit):
     stage.run(round(3.0 / stage.dt))
     before = readouts(stage)["lost"]
     assert before > 1e-3
-    rows = stage.scene.model.world.balls.rows
+    rows = stage.scene.model.rows
     if edit == "hold":
         place = tuple(rows[0, X : Y + 1].tolist())
         press(stage, place)
