@@ -76,11 +76,11 @@ FOLDERS = {
         "map rhythm",
         "players",
     ),
-    "ui": ("look raster sound", "text", "canvas", "painters widgets", "charts panel"),
+    "ui": ("look raster steady", "sound", "text", "canvas", "painters widgets", "charts panel"),
     "worlds": (
         "entries stopwatch tables",
         "world",
-        "painting hearing",
+        "painting hearing rubbing",
         "members",
         "hands",
         "expectations",

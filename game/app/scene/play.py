@@ -319,7 +319,7 @@ class ScenePlay:
             self._frame = stage.scene.frame()
             self._place_view()
             self.view.camera.home(smooth=False)
-        self.host.sounds.follow(None if still else stage.scene.hearing())
+        self.host.sounds.follow(None if still else stage.scene.hearing(), elapsed_s)
         if self.story is None or self.story.free or self.story.runner.finished:
             self.view.camera.update(0.0 if self.host.look.less_motion else elapsed_s)
         for message in stage.scene.messages():
