@@ -207,6 +207,17 @@ class Ledger:
         """The last step was not of this gas: there is no book, and nothing came between the steps."""
         self.momentum = self.fields = None
 
+    def contents(self, scalars: Floats, solids: SolidFaces) -> Floats:
+        """Sums (fields,) of fields as they are now, as the books have them."""
+        found = np.zeros(self.count)
+        contents_of(scalars, solids.ax, solids.ay, self.h * self.h, found)
+        return found
+
+    @property
+    def left(self) -> Floats | None:
+        """Sums (fields,) as the last step left them; None before it."""
+        return self._contents[END] if self.fields is not None else None
+
     # -- what a step tells ------------------------------------------------------------------------------
 
     def begin(
