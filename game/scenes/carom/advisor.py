@@ -60,7 +60,7 @@ class MapMaker:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._wanted: tuple[object, Callable[[], Position], Noise] | None = None
+        self._wanted: tuple[MapKey, Callable[[], Position], Noise] | None = None
         self._begun: object = None
         self._thread: threading.Thread | None = None
         self._latest: Drawn | None = None
