@@ -18,8 +18,10 @@ from game.physics.gas.effects import ADVECTION, PRESSURE
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
 from game.physics.kernels.lean import lean_kernel
+from game.physics.solids.state import Bodies
 from game.physics.surfaces.surface import Sample, empty_sample
 from game.scenes.tower.level import TowerContent
+from game.scenes.tower.tables import BODY, KIND, RUBBLE, SHARD, SLAB, TALL, WIDE
 from game.stage import Part
 
 Floats = NDArray[np.float64]
@@ -32,6 +34,7 @@ FADES = 6  # cells at the sides over which the picture of the dust fades
 FULL = 0.35  # kg/m³ of dust that hides what is behind it
 SLOWS = 0.3  # 1/s
 QUICKEST = 50.0  # m/s: what is squeezed out of a gap far narrower than a cell would have no bound
+SLOWEST = 0.1  # m/s: slower pieces take no air along
 STILL = 0.03  # m/s: slower air, without dust, is not computed
 # of a floor: middle m, direction of its length, half its length and thickness m, velocity m/s, spin rad/s,
 # half its extent across and up m
@@ -100,6 +103,27 @@ def drag_along(pieces, u, v, lower, cell, dt, force):
         rate = rate / (1.0 + rate * dt)
         force[j, i, 0] += rate * dx
         force[j, i, 1] += rate * dy
+
+
+def solids_of(parts: Floats, bodies: Bodies, least: float) -> Floats:
+    """(k, FLOOR_WIDTH): bays of floors that are whole, as solids of the air, ``least`` m thick."""
+    whole = parts[(parts[:, KIND] == SLAB) & (parts[:, BODY] >= 0.0)]
+    own = whole[:, BODY].astype(np.int64)
+    long, thick = 0.5 * whole[:, WIDE], 0.5 * np.maximum(whole[:, TALL], least)
+    c, s = np.abs(bodies.rotations[own]).T
+    return np.column_stack([
+        bodies.positions[own], bodies.rotations[own], long, thick, bodies.velocities[own], bodies.spins[own],
+        c * long + s * thick, s * long + c * thick,
+    ])  # fmt: skip
+
+
+def loose_of(parts: Floats, bodies: Bodies) -> Floats:
+    """(n, 5): place m, velocity m/s, breadth m of what is broken and moves."""
+    loose = parts[(parts[:, BODY] >= 0.0) & ((parts[:, KIND] == SHARD) | (parts[:, KIND] == RUBBLE))]
+    own = loose[:, BODY].astype(np.int64)
+    breadth = 0.5 * (loose[:, WIDE] + loose[:, TALL])
+    found = np.column_stack([bodies.positions[own], bodies.velocities[own], breadth])
+    return np.ascontiguousarray(found[np.abs(found[:, 2:4]).max(axis=1, initial=0.0) > SLOWEST])
 
 
 class Floors:

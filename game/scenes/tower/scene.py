@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import ClassVar
 
+import msgspec
+
 from game.lab.studies.collapse import collapse_study
 from game.levels import Level
 from game.physics.fields import GRAVITY
@@ -19,7 +21,6 @@ from game.scenes.tower.level import TowerContent
 from game.scenes.tower.model import TowerModel
 from game.scenes.tower.parameters import OF_PICTURE, TowerParameters
 from game.scenes.tower.readouts import readouts
-from game.scenes.tower.saving import content_of
 from game.scenes.tower.sounds import hearing_of
 from game.scenes.tower.targets import story_targets
 from game.scenes.tower.view import TowerView
@@ -117,7 +118,8 @@ class Tower(BuiltScene):
         return super().why_idle(name)
 
     def save_content(self) -> TowerContent:
-        return content_of(self.model)
+        """The tower as it was built, with the storey that is cut first as chosen."""
+        return msgspec.structs.replace(self.model.content, first=self.model.first_storey())
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
