@@ -40,8 +40,8 @@ class Basket(NamedTuple):
         return self.half - self.slant * (self.height - np.clip(height, 0.0, self.height))
 
     def holds(self, x: Floats, y: Floats) -> NDArray[np.bool_]:
-        """Whether places (m) are between the walls, not above the rim."""
-        return np.asarray((np.abs(x - self.x) < self.half_at(y)) & (y < self.height))
+        """Whether places (m) are within the inner faces of the walls, not above the rim."""
+        return np.asarray((np.abs(x - self.x) < self.half_at(y) - WIRE) & (y < self.height))
 
     def away(self, x: Floats, y: Floats) -> Floats:
         """How far places (m) are from what the basket holds, m, across or up; 0 within it."""

@@ -11,14 +11,16 @@ from numpy.typing import NDArray
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise, linear
 from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings, PlateState
-from game.physics.plates.law import VX, VY, X, Y
+from game.physics.plates.law import X, Y
 from game.physics.plates.watch import NOTHING
 from game.scenes.leaves.basket import Basket
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.parameters import OF_LEAVES, LeavesParameters
+from game.scenes.leaves.sounds import blowing, landings, remembered, rubbing
 from game.scenes.leaves.species import SPECIES
 from game.scenes.leaves.ways import WAY, follow_ways, seen_of
 from game.stage import Part
+from game.worlds.hearing import HEARD_WIDTH
 
 Floats = NDArray[np.float64]
 LAYER = 0.4  # m of the lawn's slow air
@@ -26,14 +28,12 @@ HOLLOW = 0.35  # m below the lawn where gusts are mirrored: air also flows in fr
 IN_THE_AIR = 0.12  # m
 MOST_LEAVES = 400
 FOLLOWS_S = 1.5  # s in which the camera comes after the middle of those that fly
-HEARD = 24
-HEARD_TIME, HEARD_SPEED, HEARD_X = range(3)
 NAMES = tuple(SPECIES)
 
 
 class LeavesState(NamedTuple):
     """plates; ways (n, WAY): see `ways`; gusts (MOST_GUSTS, GUST); own (n, 6): see `LeavesModel.own`;
-    airborne (n,): s since it was last touched; heard (k, 3): s, m/s, m of the newest landings; tally (4,):
+    airborne (n,): s since it was last touched; heard (k, HEARD_WIDTH): see `sounds`; tally (4,):
     how often leaves took off, the highest so far (m), and where the camera has the middle of those that fly
     (m).
     """
@@ -69,7 +69,7 @@ class LeavesModel(Part):
         self.ways: Floats = np.zeros((0, WAY))
         self.own: Floats = np.zeros((0, 6))
         self.airborne: Floats = np.zeros(0)
-        self.heard: Floats = np.zeros((0, 3))
+        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
         self.tally: Floats = np.array((0.0, 0.0, -0.6, 0.6))
         self.chance = seed
         self._lay()
@@ -170,10 +170,12 @@ class LeavesModel(Part):
         follow_ways(self.ways, plates.rows, plates.air, free, dt)
         landed = ~free & (self.airborne > 0.25)
         took_off = free & (self.airborne <= 0.25) & (self.airborne + dt > 0.25)
-        for i in np.flatnonzero(landed).tolist():
-            speed = elementary.hypot(float(before[VX, i]), float(before[VY, i]))
-            row = (plates.time, 0.5 * speed, float(plates.rows[X, i]))
-            self.heard = np.concatenate([self.heard, [row]])[-HEARD:]
+        rows, now = plates.rows, plates.time
+        sounds = [
+            landings(np.flatnonzero(landed), before, rows, now), rubbing(~free, rows, now, dt),
+            blowing(plates.air, now, dt),
+        ]  # fmt: skip
+        self.heard = remembered(self.heard, sounds, now)
         self.airborne = np.where(free, self.airborne + dt, 0.0)
         self.tally[0] += np.count_nonzero(took_off)
         if len(plates):

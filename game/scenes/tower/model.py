@@ -34,7 +34,7 @@ from game.scenes.tower.dust import advance_dust, puffs
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
-from game.scenes.tower.sounds import heard_now
+from game.scenes.tower.sounds import air_heard, charges, impacts, remembered
 from game.scenes.tower.tables import (
     BODY,
     COLUMN,
@@ -66,6 +66,7 @@ PIECES_OF_COLUMN = 3
 LEAST_LONG = 1.0  # m: shorter shards do not break any more
 NOT_FIRED = -1.0
 SKIN, SLOWEST = 0.02, 0.1  # m; m/s
+LASTING = 1.5  # of what a strike may take from a body that bears it: what a stop of `STOP_S` may
 MOST_GROUND = 0.2  # of what it comes from may become dust at once
 OF_COLUMN, OF_STRIKE, ON_FLOOR = 4.0, 0.8, 3.0  # kg of dust of a column, of a hard strike; kg/m² on a floor
 
@@ -94,7 +95,13 @@ class TowerModel(Part):
             raise ValueError(f"first = {content.first}: there are {content.storeys} storeys")
         self.content, self.parameters, self.active = content, parameters, active
         self.watch = Stopwatch()
-        self.time, self.steps, self.fired = 0.0, 0, NOT_FIRED
+        self.time = 0.0
+        self.build()
+
+    def build(self) -> None:
+        """Build it, whatever is left of one before: nothing is fired, and there is no dust."""
+        content, parameters = self.content, self.parameters
+        self.steps, self.fired = 0, NOT_FIRED
         self.world = SolidWorld(self._settings())
         self.ground, self.parts = build(self.world, content, parameters.friction, parameters.joints)
         self.storeys = np.full((content.storeys, STOREY_WIDTH), NOT_YET)
@@ -138,6 +145,7 @@ class TowerModel(Part):
         """Begin the schedule now."""
         if self.fired == NOT_FIRED:
             self.fired = self.time
+            self.steps = 0  # so things break as they would whenever it is fired
 
     def first_storey(self) -> int:
         """Whose columns are cut first."""
@@ -223,7 +231,7 @@ class TowerModel(Part):
         at = self.content.fired_at
         if at is not None and self.time >= at - 0.5 * dt:
             self.fire()
-        self._cut_on_schedule(dt)
+        charged = self._cut_on_schedule(dt)
         if self.parameters.gives_way:
             self._give_way(dt)
         before = self.world.bodies.velocities.copy()
@@ -231,7 +239,11 @@ class TowerModel(Part):
             self.world.step(dt)
         self.time += dt
         self.steps += 1
-        self.heard = heard_now(self.world, self.heard, self.time - dt)
+        began = self.time - dt
+        sounds = [charges(charged, began), impacts(self.world, began)]
+        if AIR in self.active:
+            sounds.append(air_heard(self.air.fastest(), self.time, dt))
+        self.heard = remembered(self.heard, sounds, began)
         self._break_by_impact()
         self._break_by_stops(before, dt)
         self._blow(dt)
@@ -247,17 +259,21 @@ class TowerModel(Part):
                 self.air.advance(solids, loose_of(self.parts, self.world.bodies), self.gravity(), dt)
         self.dust = advance_dust(self.dust, dt, self.air.gas.sample)
 
-    def _cut_on_schedule(self, dt: float) -> None:
+    def _cut_on_schedule(self, dt: float) -> Floats:
+        """Cut the columns whose time it is; the places (k,) m of these charges."""
         if self.fired == NOT_FIRED:
-            return
+            return np.zeros(0)
         first = self.first_storey()
         parts = self.parts
         due = (self.time - self.fired + 0.5 * dt) / max(self.parameters.delay, 1e-9)
         mine = (parts[:, KIND] == COLUMN) & (parts[:, STOREY] == first) & (parts[:, BODY] >= 0.0)
-        for row in np.flatnonzero(mine & (parts[:, PLACE] <= due)).tolist():
+        now = np.flatnonzero(mine & (parts[:, PLACE] <= due))
+        places = self.world.bodies.positions[parts[now, BODY].astype(np.int64), 0].copy()
+        for row in now.tolist():
             self.cut(row)
         if mine.any() and (parts[mine, PLACE] <= due).all():
             self._set_free(first)
+        return places
 
     def _set_free(self, storey: int) -> None:
         """Nothing carries what is above a storey any more: note when, how fast it is, how far it has come."""
@@ -316,7 +332,7 @@ class TowerModel(Part):
         now = self.world.bodies.velocities[own]
         parts[there, SHOCK] = shocks_of(parts[there, SHOCK], before[own], now, dt)
         long = np.maximum(parts[there, WIDE], parts[there, TALL])
-        breaks = (parts[there, SHOCK] > self.parameters.strength) & (long > 2.0 * LEAST_LONG)
+        breaks = (parts[there, SHOCK] > LASTING * self.parameters.strength) & (long > 2.0 * LEAST_LONG)
         for row in there[breaks].tolist():
             self.break_floor(row)
 

@@ -81,6 +81,7 @@ class Tower(BuiltScene):
     )
     actions = (
         SceneAction("fire", "fire the charges", "U"),
+        SceneAction("build", "build it again", "B"),
         SceneAction("tool-cut", "tool: cut a column", "1"),
         SceneAction("tool-break", "tool: break a floor", "2"),
     )
@@ -129,6 +130,8 @@ class Tower(BuiltScene):
     def action(self, name: str) -> None:
         if name.startswith("tool-"):
             self.parameters.tool = name.removeprefix("tool-")
+        elif name == "build":
+            self.model.build()
         else:
             self.model.fire()
 
