@@ -32,6 +32,8 @@ THICKER = 1.02  # cells: so thick is a floor at least, so that no air goes throu
 BESIDE, ABOVE = 33.0, 8.0  # m of air beside the tower and above it
 FADES = 6  # cells at the sides over which the picture of the dust fades
 FULL = 0.35  # kg/m³ of dust that hides what is behind it
+RISES = 0.35  # of a cell for each to the side: how steeply the light falls
+DIMS = 1.6  # kg/m² of dust that leave 1/e of the light
 SLOWS = 0.3  # 1/s
 QUICKEST = 50.0  # m/s: what is squeezed out of a gap far narrower than a cell would have no bound
 SLOWEST = 0.1  # m/s: slower pieces take no air along
@@ -216,10 +218,25 @@ class TowerAir(Part):
         return float(np.sqrt(np.max(w[..., 0] * w[..., 0] + w[..., 1] * w[..., 1])))
 
     def veil(self) -> NDArray[np.float32]:
-        """(ny, nx, 2): how thick the dust is, 0 to 1, and no light; good until the next call."""
+        """(ny, nx, 2): how thick the dust is, 0 to 1, and how much light from the right it scatters, 0 to 1;
+        good until the next call.
+        """
         share = self.density / FULL
         self._veil[..., 0] = 0.94 * share / (1.0 + share) * self._edge
+        self._veil[..., 1] = self._veil[..., 0] * self._lit()
         return self._veil
+
+    def _lit(self) -> Floats:
+        """(ny, nx): what is left, behind the dust it has come through, of light that comes in from the right,
+        a little from above; it has gone RISES of a cell down for each one to the left (Lambert's law).
+        """
+        depth, behind = np.zeros_like(self.density), np.zeros(self.grid.ny)
+        for i in range(self.grid.nx - 1, -1, -1):
+            above = np.concatenate([behind[1:], behind[-1:]])
+            behind = (1.0 - RISES) * behind + RISES * above
+            depth[:, i] = behind
+            behind = behind + self.density[:, i]
+        return np.exp(-depth * self.grid.cell / DIMS)
 
     def box(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Lower left and upper right corner, m."""

@@ -13,6 +13,7 @@ from game.physics.solids import Material, Polygon, SolidWorld
 
 Floats = NDArray[np.float64]
 STOP_S = 0.05  # s: what stops a body within about so long counts as one stop
+SCATTER = 0.35  # of the speed of a stop: that of the pieces it makes, apart
 SLANT = 0.35  # m of length for each m across, at most: how obliquely a piece breaks
 
 
@@ -51,6 +52,18 @@ def middle_of(corners: Floats) -> tuple[float, float, float]:
     area = 0.5 * float(cross.sum())
     x, y = (cross[:, None] * (corners + after)).sum(axis=0) / (6.0 * area)
     return float(x), float(y), area
+
+
+def apart(pieces: Sequence[Floats], stopped: float, random: np.random.Generator) -> Floats:
+    """m/s (n, 2) at which pieces fly apart where a stop has taken ``stopped`` m/s from their body.
+
+    Those to the left fly to the left and those to the right to the right, all up by less: SCATTER squared of
+    the energy that was lost, at most.
+    """
+    middles = np.array([middle_of(corners)[0] for corners in pieces])
+    side = np.sign(middles - middles.mean())
+    speeds = SCATTER * stopped * linear.uniform(random, 0.3, 1.0, (len(pieces), 2))
+    return np.asarray(speeds * np.column_stack([side, np.full(len(pieces), 0.5)]))
 
 
 def break_up(

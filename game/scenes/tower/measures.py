@@ -30,6 +30,11 @@ def standing(model: TowerModel) -> int:
     return int(np.count_nonzero(counts[1:] == model.content.bays + 1))
 
 
+def whole_columns(model: TowerModel) -> int:
+    """Columns that are in one piece, wherever they are."""
+    return int(np.count_nonzero((model.parts[:, KIND] == COLUMN) & (model.parts[:, BODY] >= 0.0)))
+
+
 def struck(model: TowerModel) -> int:
     """Floors below the charges that have been struck."""
     return int(np.count_nonzero(model.storeys[: model.first_storey() - 1, STRUCK] != NOT_YET))

@@ -15,6 +15,7 @@ from game.physics.solids.effects import SOLIDS
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.tower.air import AirState, TowerAir, loose_of, solids_of
 from game.scenes.tower.breaking import (
+    apart,
     break_up,
     cuts_of,
     grind,
@@ -177,8 +178,11 @@ class TowerModel(Part):
             (made, OF_COLUMN),
         )  # fmt: skip
 
-    def break_floor(self, row: int) -> None:
-        """A floor's bay, a column or a shard of one breaks in two or three, which still meet the floors."""
+    def break_floor(self, row: int, stopped: float = 0.0) -> None:
+        """A floor's bay, a column or a shard of one breaks in two or three, which still meet the floors.
+
+        stopped: m/s that it has lost; some of it throws the pieces apart.
+        """
         part, random = self.parts[row], self._random(row)
         long = max(float(part[WIDE]), float(part[TALL]))
         count = 3 if long > 3.0 else 2
@@ -186,7 +190,7 @@ class TowerModel(Part):
             pieces = cuts_of(float(part[WIDE]), float(part[TALL]), count, random)
         else:
             pieces = halves_of(self._corners(int(part[BODY])), random)
-        self._replace(row, pieces, SHARD)
+        self._replace(row, pieces, SHARD, apart(pieces, stopped, random))
 
     def _corners(self, body: int) -> Floats:
         """Corners (k, 2) m of a body's first shape in its own frame."""
@@ -334,7 +338,7 @@ class TowerModel(Part):
         long = np.maximum(parts[there, WIDE], parts[there, TALL])
         breaks = (parts[there, SHOCK] > LASTING * self.parameters.strength) & (long > 2.0 * LEAST_LONG)
         for row in there[breaks].tolist():
-            self.break_floor(row)
+            self.break_floor(row, float(parts[row, SHOCK]))
 
     def _break_by_impact(self) -> None:
         """Floors that were stopped faster than they bear break; what strikes raises dust."""

@@ -16,6 +16,7 @@ from game.scenes.tower.measures import (
     roof_of,
     standing,
     struck,
+    whole_columns,
 )
 from game.scenes.tower.model import NOT_FIRED, TowerModel
 from game.stage import Readout
@@ -31,6 +32,7 @@ def readouts(model: TowerModel) -> list[Readout]:
     return [
         Readout("since the firing", since, "s"),
         Readout("storeys standing", standing(model)),
+        Readout("whole columns", whole_columns(model)),
         Readout("floors struck", struck(model)),
         Readout("fall", took, "s"),
         Readout("law", law, "s"),

@@ -12,6 +12,7 @@ from game.physics.plates import Gust
 from game.physics.plates.law import CURL, DRAG, DRAG_TURN, HALF, THETA, UNIT, VX, VY, X, Y
 from game.physics.plates.regimes import BORDERS
 from game.physics.plates.watch import FLUTTER, GLIDE, NOTHING, TUMBLE
+from game.scenes.leaves.basket import WIRE
 from game.scenes.leaves.foliage import cut_outlines
 from game.scenes.leaves.hand import FARTHEST, LeavesHand
 from game.scenes.leaves.level import LeavesContent
@@ -216,8 +217,8 @@ class TestStep:
         blown = model.heard[model.heard[:, 1] == WIND][0]
         assert blown[0] == pytest.approx(0.2, abs=DT) and 0.0 < blown[2] < 0.16 * 4.0
         rubbed = model.heard[model.heard[:, 1] == RUBBING]
-        assert len(rubbed) and rubbed[:, 2].max() <= 0.06 * 1.0
-        assert set(rubbed[:, 3].round(1)) <= set(model.plates.rows[X].round(1))
+        assert len(rubbed) and rubbed[:, 2].min() > 0.06 * 0.15 and rubbed[:, 2].max() < 0.06 * 4.0
+        assert (rubbed[:, 3] < 0.5).all()  # the third is high up, at 0.67
 
     def test_the_camera_comes_after_the_middle_of_those_that_fly(self):
         model = self.free()
@@ -295,6 +296,7 @@ def test_readouts_say_what_is_counted_by_hand():
         model.advance(DT)
     rows = model.plates.rows
     half = 0.5 * (0.85 + 0.15 * 0.3 / 0.8)  # between the slanted walls at 0.3 m
+    half -= WIRE
     rows[X] = 1.0 - half, 1.0001 - half, 1.5749, 0.9999 + half, 1.0, 1.0
     rows[Y] = 0.3, 0.3, 0.12, 0.3, 0.8, 0.7999
     model.ways[:, CHANGES] = 5.0  # all of them swing, but
