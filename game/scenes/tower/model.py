@@ -107,6 +107,7 @@ class TowerModel(Part):
         self.ground, self.parts = build(self.world, content, parameters.friction, parameters.joints)
         self.storeys = np.full((content.storeys, STOREY_WIDTH), NOT_YET)
         self.dust, self.heard = none_of(DUST_WIDTH), none_of(HEARD_WIDTH)
+        self.world.check_solver()
         self.built_mass = float(self.parts[:, MASS].sum())
         self.dusted, self.freed = 0.0, np.full(3, NOT_YET)
         self.air = TowerAir(content)
