@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 
 RATE = 44_100  # Hz
 VOICES = 12  # most sounds that are mixed into one piece: the loudest
+WIND_S = 0.38  # s, a grain of the sound of wind
 CHANNELS = 16  # pieces that may sound at a time
 LOUD_SPEED = 4.0  # m/s, of an impact at full gain
 QUIETEST = 0.05  # m/s; what is slower is not heard
@@ -137,8 +138,8 @@ def _rumble(bright: float) -> Array:
 
 def _breath(bright: float) -> Array:
     """A grain of the sound of wind: noise that swells and fades, higher as it is faster; grains overlap."""
-    t = np.linspace(0.0, 1.0, int(0.6 * RATE))
-    noise = _noise(0.6, 160.0 + 520.0 * bright, 1e3, 11) - 0.7 * _noise(0.6, 60.0, 1e3, 11)
+    t = np.linspace(0.0, 1.0, int(WIND_S * RATE))
+    noise = _noise(WIND_S, 160.0 + 520.0 * bright, 1e3, 11) - 0.7 * _noise(WIND_S, 60.0, 1e3, 11)
     made: Array = noise * np.sin(math.pi * t[: len(noise)]) ** 2
     return made
 

@@ -87,9 +87,10 @@ def one_gust(air, i, away, goes, size, blows, share, change):
 def sample_wind(places, gusts, count, shelters, even, time, air):
     """Write the wind (WIND, n) at places: rows 0 and 1 of (k, n) m.
 
-    gusts (m, GUST), the first ``count``; shelters (k, SHELTER): between walls, where the wind dies away
-    below their top by e within each reach, which lean outwards by a slant; even: wind (m/s) far above, height (m) within which the ground
-    slows it (0: nowhere), height of the ground (m), 1 if the ground mirrors gusts.
+    gusts (m, GUST), the first ``count``; shelters (k, SHELTER): between walls that lean outwards by a
+    slant, where the wind dies away below their top by e within each reach; even: wind (m/s) far above,
+    height (m) within which the ground slows it (0: nowhere), height of the ground (m), 1 if the ground
+    mirrors gusts.
     """
     speed, layer, floor, mirrors = even
     for i in range(places.shape[1]):

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import ADVECTION, PRESSURE
 from game.physics.grid import Border, Borders, Grid
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, elementwise
 from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.state import Bodies
 from game.physics.surfaces.surface import Sample, empty_sample
@@ -236,7 +236,7 @@ class TowerAir(Part):
             behind = (1.0 - RISES) * behind + RISES * above
             depth[:, i] = behind
             behind = behind + self.density[:, i]
-        return np.exp(-depth * self.grid.cell / DIMS)
+        return elementwise.exp(-depth * self.grid.cell / DIMS)
 
     def box(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Lower left and upper right corner, m."""

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
@@ -216,7 +217,7 @@ class TowerModel(Part):
 
     def _raise_dust(
         self, places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator,
-        source: tuple[Sequence[int], float],
+        source: tuple[Sequence[int] | NDArray[np.int64], float],
     ) -> None:  # fmt: skip
         """Puffs that show it, and dust for the air to carry. source: rows of parts, kg taken from them."""
         self.dust = np.concatenate([self.dust, puffs(places, speeds, size, life, random)])

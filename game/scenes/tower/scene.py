@@ -42,9 +42,12 @@ class Tower(BuiltScene):
     gravity, and a mass at the start makes it faster.
 
     Columns become rubble that flies off to both sides; their momenta sum to nothing. Bays of a floor are
-    welded: joints part beyond a load, and a bay that is stopped too fast breaks. Pieces together keep mass
-    and motion of what they were. Columns further down are cut by the scene the moment before the falling
-    floor meets theirs: a rigid column would stop the fall for a whole step before its joints part.
+    welded: joints part beyond a load, and a bay that is stopped too fast breaks. So does all that loses more
+    than one and a half times that speed within a twentieth of a second, and its pieces fly apart. Pieces and
+    dust together keep the mass of what they were. Columns further down are cut by the scene the moment before
+    the falling floor meets theirs: a rigid column would stop the fall for a whole step before its joints
+    part. The clock of the fall and the law begin when the last column is cut, with the speed and the way that
+    the floors have by then.
 
     The air flows on a coarse grid around floors that move with their true velocity: it is driven out from
     under them and carries the dust, whose mass is kept and which weighs on it. The air does not slow floors.

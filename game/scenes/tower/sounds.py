@@ -17,7 +17,7 @@ HEAVY = 4_000.0  # N s: what strikes with more is a thud
 MOST = 24  # sounds that are remembered: the latest
 QUIETER = 0.35  # of the speed, as what falls is far away
 CHARGED = 3.0  # m/s, as loud as an impact of that speed a charge is
-AIR_EVERY, AIR_SOFTER, AIR_LEAST = 0.25, 0.12, 0.5  # s between grains of the air's sound; of its speed; m/s
+AIR_EVERY, AIR_SOFTER, AIR_LEAST = 0.18, 0.12, 0.5  # s between grains of the air's sound; of its speed; m/s
 HALF = 25.0  # m to either side, from the left to the right
 
 

@@ -251,8 +251,8 @@ class TowerView:
         """
         dust, air = self.model.dust, AIR in self.model.active
         if air:
-            light = ((0.0, pygame.Color(0, 0, 0)), (1.0, _color(hour.sheen)))
-            canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), light)
+            sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, _color(hour.sheen)))
+            canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), sheen)
             dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
         if not len(dust):
             return
