@@ -227,7 +227,7 @@ def _notes(study: Study, series: Sequence[PlotSeries], trouble: str, place: str)
         notes.append("Orders are fitted to the upper envelope.")
     of_errors = study.axes.up == "error"
     if of_errors and any(0.0 <= point.y <= study.floor for one in series for point in one.points):
-        notes.append("At the foot: rounding only.")
+        notes.append("Points on the lower edge err by rounding only.")
     if any(point.pending for one in series for point in one.points):
         notes.append("Hollow: still to be measured.")
     notes.append("Click a point to set the scene to it.")
