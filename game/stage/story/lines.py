@@ -188,3 +188,26 @@ class Story(msgspec.Struct, frozen=True, kw_only=True):
     def title(self) -> str:
         """Its title."""
         return self.level.title
+
+    def moment_before(self, number: int) -> str:
+        """The moment that stands before a line, or at which it begins; "" if there is none."""
+        if self.lines[number].at:
+            return self.lines[number].at
+        before = (line for line in reversed(self.lines[:number]) if isinstance(line, Moment) and not line.at)
+        return next((line.moment for line in before), "")
+
+    def first_words(self, number: int) -> list[int]:
+        """The lines that tell of a moment: the first caption after it, and those at it."""
+        moment = self.lines[number]
+        assert isinstance(moment, Moment)
+        found = [i for i, line in enumerate(self.lines) if isinstance(line, Say) and line.at == moment.moment]
+        if moment.at:
+            return found
+        for i, line in enumerate(self.lines[number + 1 :], number + 1):
+            if line.at:
+                continue
+            if isinstance(line, (Moment, Title, HandOver)):
+                break
+            if isinstance(line, Say):
+                return [i, *found]
+        return found

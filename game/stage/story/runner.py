@@ -6,6 +6,7 @@ or headless it is the same, event for event.
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import TYPE_CHECKING
 
@@ -14,11 +15,11 @@ from game.stage.declarations import Readout
 from game.stage.events import StageEvent
 from game.stage.parameters import ParameterError
 from game.stage.story.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
-from game.stage.story.course import SLACK_S, Begun, Course, Ended, Found, Reached
+from game.stage.story.course import SLACK_S, Begun, Course, Dropped, Ended, Found, Reached, Turned
 from game.stage.story.deeds import RATE_HZ, begin_of, end_of, on_the_way
-from game.stage.story.lines import WHOLE, Do, Expect, Follow, HandOver, Look, Moment, Say, Story
+from game.stage.story.lines import WHOLE, Do, Expect, Follow, HandOver, Look, Moment, Say, Story, Title
 from game.stage.story.reading import check_names
-from game.stage.story.readouts import filled, parse_condition
+from game.stage.story.readouts import filled, parse_condition, thresholds_in
 
 if TYPE_CHECKING:
     from game.stage.stage import Stage
@@ -50,6 +51,7 @@ class Runner:
             for i, line in enumerate(story.lines)
             if isinstance(line, Moment)
         }
+        self._moments = {i: line.moment for i, line in enumerate(story.lines) if isinstance(line, Moment)}
         self._readouts: dict[str, Readout] | None = None  # of the present step
         self.restart()
         stage.cue = self
@@ -176,7 +178,8 @@ class Runner:
     def _go_on(self) -> None:
         for number, begun in list(self.course.under_way.items()):
             self._carry_on(number, begun)
-        while self._reach_moments() or self._begin_one():
+        self._watch()
+        while self._reach_moments() or self._overtake() or self._begin_one():
             pass
         self._measure()
 
@@ -193,7 +196,7 @@ class Runner:
         stage, line = self.stage, self.story.lines[number]
         entry = Begun(stage.step_number, stage.time_s, self.film_s, number)
         if isinstance(line, Say):
-            entry = entry._replace(text=filled(line.say, stage.scene.readouts()))
+            entry = entry._replace(text=self._said(number, line))
         elif isinstance(line, Do):
             place, to = self._place(line.do.place), self._place(line.do.to)
             start = (
@@ -207,6 +210,13 @@ class Runner:
             self._post(number, begin_of(line.do, entry.place))
             if not line.do.over and line.do.pointer == "drag":
                 self._post(number, end_of(line.do, entry.to))
+
+    def _said(self, number: int, line: Say) -> str:
+        """A caption's words. The first ones of a moment have the numbers of the step at which it came."""
+        before = self.course.reached.get(self.story.moment_before(number))
+        if before is not None and number in before.texts:
+            return before.texts[number]
+        return filled(line.say, self.stage.scene.readouts())
 
     def _carry_on(self, number: int, begun: Begun) -> None:
         """Go on with a deed that takes time."""
@@ -240,20 +250,62 @@ class Runner:
             self._readouts = {readout.name: readout for readout in self.stage.scene.readouts()}
         return self._readouts
 
+    def _watch(self) -> None:
+        """Note which conditions have come true, or are so no more, since the last look.
+
+        All moments to come are watched, also those whose line is still waiting for its turn: so it is known
+        how long one has been true.
+        """
+        course, stage = self.course, self.stage
+        for number, conditions in self._conditions.items():
+            if self._moments[number] in course.reached:
+                continue
+            true = all(condition.holds(self._measured()) for condition in conditions)
+            if true != (number in course.true):
+                course.add(Turned(stage.step_number, stage.time_s, self.film_s, number, true))
+
     def _reach_moments(self) -> bool:
         """Note the moments that have come, or that will not come any more; True if there is one."""
-        stage, noted = self.stage, False
-        for number in self.course.awaited:
-            line, begun = self.story.lines[number], self.course.begun[number]
+        course, noted = self.course, False
+        for number in course.awaited:
+            line, begun = self.story.lines[number], course.begun[number]
             assert isinstance(line, Moment)
-            come = all(condition.holds(self._measured()) for condition in self._conditions[number])
-            late = stage.time_s > begun.time_s + line.deadline + SLACK_S
-            if come or late:
-                self.course.add(
-                    Reached(stage.step_number, stage.time_s, self.film_s, number, missed=not come)
-                )
+            come = number in course.true
+            if come or self.stage.time_s > begun.time_s + line.deadline + SLACK_S:
+                self._reach(number, come)
                 noted = True
         return noted
+
+    def _overtake(self) -> bool:
+        """Let a moment come whose condition is true before its turn: words that are late are dropped."""
+        course = self.course
+        number = next((i for i in self._conditions if i not in course.begun), None)
+        if number is None or number not in course.true:
+            return False
+        between = course.overtaken(number)
+        if between is None:
+            return False
+        for i in between:
+            if isinstance(self.story.lines[i], (Say, Title)):
+                course.add(Dropped(self.stage.step_number, self.film_s, i))
+            else:
+                self._begin(i)
+        self._begin(number)
+        return True
+
+    def _reach(self, number: int, come: bool) -> None:
+        stage, course, story = self.stage, self.course, self.story
+        film_s, since_s = self.film_s, course.since.get(number, stage.time_s) if come else math.nan
+        told = [i for i in story.first_words(number) if i not in course.begun]
+        values = self._measured()
+        words = {i: line.say for i in told if isinstance(line := story.lines[i], Say)}
+        typed = [thresholds_in(text, self._conditions[number], values) for text in words.values()] if come else []
+        entry = Reached(stage.step_number, stage.time_s, film_s, number, not come, since_s)
+        texts = {i: filled(text, values.values()) for i, text in words.items()}
+        course.add(entry._replace(texts=texts, typed=tuple(itertools.chain(*typed))))
+        held = course.hold_for(told[0], stage.time_s, film_s, since_s) if come and told else None
+        if held is not None:
+            course.add(held._replace(step=stage.step_number))
 
     def _measure(self) -> None:
         """Look at the expectations whose time it is."""
