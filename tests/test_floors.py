@@ -31,6 +31,7 @@ FLOORS = (
         "lab",
         "stage",
         "ui",
+        "worlds",
         "scenes",
         "app",
         "__main__",
@@ -75,6 +76,15 @@ FOLDERS = {
         "players",
     ),
     "ui": ("look raster sound", "text", "canvas", "painters widgets", "charts panel"),
+    "worlds": (
+        "entries stopwatch tables",
+        "painting hearing",
+        "members",
+        "hands",
+        "expectations",
+        "world",
+        "scene",
+    ),
     "app": (
         "window",
         "stagehand",
@@ -88,7 +98,7 @@ FOLDERS = {
     ),
 }
 # What decides simulated numbers, by no C library's functions but `physics.kernels.elementary`:
-# these floors, and of the scenes whatever does not draw.
+# these floors, and of worlds and scenes whatever does not draw.
 DECIDING = ("physics", "billiards", "levels", "lab", "stage")
 TRANSCENDENTAL = {  # as math and numpy have them
     *(
@@ -384,7 +394,7 @@ def test_the_floors_without_a_screen_import_without_one() -> None:
 
 def decides(where: str, tree: ast.AST) -> bool:
     """Whether a module decides simulated numbers; one of a scene does unless it draws (but for examples)."""
-    if floor_of(where) == "scenes":
+    if floor_of(where) in ("worlds", "scenes"):
         draws = any(name.startswith("game.ui") for name in imported(tree, where))
         return not draws or where.startswith("scenes/examples/")
     return floor_of(where) in DECIDING

@@ -68,7 +68,7 @@ def _sources() -> str:
     """Newest change and total size of the program's modules that a run goes through."""
     package = Path(__file__).resolve().parents[2]
     newest = total = 0
-    for folder in ("physics", "billiards", "scenes", "stage"):
+    for folder in ("physics", "billiards", "worlds", "scenes", "stage"):
         for path in (package / folder).rglob("*.py"):
             found = path.stat()
             newest, total = max(newest, found.st_mtime_ns), total + found.st_size

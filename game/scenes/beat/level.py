@@ -8,8 +8,8 @@ import msgspec
 
 from game.billiards.rhythm.candidates import STROKE
 from game.billiards.rhythm.search import MOST_BEATS, check_beats
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 MOST_NUMBERS = STROKE + 2 * MOST_BEATS
 Number = Annotated[float, msgspec.Meta(ge=-100.0, le=100.0)]

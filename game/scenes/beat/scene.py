@@ -18,9 +18,9 @@ from game.scenes.beat.parameters import BeatParameters
 from game.scenes.beat.readouts import readouts_of
 from game.scenes.beat.searching import Searcher
 from game.scenes.beat.state import PLAYING, BeatState
-from game.scenes.shared.expectations import captions_of
 from game.scenes.shared.tables import view as table_view
 from game.stage import Decision, Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, SceneAction, WarmUp
+from game.worlds.expectations import captions_of
 
 
 class Beat(Scene):

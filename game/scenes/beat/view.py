@@ -11,12 +11,12 @@ from game.billiards.rhythm.hearing import TOGETHER
 from game.billiards.shot.trajectory import Trajectory
 from game.scenes.beat.model import SHOWN_S, BeatModel, Shown
 from game.scenes.beat.state import CLOCK, PLAYING, SEARCHING, SILENT, TAPPING, BeatState
-from game.scenes.shared.expectations import Caption, draw_captions
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_stick, draw_table
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
 from game.ui.look.theme import FELT, FELT_LINE
+from game.worlds.expectations import Caption, draw_captions
 
 RIM = 0.19  # m of wood and floor about the bed
 WIDTH, LENGTH = 1.27, 2.54  # m, of the bed

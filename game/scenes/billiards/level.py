@@ -19,7 +19,7 @@ from game.billiards.shot.balls import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, linear
-from game.scenes.shared.entry import LevelEntry
+from game.worlds.entries.entry import LevelEntry
 
 # the cushions' model needs a nose below the top of every ball, 1.27 R0 < 2 R: R > 0.635 R0
 MOST_RADIUS_SPREAD = 0.35

@@ -16,9 +16,9 @@ from game.scenes.bounds.readouts import readouts_of
 from game.scenes.bounds.state import BoundsState
 from game.scenes.bounds.view import BoundsView
 from game.scenes.bounds.walk import Walk
-from game.scenes.shared.expectations import captions_of, draw_captions
 from game.scenes.shared.outlines.level import CoastEntry, OutlinesContent
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, WarmUp
+from game.worlds.expectations import captions_of, draw_captions
 
 
 class BoundsScene(Scene):

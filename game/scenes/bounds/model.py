@@ -19,9 +19,9 @@ from game.scenes.bounds.state import NO_RECORD, BoundsState, PackedShapes, outli
 from game.scenes.shared.outlines.board import Board, places_of, with_outlines, with_places
 from game.scenes.shared.outlines.level import FARTHEST, OutlinesContent, array_of, content_of, outline_of
 from game.scenes.shared.outlines.outline import Outline
-from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import Part
 from game.stage.messages import Messages
+from game.worlds.stopwatch import Stopwatch
 
 Array = NDArray[np.float64]
 GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))  # of the two parts of the sway, so that it does not repeat soon

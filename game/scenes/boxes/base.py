@@ -21,9 +21,9 @@ from game.scenes.boxes.parameters import MAKING, BoxesParameters
 from game.scenes.boxes.view.outside import draw_outside
 from game.scenes.boxes.view.world import MOST_LINES, BoxesView
 from game.scenes.boxes.warm_up import exercise
-from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import Frame, Hint, Parameter, Pointer, Scene, SceneAction, SetParameter, StageEvent, WarmUp
 from game.ui.painters.boxes import warm_up as warm_up_painter
+from game.worlds.expectations import captions_of, draw_captions
 
 BATCH = 50  # boxes added or removed by one key
 MANY = 10_000  # boxes; to make all structures again takes longer than a frame from here on

@@ -7,7 +7,7 @@ from typing import Annotated
 import msgspec
 
 from game.levels import Unbounded
-from game.scenes.shared.expectations import Expectations
+from game.worlds.expectations import Expectations
 
 WIDTH, HEIGHT = 11.2, 8.0  # m, the world in which boxes move
 MOST_LISTED = 5_000  # boxes in a file

@@ -15,8 +15,8 @@ from game.physics.gas.effects import BUOYANCY
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
 from game.scenes.burning_cloth.tables import DEEP, HALF, ROOM, TALL
-from game.scenes.shared.burning_air import FIELDS, BurningAir
-from game.scenes.shared.flames_seen import FlameLook
+from game.worlds.members.burning_air import FIELDS, BurningAir
+from game.worlds.painting.flames import FlameLook
 
 Floats = NDArray[np.float64]
 FRESH = 0.27  # kg/m³ of oxygen

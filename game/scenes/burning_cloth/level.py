@@ -7,8 +7,8 @@ from typing import Annotated
 import msgspec
 
 from game.scenes.burning_cloth.letters import MOST, unknown_in
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1.0, le=3.0)]
 MOST_DABS = 900

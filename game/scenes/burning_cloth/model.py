@@ -31,9 +31,9 @@ from game.scenes.burning_cloth.tables import (
     TOP,
     WIDTH,
 )
-from game.scenes.shared.burning_air import AirState
-from game.scenes.shared.heard import HEARD_TIME, HEARD_WIDTH
 from game.stage import Part
+from game.worlds.hearing import HEARD_TIME, HEARD_WIDTH
+from game.worlds.members.burning_air import AirState
 
 Floats = NDArray[np.float64]
 STROKE = 0.064  # m, of the brush

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from game.scenes.burning_cloth.model import BurningClothModel
 from game.scenes.burning_cloth.tables import HALF
-from game.scenes.shared.heard import sounds_of
 from game.stage import Hearing
+from game.worlds.hearing import sounds_of
 
 NAMES = {1: "wood", 2: "thud"}
 

@@ -16,9 +16,9 @@ from game.scenes.burning_cloth.picture.cloth import COLD, HOTTEST, ClothPicture
 from game.scenes.burning_cloth.picture.sheet_painter import GLOW_FROM, GLOW_TO
 from game.scenes.burning_cloth.picture.yard import SOURCES, Yard, light_on_yard
 from game.scenes.burning_cloth.tables import HALF, TALL
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Floats = NDArray[np.float64]
 BOX = ((-HALF, 0.0), (HALF, TALL))

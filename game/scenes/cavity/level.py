@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 
 class CavityContent(LevelEntry, frozen=True, kw_only=True):

@@ -17,9 +17,9 @@ from game.scenes.cavity.model import CavityModel
 from game.scenes.cavity.parameters import OF_MAKING, OF_PICTURE, CavityParameters
 from game.scenes.cavity.readouts import readouts_of
 from game.scenes.cavity.view import CavityView
-from game.scenes.shared.expectations import captions_of, draw_captions
-from game.scenes.shared.model_scene import ModelScene
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip
+from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.scene import ModelScene
 
 
 class Cavity(ModelScene):

@@ -13,8 +13,8 @@ from game.scenes.convex.level import PairContent, ShapeEntry
 from game.scenes.convex.model.pair import PairModel, PairState
 from game.scenes.convex.parameters import PairParameters
 from game.scenes.convex.readouts import PairReadouts
-from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
+from game.worlds.expectations import captions_of, draw_captions
 
 
 class ConvexPairScene(Scene):

@@ -8,10 +8,10 @@ from typing import Annotated
 import msgspec
 
 from game.physics.kernels import elementary
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
 from game.scenes.shared.outlines.board import Board
 from game.scenes.shared.outlines.outline import Outline, Point
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Unit = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 Place = tuple[Unit, Unit]

@@ -10,8 +10,8 @@ import numpy as np
 from game.physics.narrowphase import vclip
 from game.physics.narrowphase.batch import PolygonSet
 from game.scenes.convex.model.pair import PairModel
-from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import Readout
+from game.worlds.stopwatch import Stopwatch
 
 REPEATS = 64  # queries that are timed together
 

@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 
 from game.physics.deformables import Mesh, blob, comb, strip
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1e6, le=1e6)]
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=10.0)]

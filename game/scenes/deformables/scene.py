@@ -16,9 +16,9 @@ from game.scenes.deformables.model import DeformablesModel, exercise
 from game.scenes.deformables.parameters import OF_PICTURE, DeformablesParameters
 from game.scenes.deformables.readouts import readouts_of
 from game.scenes.deformables.view import DeformablesView
-from game.scenes.shared.expectations import captions_of, draw_captions
-from game.scenes.shared.model_scene import ModelScene
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip, WarmUp
+from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.scene import ModelScene
 
 
 class Deformables(ModelScene):

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from game.physics.narrowphase.depth import Escape, ShapePair, preset
 from game.scenes.depth.level import DepthContent, PlacedShape
 from game.scenes.depth.parameters import DepthParameters
-from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import Part
+from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
 OUT = 1e-9  # m: a shorter motion is rounding

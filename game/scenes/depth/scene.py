@@ -15,8 +15,8 @@ from game.scenes.depth.model import DepthModel, DepthState
 from game.scenes.depth.parameters import OF_PICTURE, DepthParameters
 from game.scenes.depth.readouts import readouts_of
 from game.scenes.depth.view import DepthView
-from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
+from game.worlds.expectations import captions_of, draw_captions
 
 
 class Depth(Scene):

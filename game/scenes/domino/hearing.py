@@ -7,8 +7,7 @@ from numpy.typing import NDArray
 
 from game.physics.solids import SolidWorld
 from game.physics.solids.state import DISC, SEGMENT
-from game.scenes.shared.heard import HEARD_TIME
-from game.scenes.shared.tables.sounds import REMEMBERED_S
+from game.worlds.hearing import HEARD_TIME, REMEMBERED_S
 
 Floats = NDArray[np.float64]
 WOOD, BALL, THUD = range(3)

@@ -12,8 +12,8 @@ from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.domino.course import height_at
 from game.scenes.domino.model import DominoModel
 from game.scenes.domino.tables import SLIDER_MU, SLIDER_SPEED, SLIDER_X
-from game.scenes.shared.touching import contact_places
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
+from game.worlds.members.touching import contact_places
 
 Floats = NDArray[np.float64]
 SECONDS = 0.15  # s: a velocity is drawn as the way of this time

@@ -54,9 +54,9 @@ from game.scenes.domino.tables import (
     TO,
     none_of,
 )
-from game.scenes.shared.heard import HEARD_WIDTH
-from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import ParameterError, Part
+from game.worlds.hearing import HEARD_WIDTH
+from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
 STRUCK_ANGLE = 0.03  # rad from where it stood: it has been struck

@@ -21,8 +21,6 @@ from game.scenes.domino.saving import content_of
 from game.scenes.domino.sounds import hearing_of
 from game.scenes.domino.targets import story_targets
 from game.scenes.domino.view import DominoView
-from game.scenes.shared.model_scene import BuiltScene
-from game.scenes.shared.polygons import warm_up_painter
 from game.stage import (
     Equation,
     Hearing,
@@ -32,6 +30,8 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import BuiltScene
 
 
 class Domino(BuiltScene):

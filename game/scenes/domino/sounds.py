@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from game.scenes.domino.hearing import BALL, THUD, WOOD
 from game.scenes.domino.model import DominoModel
-from game.scenes.shared.heard import sounds_of
 from game.stage import Hearing
+from game.worlds.hearing import sounds_of
 
 NAMES = {WOOD: "wood", BALL: "ball", THUD: "thud"}
 HALF = 12.0  # m to either side of the front, from the left to the right

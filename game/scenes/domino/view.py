@@ -27,9 +27,9 @@ from game.scenes.domino.shapes import (
     spans_of,
 )
 from game.scenes.domino.tables import BODY, SLIDER_BODY
-from game.scenes.shared.boards import Shapes, boards_of, moved, placed
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.boards import Shapes, boards_of, moved, placed
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]

@@ -26,8 +26,8 @@ from game.scenes.fireplace.tables import (
     THROAT,
     WALL,
 )
-from game.scenes.shared.burning_air import FIELDS, BurningAir
-from game.scenes.shared.flames_seen import FlameLook
+from game.worlds.members.burning_air import FIELDS, BurningAir
+from game.worlds.painting.flames import FlameLook
 
 Floats = NDArray[np.float64]
 FRESH = 0.27  # kg/m³ of oxygen

@@ -30,9 +30,9 @@ from game.scenes.fireplace.tables import (
     WHOLE,
 )
 from game.scenes.fireplace.wood import SPENT, Wood, WoodState
-from game.scenes.shared.burning_air import AirState
-from game.scenes.shared.heard import HEARD_TIME, HEARD_WIDTH
 from game.stage import Part
+from game.worlds.hearing import HEARD_TIME, HEARD_WIDTH
+from game.worlds.members.burning_air import AirState
 
 Floats = NDArray[np.float64]
 GIVES = np.array([(-0.8, 1.0), (0.0, 1.0), (0.8, 1.0), (-0.8, -1.0), (0.0, -1.0), (0.8, -1.0)])

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.scenes.fireplace.tables import HOOD_FOOT, HOOD_IN, HOOD_OUT, THROAT, WALL
-from game.scenes.shared.backdrops import Painted, Seen
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.backdrops import Painted, Seen
 
 Floats = NDArray[Any]  # of single precision, for pictures
 Inks = NDArray[np.uint32]

@@ -23,11 +23,11 @@ from game.scenes.fireplace.saving import content_of
 from game.scenes.fireplace.sounds import hearing_of
 from game.scenes.fireplace.targets import story_targets
 from game.scenes.fireplace.view import FireplaceView
-from game.scenes.shared.backdrops import warm_up_backdrop
-from game.scenes.shared.flames_seen import warm_up_gas
-from game.scenes.shared.model_scene import BuiltScene
-from game.scenes.shared.polygons import warm_up_painter
 from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
+from game.worlds.painting.backdrops import warm_up_backdrop
+from game.worlds.painting.flames import warm_up_gas
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import BuiltScene
 
 
 class Fireplace(BuiltScene):

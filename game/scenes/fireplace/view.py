@@ -23,10 +23,10 @@ from game.scenes.fireplace.tables import (
     UPRIGHTS,
     WHOLE,
 )
-from game.scenes.shared.boards import placed
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
+from game.worlds.painting.boards import placed
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]

@@ -6,10 +6,10 @@ from typing import Annotated
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
 from game.scenes.shared.insets import Zoom
 from game.scenes.shared.repeats import Period
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]  # m/s

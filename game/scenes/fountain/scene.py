@@ -18,8 +18,6 @@ from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
 from game.scenes.fountain.targets import story_targets
 from game.scenes.fountain.view import FountainView
-from game.scenes.shared.expectations import captions_of, draw_captions
-from game.scenes.shared.model_scene import ModelScene
 from game.scenes.shared.repeats import Repeat
 from game.stage import (
     Equation,
@@ -34,6 +32,8 @@ from game.stage import (
 )
 from game.stage.messages import Messages
 from game.stage.states.state import copy_state
+from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.scene import ModelScene
 
 MANY_PLACES = 200_000
 

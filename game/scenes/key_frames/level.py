@@ -6,8 +6,8 @@ from typing import Annotated
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 MOST_KEYS = 200
 FARTHEST = 1000.0  # m

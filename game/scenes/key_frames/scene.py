@@ -21,8 +21,6 @@ from game.scenes.key_frames.model import KeyFrameModel
 from game.scenes.key_frames.parameters import KeyFrameParameters, range_of_slider
 from game.scenes.key_frames.readouts import readouts_of
 from game.scenes.key_frames.view import KeyFramingView
-from game.scenes.shared.expectations import captions_of, draw_captions
-from game.scenes.shared.model_scene import ModelScene
 from game.stage import (
     Equation,
     Frame,
@@ -33,6 +31,8 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.scene import ModelScene
 
 
 class KeyFraming(ModelScene):

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from game.physics.plates.law import BEND, THETA, X, Y
 from game.scenes.leaves.model import DEPTH, FLIP, KIND, NAMES, SHADE, YAW
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Floats = NDArray[np.float64]
 BACKWARD = (0.26, 0.50)  # how far right and up a way into the picture is seen, beside its length

@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
-from game.scenes.shared.gusts import Gusts
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.entries.gusts import Gusts
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-20.0, le=20.0)]
 Kind = Literal["maple", "oak", "birch", "linden", "ash"]

@@ -15,8 +15,6 @@ from game.scenes.leaves.model import HEARD_SPEED, HEARD_TIME, HEARD_X, LeavesMod
 from game.scenes.leaves.parameters import OF_PICTURE, LeavesParameters
 from game.scenes.leaves.readouts import readouts_of
 from game.scenes.leaves.view import LeavesView
-from game.scenes.shared.model_scene import BuiltScene
-from game.scenes.shared.polygons import warm_up_painter
 from game.stage import (
     Equation,
     Hearing,
@@ -27,6 +25,8 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import BuiltScene
 
 
 class Leaves(BuiltScene):

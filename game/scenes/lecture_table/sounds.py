@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from game.scenes.lecture_table.model import LectureTableModel
-from game.scenes.shared.tables.sounds import REMEMBERED_S, pan_of
+from game.scenes.shared.tables.sounds import pan_of
 from game.stage import Hearing, Sound
+from game.worlds.hearing import REMEMBERED_S
 
 POCKET_SPEED = 1.0  # m/s, at which a ball is taken to fall in
 

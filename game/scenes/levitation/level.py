@@ -6,8 +6,8 @@ from typing import Annotated
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-0.1, le=0.1)]
 Point = tuple[Metre, Metre]

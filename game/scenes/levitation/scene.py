@@ -16,9 +16,9 @@ from game.scenes.levitation.model import APART, LevitationModel
 from game.scenes.levitation.parameters import OF_PICTURE, LevitationParameters
 from game.scenes.levitation.readouts import readouts_of
 from game.scenes.levitation.view import LevitationView
-from game.scenes.shared.expectations import captions_of, draw_captions
-from game.scenes.shared.model_scene import ModelScene
 from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip
+from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.scene import ModelScene
 
 
 class Levitation(ModelScene):

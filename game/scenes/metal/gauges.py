@@ -23,7 +23,7 @@ from game.physics.solids.tracks.descent import (
 from game.physics.solids.tracks.motion import FREE, PIECE, RADIUS, VX, VY, X, Y
 from game.scenes.metal.level import GaugeEntry, MetalContent
 from game.scenes.metal.tables import FREED, FROM_X, FROM_Y, HIGHEST, NOT_YET
-from game.scenes.shared.rails.level import TrackEntry
+from game.worlds.entries.tracks import TrackEntry
 
 Floats = NDArray[np.float64]
 VALUE, NOTE, SECOND = range(3)  # columns of a gauge

@@ -10,9 +10,9 @@ from game.physics.solids.tracks.motion import RADIUS, X, Y
 from game.scenes.metal.level import MOST_BALLS, MOST_TRACKS, BallEntry
 from game.scenes.metal.model import MetalModel
 from game.scenes.metal.tables import ROD
-from game.scenes.shared.rails.curves import NOBODY, bent, drawn, nearest_curve
-from game.scenes.shared.rails.level import Point
 from game.stage import Part, Pointer
+from game.worlds.entries.tracks import Point
+from game.worlds.hands.curves import NOBODY, bent, drawn, nearest_curve
 
 NEAR = 0.02  # of the height in view
 MOST_NEAR = 0.3  # m

@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
-from game.scenes.shared.rails.level import Length, Metre, Point, TrackEntry
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.entries.tracks import Length, Metre, Point, TrackEntry
+from game.worlds.expectations import Expectations
 
 Density = Annotated[float, msgspec.Meta(ge=1e-3, le=1e5)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]

@@ -46,10 +46,10 @@ from game.scenes.metal.tables import (
     STEEL,
     none_of,
 )
-from game.scenes.shared.heard import HEARD_WIDTH
-from game.scenes.shared.rails.shapes import curve_of
-from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import ParameterError, Part
+from game.worlds.entries.track_forms import curve_of
+from game.worlds.hearing import HEARD_WIDTH
+from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]

@@ -11,8 +11,8 @@ from game.physics.solids.tracks.motion import RADIUS, VX, VY
 from game.scenes.metal.gauges import VALUE, exact_of
 from game.scenes.metal.model import MetalModel
 from game.scenes.metal.tables import FREED, NOT_YET
-from game.scenes.shared.touching import contact_places
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
+from game.worlds.members.touching import contact_places
 
 Floats = NDArray[np.float64]
 SECONDS = 0.12  # s: a velocity is drawn as the way of this time

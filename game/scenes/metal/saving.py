@@ -9,7 +9,7 @@ from game.physics.solids.tracks.motion import RADIUS, VX, VY, X, Y
 from game.scenes.metal.level import BallEntry, MetalContent
 from game.scenes.metal.model import MetalModel
 from game.scenes.metal.tables import DELAY, FREED, GATE, GRIP, NONE, NOT_YET, ROD
-from game.scenes.shared.rails.level import TrackEntry
+from game.worlds.entries.tracks import TrackEntry
 
 
 def content_of(model: MetalModel) -> MetalContent:

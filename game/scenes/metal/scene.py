@@ -20,9 +20,6 @@ from game.scenes.metal.saving import content_of
 from game.scenes.metal.sounds import hearing_of
 from game.scenes.metal.targets import story_targets
 from game.scenes.metal.view import WHAT_NEXT, MetalView
-from game.scenes.shared.model_scene import BuiltScene
-from game.scenes.shared.polygons import warm_up_painter
-from game.scenes.shared.rails.level import TrackEntry
 from game.stage import (
     Equation,
     Hearing,
@@ -34,6 +31,9 @@ from game.stage import (
 )
 from game.ui.painters.steel import warm_up_steel
 from game.ui.painters.wall import warm_up_wall
+from game.worlds.entries.tracks import TrackEntry
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import BuiltScene
 
 
 class MetalBalls(BuiltScene):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from game.scenes.metal.hearing import RAIL, ROLL, STEEL, WOOD
 from game.scenes.metal.model import MetalModel
-from game.scenes.shared.heard import sounds_of
 from game.stage import Hearing
+from game.worlds.hearing import sounds_of
 
 NAMES = {STEEL: "steel", WOOD: "wood", RAIL: "rail", ROLL: "roll"}
 

@@ -17,14 +17,14 @@ from game.scenes.metal.making import LEDGE, cradle_places
 from game.scenes.metal.marks import draw_marks
 from game.scenes.metal.model import MetalModel, ModelState
 from game.scenes.metal.tables import FREED, GATE, NONE, NOT_YET, ROD
-from game.scenes.shared.boards import Shapes, boards_of, placed
-from game.scenes.shared.polygons import NO_EDGE, paint
-from game.scenes.shared.rails.curves import NOBODY
-from game.scenes.shared.rails.drawing import Rail, draw_rail_shadows, draw_rails, rails_of
-from game.scenes.shared.rails.shapes import curve_of
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.painters.steel import draw_steel
 from game.ui.painters.wall import Wall, is_dark
+from game.worlds.entries.track_forms import curve_of
+from game.worlds.hands.curves import NOBODY
+from game.worlds.painting.boards import Shapes, boards_of, placed
+from game.worlds.painting.polygons import NO_EDGE, paint
+from game.worlds.painting.rails import Rail, draw_rail_shadows, draw_rails, rails_of
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]

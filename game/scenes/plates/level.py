@@ -9,9 +9,9 @@ import msgspec
 
 from game.physics.kernels import elementary
 from game.physics.plates import Plate
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
-from game.scenes.shared.gusts import Gusts
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.entries.gusts import Gusts
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)]
 Radian = Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)]

@@ -13,8 +13,8 @@ from game.scenes.plates.model import CEILING, FLOOR, LEFT, PlatesModel
 from game.scenes.plates.parameters import OF_PICTURE, PlatesParameters
 from game.scenes.plates.readouts import readouts_of
 from game.scenes.plates.view import MAP_RIGHT, PlatesView
-from game.scenes.shared.model_scene import BuiltScene
 from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip
+from game.worlds.scene import BuiltScene
 
 
 class FallingPlates(BuiltScene):

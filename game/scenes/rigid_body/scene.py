@@ -21,9 +21,9 @@ from game.scenes.rigid_body.readouts import readouts_of
 from game.scenes.rigid_body.saving import content_of
 from game.scenes.rigid_body.state import RigidState, restore, state_of
 from game.scenes.rigid_body.view import RigidView
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Stamped, Strip, WarmUp
 from game.ui.painters.spheres import WARM_UPS
+from game.worlds.expectations import captions_of, draw_captions, with_headroom
 
 
 class RigidBodyScene(Scene):

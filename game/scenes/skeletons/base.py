@@ -7,9 +7,6 @@ from typing import Any, ClassVar
 
 from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
-from game.scenes.shared.expectations import Caption, captions_of, draw_captions, with_headroom
-from game.scenes.shared.model_scene import ModelScene
-from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.skeletons.guide import steps_of
 from game.scenes.skeletons.hand import FigureHand
 from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, View
@@ -17,6 +14,9 @@ from game.scenes.skeletons.model import FigureModel
 from game.scenes.skeletons.parameters import BINDING, FigureParameters
 from game.scenes.skeletons.rig import Rig, WeightRules
 from game.stage import Frame, Hint, Parameter, Pointer, SceneAction, WarmUp
+from game.worlds.expectations import Caption, captions_of, draw_captions, with_headroom
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import ModelScene
 
 PLAIN = FigureContent(
     bones=(

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.scenes.shared.expectations import Caption
 from game.scenes.skeletons.level import FigureContent
+from game.worlds.expectations import Caption
 
 ENOUGH_BONES = 15  # as the course asks for
 TURNED = 0.05  # rad by which a bone is to be turned

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.physics.effects import EffectSet
-from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.skeletons import bench as skeleton_bench
 from game.scenes.skeletons.level import FigureContent
 from game.scenes.skeletons.parameters import FigureParameters
 from game.scenes.skeletons.rig import Rig, WeightRules
 from game.stage.messages import Messages
 from game.stage.part import Part
+from game.worlds.stopwatch import Stopwatch
 
 Array = NDArray[np.float64]
 UNCHANGED: NDArray[np.uint8] = np.zeros(0, dtype=np.uint8)

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-0.5, le=2.5)]
 Radius = Annotated[float, msgspec.Meta(ge=0.01, le=0.6)]

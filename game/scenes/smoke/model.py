@@ -15,11 +15,11 @@ from game.physics.gas.effects import BUOYANCY, CONFINEMENT, GAS
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
 from game.physics.stable_fluids import PrintedFluid
-from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.smoke.discs import VX, VY, DiscObstacles, X, Y
 from game.scenes.smoke.level import MOST_SOLIDS, SmokeContent
 from game.scenes.smoke.parameters import PRINTED, SmokeParameters
 from game.stage import Part
+from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
 WIDE, TALL = 2.0, 1.0  # m

@@ -9,9 +9,6 @@ from game.lab.studies.gases.smoke import smoke_study
 from game.levels import Level
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import GAS
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
-from game.scenes.shared.flames_seen import warm_up_gas
-from game.scenes.shared.model_scene import ModelScene
 from game.scenes.smoke import SMOKE
 from game.scenes.smoke.figure import draw_projection
 from game.scenes.smoke.hand import SmokeHand
@@ -22,6 +19,9 @@ from game.scenes.smoke.readouts import readouts_of
 from game.scenes.smoke.view import SmokeView
 from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, SetParameter, Strip, WarmUp
 from game.stage.messages import Messages
+from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.painting.flames import warm_up_gas
+from game.worlds.scene import ModelScene
 
 
 class Smoke(ModelScene):

@@ -6,12 +6,12 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.scenes.shared.flames_seen import FlameLook, see_gas
 from game.scenes.smoke.books import draw_books
 from game.scenes.smoke.hand import SmokeHand
 from game.scenes.smoke.model import ROOM, SMOKE, SOOT, TALL, WARM, WIDE, SmokeModel
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
+from game.worlds.painting.flames import FlameLook, see_gas
 
 Floats = NDArray[np.float64]
 BOX = ((0.0, 0.0), (WIDE, TALL))

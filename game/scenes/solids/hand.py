@@ -11,13 +11,13 @@ from game.physics.kernels import elementary
 from game.physics.solids.joints.layout import MOUSE
 from game.physics.solids.outlines import signed_area
 from game.physics.solids.state import DYNAMIC
-from game.scenes.shared.simplify import simplified
 from game.scenes.solids.bodies import entry_of
 from game.scenes.solids.cutting import cut_bodies
 from game.scenes.solids.level import MOST_BODIES, BodyEntry, JointEntry, Point, ShapeEntry
 from game.scenes.solids.model import ANCHOR, SolidModel
 from game.scenes.solids.picking import NOBODY, bodies_at, body_at, joint_at, joints_across
 from game.stage import Part, Pointer
+from game.worlds.hands.simplify import simplified
 
 REACH = 0.02  # of the height in view: how near to something the pointer takes it
 FARTHEST = 1e5  # m

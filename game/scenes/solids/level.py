@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1e6, le=1e6)]
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e5)]

@@ -24,8 +24,8 @@ from game.physics.solids.state import (
     TOUCHING,
     USED,
 )
-from game.scenes.shared.tables.sounds import REMEMBERED_S
 from game.scenes.solids.bodies import place_of
+from game.worlds.hearing import REMEMBERED_S
 
 Floats = NDArray[np.float64]
 SPRING = JOINT_NAMES.index("spring")

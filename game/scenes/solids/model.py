@@ -12,7 +12,6 @@ from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
 from game.physics.solids import Disc, Material, SolidSettings, SolidState, SolidWorld, box
 from game.physics.solids.state import ASLEEP, DYNAMIC
-from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.solids.bodies import (
     COLOURS,
     HIDDEN,
@@ -28,6 +27,7 @@ from game.scenes.solids.measures import HEARD_WIDTH, STEEL, STONE, THUD, WOOD, h
 from game.scenes.solids.parameters import SolidParameters
 from game.scenes.solids.structures import make
 from game.stage import ParameterError, Part
+from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
 ANCHOR = 0  # the body that joints to the ground hang on

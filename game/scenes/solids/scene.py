@@ -8,8 +8,6 @@ from typing import ClassVar
 from game.lab.studies.stacks import stack_study
 from game.levels import Level
 from game.physics.solids.effects import USUAL
-from game.scenes.shared.model_scene import BuiltScene
-from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.solids import SOLIDS as ROW
 from game.scenes.solids.figure import draw_contact
 from game.scenes.solids.hand import SolidHand
@@ -29,6 +27,8 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import BuiltScene
 
 
 class Solids(BuiltScene):

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from game.physics.solids.joints.layout import JOINT_NAMES, LENGTH
 from game.physics.solids.state import ASLEEP, DYNAMIC
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.solids.bodies import COLOURS, place_of, whole_joints
 from game.scenes.solids.hand import LINKERS, NOBODY, SolidHand
 from game.scenes.solids.level import Point
@@ -19,6 +18,7 @@ from game.scenes.solids.measures import contact_points, islands
 from game.scenes.solids.model import ModelState, SolidModel
 from game.scenes.solids.outlines import Outlines, outlines_of
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Floats = NDArray[np.float64]
 SOLID = {"wood": "B98955", "stone": "A3A29B", "steel": "8096A6", "brass": "BFA15A"}  # the same in both themes

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-50.0, le=50.0)]

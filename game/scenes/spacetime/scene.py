@@ -8,8 +8,6 @@ from typing import Any
 from game.lab.studies.spacetime import budget_study
 from game.levels import Level
 from game.physics.spacetime.effects import TIMED
-from game.scenes.shared.expectations import captions_of, draw_captions
-from game.scenes.shared.model_scene import ModelScene
 from game.scenes.spacetime import SPACETIME
 from game.scenes.spacetime.figure import draw_levels
 from game.scenes.spacetime.hand import SpaceTimeHand
@@ -19,6 +17,8 @@ from game.scenes.spacetime.parameters import OF_PICTURE, SpaceTimeParameters
 from game.scenes.spacetime.readouts import readouts_of
 from game.scenes.spacetime.view import SpaceTimeView
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip
+from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.scene import ModelScene
 
 
 class SpaceTime(ModelScene):

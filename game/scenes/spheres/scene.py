@@ -12,7 +12,6 @@ from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.spheres.spheres import SphereBodies
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.scenes.shared.insets import draw_inset
 from game.scenes.shared.repeats import Repeat
 from game.scenes.spheres import C13
@@ -42,6 +41,7 @@ from game.stage import (
     WarmUp,
 )
 from game.stage.states.state import copy_state
+from game.worlds.expectations import captions_of, draw_captions, with_headroom
 
 
 class SphereCollisions(Scene):

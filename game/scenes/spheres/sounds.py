@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from game.physics.spheres import ledger
-from game.scenes.shared.tables.sounds import REMEMBERED_S
 from game.scenes.spheres.model import CollisionModel
 from game.stage import Hearing, Sound
+from game.worlds.hearing import REMEMBERED_S
 
 LEAST = 0.05  # m/s of approach; what rests is silent
 

@@ -8,8 +8,6 @@ from typing import Any, ClassVar
 from game.levels import Level
 from game.physics.constraints import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKS, TEARING
 from game.physics.fields import GRAVITY, GROUND
-from game.scenes.shared.expectations import Caption, captions_of, draw_captions
-from game.scenes.shared.model_scene import ModelScene
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import LinkEntry, ParticleEntry, SpringContent
 from game.scenes.springs.links import LinkLaw
@@ -20,6 +18,8 @@ from game.scenes.springs.saving import content_of
 from game.scenes.springs.view import SpringView
 from game.stage import Frame, Hint, Pointer, Readout, SceneAction, Strip
 from game.stage.messages import Messages
+from game.worlds.expectations import Caption, captions_of, draw_captions
+from game.worlds.scene import ModelScene
 
 TOOL_HINTS = {
     "particle": (Hint(("Click",), "new particle"), Hint(("Delete",), "delete what is chosen")),

@@ -12,7 +12,6 @@ from game.physics.constraints import AREAS, CONTACTS, PositionBasedDynamics
 from game.physics.constraints.areas import INTACT
 from game.physics.fields import GROUND
 from game.physics.kernels.jit import kernel
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.springs.exact_bob import draw_exact_bob
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import Point
@@ -20,6 +19,7 @@ from game.scenes.springs.model import ComparedState, SpringModel, SpringState
 from game.scenes.springs.slow_sweep import draw_slow_sweep
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.threads import draw_threads
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Array = NDArray[np.float64]
 FULL_STRAIN = 0.05  # at which a link has the full colour of stretch or of compression

@@ -12,8 +12,6 @@ from game.physics.kernels import elementwise, linear
 from game.physics.solids import SolidSettings, SolidState, SolidWorld
 from game.physics.solids.effects import SOLIDS
 from game.physics.solids.state import ASLEEP, DYNAMIC
-from game.scenes.shared.heard import HEARD_WIDTH
-from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.tower.air import AirState, TowerAir
 from game.scenes.tower.breaking import break_up, cuts_of, halves_of, speed_of_stop
 from game.scenes.tower.building import (
@@ -50,6 +48,8 @@ from game.scenes.tower.tables import (
     none_of,
 )
 from game.stage import ParameterError, Part
+from game.worlds.hearing import HEARD_WIDTH
+from game.worlds.stopwatch import Stopwatch
 
 MOST_BODIES = 1_500
 PIECES_OF_COLUMN = 3

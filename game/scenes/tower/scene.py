@@ -9,8 +9,6 @@ from game.lab.studies.collapse import collapse_study
 from game.levels import Level
 from game.physics.fields import GRAVITY
 from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
-from game.scenes.shared.model_scene import BuiltScene
-from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.tower import A08
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.figure import draw_front
@@ -32,6 +30,8 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import BuiltScene
 
 
 class Tower(BuiltScene):

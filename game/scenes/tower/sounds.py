@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from game.physics.solids import SolidWorld
-from game.scenes.shared.heard import HEARD_TIME, sounds_of
-from game.scenes.shared.tables.sounds import REMEMBERED_S
 from game.scenes.tower.tables import Floats
 from game.stage import Hearing
+from game.worlds.hearing import HEARD_TIME, REMEMBERED_S, sounds_of
 
 STONE, THUD = range(2)
 NAMES = {STONE: "stone", THUD: "thud"}

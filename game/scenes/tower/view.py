@@ -10,8 +10,6 @@ import pygame
 from numpy.typing import NDArray
 
 from game.physics.solids.state import DYNAMIC
-from game.scenes.shared.polygons import NO_EDGE, paint
-from game.scenes.shared.touching import contact_places
 from game.scenes.tower.building import floor_height, half_width
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.measures import fall_of, front_of
@@ -35,6 +33,8 @@ from game.scenes.tower.tables import (
 )
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
+from game.worlds.members.touching import contact_places
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size

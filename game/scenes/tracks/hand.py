@@ -5,11 +5,11 @@ from __future__ import annotations
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
-from game.scenes.shared.rails.curves import NOBODY, bent, drawn, nearest_curve
-from game.scenes.shared.rails.level import Point
 from game.scenes.tracks.level import BallEntry
 from game.scenes.tracks.model import COLOURS, REACH, TracksModel
 from game.stage import Part, Pointer
+from game.worlds.entries.tracks import Point
+from game.worlds.hands.curves import NOBODY, bent, drawn, nearest_curve
 
 NEAR = 0.03  # of the height in view
 FARTHEST = 1e4  # m

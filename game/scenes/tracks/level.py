@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.scenes.shared.entry import LevelEntry
-from game.scenes.shared.expectations import Expectations
-from game.scenes.shared.rails.level import Length, Metre, Point, TrackEntry
+from game.worlds.entries.entry import LevelEntry
+from game.worlds.entries.tracks import Length, Metre, Point, TrackEntry
+from game.worlds.expectations import Expectations
 
 Colour = Literal["chalk", "green", "vermilion", "pink", "violet", "yellow", "amber"]
 Few = msgspec.Meta(max_length=40)

@@ -27,12 +27,12 @@ from game.physics.solids.tracks.motion import (
     X,
     Y,
 )
-from game.scenes.shared.rails.level import Point
-from game.scenes.shared.rails.shapes import curve_of
-from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.tracks.level import BallEntry, GaugeEntry, TrackContent
 from game.scenes.tracks.parameters import TrackParameters
 from game.stage import Part
+from game.worlds.entries.track_forms import curve_of
+from game.worlds.entries.tracks import Point
+from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]

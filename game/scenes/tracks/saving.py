@@ -20,9 +20,9 @@ from game.physics.solids.tracks.motion import (
     X,
     Y,
 )
-from game.scenes.shared.rails.level import TrackEntry
 from game.scenes.tracks.level import BallEntry, TrackContent
 from game.scenes.tracks.model import COLOURS, OWN_FRICTION, OWN_RESTITUTION, TracksModel
+from game.worlds.entries.tracks import TrackEntry
 
 
 def content_of(model: TracksModel) -> TrackContent:

@@ -9,9 +9,6 @@ from game.lab.studies.loops import loop_study
 from game.levels import Level
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
-from game.scenes.shared.model_scene import BuiltScene
-from game.scenes.shared.rails.curves import NOBODY
-from game.scenes.shared.rails.level import TrackEntry
 from game.scenes.tracks import TRACKS
 from game.scenes.tracks.figure import draw_rolling
 from game.scenes.tracks.hand import TrackHand
@@ -22,6 +19,9 @@ from game.scenes.tracks.readouts import readouts
 from game.scenes.tracks.saving import content_of
 from game.scenes.tracks.view import WHAT_NEXT, TrackView
 from game.stage import Equation, Hint, Readout, SceneAction, Strip
+from game.worlds.entries.tracks import TrackEntry
+from game.worlds.hands.curves import NOBODY
+from game.worlds.scene import BuiltScene
 
 
 class Tracks(BuiltScene):

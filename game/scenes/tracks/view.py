@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import ANGLE, RADIUS, VX, VY, X, Y
-from game.scenes.shared.rails.curves import NOBODY
-from game.scenes.shared.rails.lines import lines_of
 from game.scenes.tracks.hand import TrackHand
 from game.scenes.tracks.model import COLOURS, SHOWN_BALLS, TRAIL, TracksModel, TracksState
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
+from game.worlds.hands.curves import NOBODY
+from game.worlds.painting.track_lines import lines_of
 
 Floats = NDArray[np.float64]
 WHAT_NEXT = {

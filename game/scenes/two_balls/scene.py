@@ -9,7 +9,6 @@ from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEE
 from game.billiards.table import passing
 from game.lab.studies.billiards.lecture_table import one_collision_study
 from game.levels import Level
-from game.scenes.shared.model_scene import ModelScene
 from game.scenes.two_balls import LECTURE_BALLS, view
 from game.scenes.two_balls.figure import draw_exchange
 from game.scenes.two_balls.hand import TwoBallsHand
@@ -19,6 +18,7 @@ from game.scenes.two_balls.parameters import LectureBallsParameters
 from game.scenes.two_balls.readouts import readouts_of
 from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip, WarmUp
 from game.ui.painters import ball as ball_painter
+from game.worlds.scene import ModelScene
 
 
 class LectureBalls(ModelScene):

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.kernels import elementary
-from game.scenes.shared.simplify import simplified
 from game.scenes.wind_tunnel.model import WindTunnelModel
 from game.stage import Part, Pointer
+from game.worlds.hands.simplify import simplified
 
 Floats = NDArray[np.float64]
 FINE = 0.0015  # of the tunnel's height: a drawn line keeps what is farther off than that

@@ -8,8 +8,6 @@ from typing import Any, ClassVar
 from game.lab.studies.flow.wind_tunnel import drag_study
 from game.levels import Level
 from game.physics.tunnel import SHAPES, TUNNEL
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
-from game.scenes.shared.model_scene import ModelScene
 from game.scenes.wind_tunnel import WIND_TUNNEL
 from game.scenes.wind_tunnel.figure import draw_forces
 from game.scenes.wind_tunnel.hand import WindTunnelHand
@@ -21,6 +19,8 @@ from game.scenes.wind_tunnel.readouts import readouts_of
 from game.scenes.wind_tunnel.view import WindTunnelView
 from game.scenes.wind_tunnel.warming import warm_up
 from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip, WarmUp
+from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.scene import ModelScene
 
 
 class WindTunnel(ModelScene):

@@ -7,8 +7,8 @@ import pytest
 from game.app.stagehand.opening import read_level
 from game.levels import level_files
 from game.scenes import CATALOGUE
-from game.scenes.shared.expectations import captions_of
 from game.stage import Stage
+from game.worlds.expectations import captions_of
 
 MOVING = {"hard-04-duplicates-clockwise", "hard-07-one-and-two-leaves"}  # the gap is another in every step
 HARD = [(name, path) for name in ("c08", "c09") for path in level_files(name) if "hard" in path.stem]

@@ -13,8 +13,8 @@ from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.scenes.boxes.level import WIDTH
 from game.scenes.boxes.view.outside import boxes_outside
-from game.scenes.shared.expectations import captions_of
 from game.stage import Stage
+from game.worlds.expectations import captions_of
 
 HARD = [(name, path) for name in ("c05", "c06", "c07") for path in level_files(name) if "hard" in path.stem]
 

@@ -18,8 +18,8 @@ from game.scenes.burning_cloth.match import Match
 from game.scenes.burning_cloth.picture.yard import COLUMNS, ROWS, SOURCES, light_on_yard
 from game.scenes.burning_cloth.scene import BurningCloth
 from game.scenes.burning_cloth.tables import BOX, TABLE
-from game.scenes.shared.expectations import captions_of
 from game.stage import Action, Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("a10")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

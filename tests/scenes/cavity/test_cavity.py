@@ -12,8 +12,8 @@ from game.lab.study import Setting
 from game.levels import level_files, load_level
 from game.scenes.cavity.published import EXTREMES, GHIA_U, GHIA_V, HEIGHTS, PLACES
 from game.scenes.cavity.scene import Cavity
-from game.scenes.shared.expectations import captions_of
 from game.stage import Pointer, SetEffect, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("cavity")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

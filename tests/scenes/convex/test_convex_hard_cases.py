@@ -7,8 +7,8 @@ import pytest
 from game.app.stagehand.opening import read_level
 from game.levels import level_files
 from game.scenes import CATALOGUE
-from game.scenes.shared.expectations import captions_of
 from game.stage import Stage
+from game.worlds.expectations import captions_of
 
 REFUSED = {"hard-26-not-convex"}  # there is no distance
 HARD = [(name, path) for name in ("c10", "c11") for path in level_files(name) if "hard" in path.stem]

@@ -10,8 +10,8 @@ import pytest
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
 from game.scenes.deformables.scene import Deformables
-from game.scenes.shared.expectations import captions_of
 from game.stage import ParameterError, Pointer, SetEffect, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = {path.stem: path for path in level_files("p04")}
 HARD = [name for name in LEVELS if name.startswith("hard-")]

@@ -13,8 +13,8 @@ from game.levels import level_files, load_level
 from game.physics.narrowphase.depth import PRESETS, preset
 from game.scenes.depth.borders import border_of, common
 from game.scenes.depth.scene import Depth
-from game.scenes.shared.expectations import captions_of
 from game.stage import Action, Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("p32")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

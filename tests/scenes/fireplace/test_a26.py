@@ -13,8 +13,8 @@ from game.physics.heat.nodes import BOILING, FUEL, TEMPERATURE
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
 from game.scenes.fireplace.scene import Fireplace
 from game.scenes.fireplace.tables import BODY, SCALE
-from game.scenes.shared.expectations import captions_of
 from game.stage import Action, Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("a26")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

@@ -15,8 +15,8 @@ from game.scenes.leaves.foliage import cut_outlines
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.scene import Leaves
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
-from game.scenes.shared.expectations import captions_of
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 pytestmark = pytest.mark.compiled
 LEVELS = {path.stem: path for path in level_files("a18") if not path.stem.startswith("story")}

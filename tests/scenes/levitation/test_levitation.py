@@ -11,8 +11,8 @@ from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
 from game.scenes.levitation.model import APART, WAVE
 from game.scenes.levitation.scene import Levitation
-from game.scenes.shared.expectations import captions_of
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("p28")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

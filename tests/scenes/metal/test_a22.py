@@ -12,8 +12,8 @@ from game.levels import Level, format_level, level_files, load_level, parse_leve
 from game.physics.solids.tracks.motion import ANGLE, MASS, RADIUS, SPIN, VX, VY, X, Y
 from game.scenes.metal.level import BallEntry, Box, FloorEntry, GaugeEntry, MetalContent, PlugEntry
 from game.scenes.metal.scene import MetalBalls
-from game.scenes.shared.rails.level import TrackEntry
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
+from game.worlds.entries.tracks import TrackEntry
 from tests.scenes.listening import heard_in
 
 pytestmark = pytest.mark.compiled

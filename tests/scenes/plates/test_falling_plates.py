@@ -12,8 +12,8 @@ from game.levels import level_files, load_level
 from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.scenes.plates.model import CEILING, FLOOR, LEFT, RIGHT
 from game.scenes.plates.scene import FallingPlates
-from game.scenes.shared.expectations import captions_of
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = {path.stem: path for path in level_files("falling-plates")}
 HARD = [name for name in LEVELS if name.startswith("hard-")]

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from game.scenes.fountain.scene import Fountain
-from game.scenes.shared.expectations import with_headroom
 from game.scenes.shared.insets import Zoom, draw_inset
 from game.scenes.shared.repeats import Repeat
 from game.scenes.skeletons.skinning import Skinning
 from game.scenes.spheres.scene import SphereCollisions
 from game.scenes.springs.rigid_links import RigidLinks
 from game.stage import Frame, SetParameter
+from game.worlds.expectations import with_headroom
 from tests.scenes.labels import labels_of
 from tests.scenes.particle_stages import click, open_level
 

@@ -10,13 +10,13 @@ import pytest
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.lab.studies.gases.whirl import whirl_after
 from game.levels import level_files, load_level
-from game.scenes.shared.expectations import captions_of
 from game.scenes.smoke.books import heat_page, momentum_page
 from game.scenes.smoke.level import SmokeContent
 from game.scenes.smoke.model import FUEL, OXYGEN, SMOKE, WARM
 from game.scenes.smoke.parameters import METHODS, VIEWS
 from game.scenes.smoke.scene import Smoke
 from game.stage import Action, Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("smoke")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

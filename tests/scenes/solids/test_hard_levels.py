@@ -8,9 +8,9 @@ import os
 import pytest
 
 from game.levels import level_files, load_level
-from game.scenes.shared.expectations import captions_of
 from game.scenes.solids.level import SolidContent
 from game.scenes.solids.scene import Solids
+from game.worlds.expectations import captions_of
 from tests.scenes.particle_stages import open_level, readouts
 
 G = 9.81

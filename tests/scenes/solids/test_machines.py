@@ -10,10 +10,10 @@ import pytest
 from game.levels import parse_level
 from game.physics.dominoes import domino_wave_speed
 from game.physics.solids.joints.layout import BREAK_FORCE
-from game.scenes.shared.expectations import captions_of
 from game.scenes.solids.level import SolidContent
 from game.scenes.solids.scene import Solids
 from game.stage import SetParameter, Stage
+from game.worlds.expectations import captions_of
 from tests.scenes.particle_stages import open_level, press, readouts, release
 from tests.scenes.solids.test_hard_levels import ALL, after
 

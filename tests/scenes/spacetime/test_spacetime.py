@@ -10,10 +10,10 @@ import pytest
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.lab.studies.spacetime import answers, pose_pairs, relative_errors
 from game.levels import level_files, load_level
-from game.scenes.shared.expectations import captions_of
 from game.scenes.spacetime.paper import BUDGETS_US, INTERACTIVE
 from game.scenes.spacetime.scene import SpaceTime
 from game.stage import Pointer, SetEffect, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("p02")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

@@ -10,13 +10,13 @@ import pytest
 from game.levels import parse_level
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import FREE, PIECE, RADIUS, SHARE, SPEED, SPIN, VX, VY, X, Y
-from game.scenes.shared.rails.curves import NOBODY, bent, drawn, nearest_curve
 from game.scenes.tracks import hand as tracks_hand
 from game.scenes.tracks.hand import FARTHEST, NEAR, SHARES, TrackHand
 from game.scenes.tracks.level import TrackContent
 from game.scenes.tracks.model import COLOURS
 from game.scenes.tracks.scene import Tracks
 from game.stage import Pointer
+from game.worlds.hands.curves import NOBODY, bent, drawn, nearest_curve
 
 WORDS = """scene = "tracks"
 [content]

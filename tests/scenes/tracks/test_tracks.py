@@ -7,9 +7,9 @@ import pytest
 
 from game.levels import level_files
 from game.physics.solids.tracks.motion import FREE, PIECE, SPEED, VY, X, Y
-from game.scenes.shared.expectations import captions_of
 from game.scenes.tracks.scene import Tracks
 from game.stage import Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 from tests.scenes.particle_stages import move, open_level, press, readouts, release
 
 SECONDS = {"default": 6.5, "hard-01-loop-of-fifty-chords": 6.5, "bowl": 4.0, "cylinder": 3.0, "race": 2.0,

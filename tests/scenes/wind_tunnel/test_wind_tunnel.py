@@ -10,10 +10,10 @@ import pytest
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
 from game.physics.tunnel.sweep import ANGLE, BOOK, DRAG
-from game.scenes.shared.expectations import captions_of
 from game.scenes.wind_tunnel.hand import closed_path
 from game.scenes.wind_tunnel.scene import WindTunnel
 from game.stage import Action, Pointer, SetParameter, Stage
+from game.worlds.expectations import captions_of
 
 LEVELS = level_files("wind-tunnel")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]

@@ -17,9 +17,9 @@ from game.physics.kernels import elementary
 from game.scenes.boxes.level import HEIGHT, WIDTH, BoxesContent
 from game.scenes.boxes.model.arrays import LOWER, UPPER, Array, BoxArrays, BoxesState, listed_boxes
 from game.scenes.boxes.parameters import BoxesParameters
-from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import Param, Part
 from game.stage.messages import Messages
+from game.worlds.stopwatch import Stopwatch
 
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
 NO_BOX = -1

@@ -18,8 +18,8 @@ from game.scenes.burning_cloth.picture.yard_picture import (
     yard_picture,
 )
 from game.scenes.burning_cloth.tables import HALF, TALL
-from game.scenes.shared.backdrops import Painted, Seen
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.backdrops import Painted, Seen
 
 ROWS, COLUMNS = 20, 32  # of the light that falls on the yard
 SOURCES = (12, 18)  # rows, columns of blocks of what shines

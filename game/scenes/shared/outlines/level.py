@@ -9,9 +9,9 @@ from typing import Annotated, Any
 import msgspec
 import numpy as np
 
-from game.scenes.shared.expectations import Expectations
 from game.scenes.shared.outlines import shapes
 from game.scenes.shared.outlines.outline import Outline
+from game.worlds.expectations import Expectations
 
 MOST_POINTS = 4_096  # of an outline
 FARTHEST = 1e9  # m

@@ -14,8 +14,6 @@ from game.billiards.shot.impacts import heard_impacts
 from game.billiards.shot.trajectory import Trajectory
 from game.stage import Sound
 
-REMEMBERED_S = 0.4  # s that an impact stays in a line of sounds: more than the longest gap that is heard
-
 
 def pan_of(y: float, length: float) -> float:
     """Left (-1) to right (1) across the window of a place ``y`` m along a table that lies on its side."""

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.animation import Skeleton
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.skeletons.cells import Cell
 from game.scenes.skeletons.rig import Rig
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Array = NDArray[np.float64]
 BONE_COLORS = ("chalk", "vermilion", "green", "pink", "violet", "yellow")

@@ -8,10 +8,10 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.skeletons.cells import WHOLE, Cell
 from game.scenes.skeletons.rig import Rig
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.polygons import NO_EDGE, paint
 
 Array = NDArray[np.float64]
 INK = pygame.Color(18, 22, 26)  # what edges are darkened with

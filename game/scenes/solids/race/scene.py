@@ -10,8 +10,6 @@ from game.lab.studies.stacks import race_study
 from game.levels import Level
 from game.physics.solids import SOLVERS
 from game.physics.solids.effects import USUAL
-from game.scenes.shared.model_scene import ModelScene
-from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.solids import RACE
 from game.scenes.solids.race.figure import draw_loop_of_impulses
 from game.scenes.solids.race.model import RaceModel
@@ -19,6 +17,8 @@ from game.scenes.solids.race.parameters import RaceParameters, field_of, short_o
 from game.scenes.solids.race.view import RaceView, length_words
 from game.stage import Equation, Frame, Hint, Readout, SceneAction, SetParameter, Strip, Table, WarmUp
 from game.stage.messages import Messages
+from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.scene import ModelScene
 
 NAMES = {name: short_of(name) for name in SOLVERS}
 SWITCHES = frozenset(field_of(name) for name in SOLVERS)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from game.scenes.shared.rails.level import TrackEntry
-from game.scenes.shared.rails.shapes import curve_of
+from game.worlds.entries.track_forms import curve_of
+from game.worlds.entries.tracks import TrackEntry
 
 WIDTH, DEPTH = 2.0, 1.5
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from game.scenes.shared.polygons import move_outwards, signed_area
+from game.worlds.painting.polygons import move_outwards, signed_area
 
 CORNERS = np.array([(9.0, 9.0), (10.0, 20.0), (14.0, 20.0), (14.0, 23.0), (10.0, 23.0), (0.0, 0.0)])
 

@@ -11,6 +11,7 @@ from game.stage import Sound
 
 HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)  # columns: s, number of the kind, m/s, m
 HEARD_WIDTH = 4
+REMEMBERED_S = 0.4  # s that an impact stays among those heard: more than the longest gap that is heard
 
 
 def sounds_of(heard: NDArray[Any], names: Mapping[int, str], half: float, middle: float = 0.0) -> list[Sound]:

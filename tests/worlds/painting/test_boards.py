@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.scenes.shared.boards import boards_of, joined, moved
+from game.worlds.painting.boards import boards_of, joined, moved
 
 THICK = 0.1
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.curves import Pieces
-from game.scenes.shared.rails.lines import lines_of
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.track_lines import lines_of
 
 Floats = NDArray[np.float64]
 BREADTH = 0.06  # m, of a rail

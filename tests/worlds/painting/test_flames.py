@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.scenes.shared.flames_seen import FlameLook, flame_height, see_gas
+from game.worlds.painting.flames import FlameLook, flame_height, see_gas
 
 LOOK = FlameLook(
     glows=500.0, brightest=1100.0, bare=0.25, shining=2e-4, thick=4e-3, most=0.8, burns=900.0

@@ -7,7 +7,7 @@ from typing import Annotated
 import msgspec
 
 from game.physics.plates import Gust
-from game.scenes.shared.entry import LevelEntry
+from game.worlds.entries.entry import LevelEntry
 
 Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-100.0, le=100.0)]  # m/s

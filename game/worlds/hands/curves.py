@@ -8,8 +8,8 @@ import numpy as np
 
 from game.physics.kernels import elementwise
 from game.physics.solids.tracks import Curve
-from game.scenes.shared.rails.level import Point
-from game.scenes.shared.simplify import simplified
+from game.worlds.entries.tracks import Point
+from game.worlds.hands.simplify import simplified
 
 CORNER = 50.0  # degrees: a drawn track has a corner where it turns by more
 EXACT = 0.12  # of the hand's reach: so far may a drawn track be from the hand's path

@@ -12,8 +12,8 @@ from game.physics.combustion import Flames, GasFuel
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import BUOYANCY
-from game.scenes.shared.flames_seen import FlameLook, flame_height, see_gas
 from game.stage import Part
+from game.worlds.painting.flames import FlameLook, flame_height, see_gas
 
 Floats = NDArray[np.float64]
 FIELDS = ("temperature", "fuel", "oxygen", "soot")  # of the gas, in this order

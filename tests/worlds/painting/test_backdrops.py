@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.scenes.shared.backdrops import Painted, Seen
+from game.worlds.painting.backdrops import Painted, Seen
 from tests.ui.canvas.test_canvas import begun
 
 HIGH, WIDE, CELL = 30, 50, 0.1

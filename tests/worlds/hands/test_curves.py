@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from game.physics.solids.tracks import Curve
-from game.scenes.shared.rails.curves import NOBODY, bent, drawn, nearest_curve
+from game.worlds.hands.curves import NOBODY, bent, drawn, nearest_curve
 
 LEVEL = Curve(np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]))
 HIGHER = Curve(np.array([[0.0, 1.0], [3.0, 1.0]]))

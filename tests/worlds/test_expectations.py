@@ -8,13 +8,13 @@ from game.levels import LevelError, level_files, load_level, parse_level
 from game.scenes.fountain.scene import Fountain
 from game.scenes.key_frames.scene import KeyFraming
 from game.scenes.rigid_body.scene import RigidBodyScene
-from game.scenes.shared.expectations import Caption, Expectation, captions_of, draw_captions
 from game.scenes.skeletons.inverse_kinematics import InverseKinematics
 from game.scenes.skeletons.skinning import Skinning
 from game.scenes.spheres.scene import SphereCollisions
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
 from game.stage import Readout
+from game.worlds.expectations import Caption, Expectation, captions_of, draw_captions
 from tests.scenes.labels import labels_of
 from tests.scenes.particle_stages import open_level
 

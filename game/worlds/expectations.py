@@ -8,10 +8,10 @@ from typing import Annotated, NamedTuple
 import msgspec
 import numpy as np
 
-from game.scenes.shared.entry import LevelEntry
 from game.stage import Frame, Readout
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
+from game.worlds.entries.entry import LevelEntry
 
 SIZE, WEIGHT = 13, "semibold"
 FIRST, LINE = 14.0, 20.0  # design px down to the first line, and from line to line

@@ -6,9 +6,9 @@ from collections.abc import Collection, Sequence
 from typing import Any, ClassVar, NamedTuple, Protocol
 
 from game.physics.effects import EffectSet
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.stage import Frame, Pointer, Scene, SetParameter
 from game.stage.messages import Messages
+from game.worlds.expectations import captions_of, draw_captions, with_headroom
 
 
 class Model(Protocol):

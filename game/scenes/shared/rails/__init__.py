@@ -1,1 +1,0 @@
-"""Tracks as levels write them and views draw them."""

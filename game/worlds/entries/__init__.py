@@ -1,0 +1,1 @@
+"""What levels say: entries that several scenes read and write."""

@@ -1,0 +1,1 @@
+"""Members of a world: each steps, keeps its state and measures itself."""

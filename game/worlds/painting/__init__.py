@@ -1,0 +1,1 @@
+"""Colours, polygons, rails, smoke and flames, as several scenes paint them."""
