@@ -104,6 +104,10 @@ def test_captions_can_be_read_and_do_not_overlap(played: Performance) -> None:
         assert begins >= ends - 1e-9
 
 
+def test_no_words_are_dropped_for_want_of_time(played: Performance) -> None:
+    assert played.found.dropped == ()
+
+
 def test_the_camera_keeps_its_subject(played: Performance) -> None:
     assert played.outside == []
     assert [pair for pair in played.off_middle if pair[1] > 1.0 + 1e-9] == []

@@ -6,10 +6,9 @@ Nothing else is remembered, so a step back only drops what has happened since.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from types import MappingProxyType
 from typing import NamedTuple
 
+from game.stage.story.entries import Begun, Dropped, Ended, Entry, Found, Held, Reached, Turned
 from game.stage.story.lines import Do, Follow, HandOver, Look, Moment, Say, Slow, Story, Title
 
 READING = 17.0  # characters that one reads in a second
@@ -20,88 +19,6 @@ SLACK_S = 1e-9
 LATE_S = 0.3  # s simulated: what is told later than that after it came is over, and the story is late
 SLOWEST = 1.0 / 16.0  # pace of a clock that waits for words
 MARGIN_S = 0.05  # s of `LATE_S` that are left for what lies between two looks
-
-
-NO_TEXTS: Mapping[int, str] = MappingProxyType({})
-
-
-class Begun(NamedTuple):
-    """A line has begun. text: a caption with its numbers. start, place, to: of a deed that takes time."""
-
-    step: int
-    time_s: float
-    film_s: float
-    line: int
-    text: str = ""
-    start: float = 0.0
-    place: tuple[float, float] = (0.0, 0.0)
-    to: tuple[float, float] = (0.0, 0.0)
-
-
-class Turned(NamedTuple):
-    """The condition of a moment has become true, or is so no more."""
-
-    step: int
-    time_s: float
-    film_s: float
-    line: int
-    true: bool
-
-
-class Reached(NamedTuple):
-    """A moment was reached, or its deadline was (``missed``).
-
-    since_s: when its condition became true, s simulated. texts: its first words by their lines, with the
-    numbers of this step. typed: readouts among them that only repeat what the moment waited for.
-    """
-
-    step: int
-    time_s: float
-    film_s: float
-    line: int
-    missed: bool = False
-    since_s: float = math.nan
-    texts: Mapping[int, str] = NO_TEXTS
-    typed: tuple[str, ...] = ()
-
-
-class Dropped(NamedTuple):
-    """Words were still waiting when what they were to tell was over."""
-
-    step: int
-    film_s: float
-    line: int
-
-
-class Held(NamedTuple):
-    """The clock goes slowly, until a line (``line``) can say what is to be seen."""
-
-    step: int
-    time_s: float
-    film_s: float
-    line: int
-    pace: float
-
-
-class Ended(NamedTuple):
-    """A deed that takes time has ended."""
-
-    step: int
-    film_s: float
-    line: int
-
-
-class Found(NamedTuple):
-    """What an expectation came to."""
-
-    step: int
-    time_s: float
-    expectation: int
-    value: float
-    holds: bool
-
-
-Entry = Begun | Turned | Reached | Dropped | Held | Ended | Found
 
 
 class Caption(NamedTuple):
@@ -270,7 +187,7 @@ class Course:
         return between
 
     def hold_for(self, number: int, time_s: float, film_s: float, since_s: float) -> Held | None:
-        """The pace at which a line's words still come in time, where those before can not be read till then."""
+        """The pace at which a line's words come in time, where those before cannot be read till then."""
         rest_s = self._least_end(self._words[-1]) - film_s if self._words else 0.0
         left_s = max(LATE_S - MARGIN_S - (time_s - since_s), 0.0)
         if rest_s * self.speed <= left_s:

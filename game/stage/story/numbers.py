@@ -1,10 +1,11 @@
-"""Numbers as a caption gives them: at most three digits, prefixes of the SI, a sign only where it says something."""
+"""Numbers as a caption gives them: at most three digits, prefixes of the SI, a true minus."""
 
 from __future__ import annotations
 
 import math
 
 DIGITS = 3
+LEAST = 0.9995  # is 1 in so many digits
 MINUS, NARROW, NOTHING = "\u2212", "\u202f", "\u2013"  # a minus, a space between thousands, not measured
 _PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
 # Units that take a prefix. Kelvin, %, kg and degrees do not in plain speech, nor does an acceleration.
@@ -28,8 +29,7 @@ def number_words(value: float, unit: str = "", form: str = "") -> str:
 
 def _prefix(value: float) -> tuple[float, str]:
     """The largest prefix that leaves at least 1 before the point, as rounded to the digits that are said."""
-    least = 1.0 - 0.5 * 10.0**-DIGITS
-    return next((row for row in _PREFIXES if abs(value) >= least * row[0]), _PREFIXES[-1])
+    return next((row for row in _PREFIXES if abs(value) >= LEAST * row[0]), _PREFIXES[-1])
 
 
 def _digits(value: float, counted: bool) -> str:
@@ -37,8 +37,7 @@ def _digits(value: float, counted: bool) -> str:
     if value == 0.0:
         return "0"
     if not counted:
-        place = DIGITS - 1 - math.floor(math.log10(abs(value)))
-        value = round(value, place)
+        value = float(f"{value:.{DIGITS - 1}e}")
         if abs(value) < 1000.0:
             return f"{value:.{DIGITS}g}"
     return f"{value:,.0f}".replace(",", NARROW)
@@ -47,6 +46,5 @@ def _digits(value: float, counted: bool) -> str:
 def _signed(words: str) -> str:
     """With a true minus; none before a zero."""
     bare = words.removeprefix("-")
-    if bare == words or not bare.strip("0."):
-        return bare
-    return (MINUS + bare).replace("e-", "e" + MINUS)
+    sign = MINUS if bare != words and bare.strip("0.") else ""
+    return sign + bare.replace("e-", "e" + MINUS)

@@ -64,9 +64,7 @@ def filled(caption: str, readouts: Iterable[Readout]) -> str:
     return _NUMBER.sub(words, caption)
 
 
-def thresholds_in(
-    caption: str, conditions: Iterable[Condition], values: Mapping[str, Readout]
-) -> list[str]:
+def thresholds_in(caption: str, conditions: Iterable[Condition], values: Mapping[str, Readout]) -> list[str]:
     """The readouts of a caption of which it would give no more than what its moment waited for.
 
     As a moment is the step at which a readout passes a number, the readout has that number then; a count

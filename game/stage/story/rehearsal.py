@@ -22,9 +22,9 @@ BEGINNING = "Beginning"
 
 
 class MomentTime(msgspec.Struct, frozen=True):
-    """When a moment came. missed: its deadline came before it. late_s: since its condition was true, s simulated.
+    """When a moment came. missed: its deadline came before it.
 
-    said_late_s: from then to its first words, s simulated; None if there are none. typed: readouts that these
+    late_s: since its condition was true, s simulated. said_late_s: from then to its first words, s simulated; None if there are none. typed: readouts that these
     words only repeat from the condition.
     """
 
@@ -157,9 +157,16 @@ def moments_of(runner: Runner) -> list[MomentTime]:
         said_s = [begun.time_s for i in reached.texts if (begun := runner.course.begun.get(i)) is not None]
         found.append(
             MomentTime(
-                name, line.heading, reached.step, reached.time_s, reached.film_s, reached.missed,
-                reached.time_s - since_s, max(said_s) - since_s if said_s else None, reached.typed,
-            )  # fmt: skip
+                name,
+                line.heading,
+                reached.step,
+                reached.time_s,
+                reached.film_s,
+                reached.missed,
+                reached.time_s - since_s,
+                max(said_s) - since_s if said_s else None,
+                reached.typed,
+            )
         )
     return found
 

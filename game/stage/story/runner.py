@@ -6,20 +6,19 @@ or headless it is the same, event for event.
 
 from __future__ import annotations
 
-import itertools
-import math
 from typing import TYPE_CHECKING
 
 from game.physics.kernels import elementary
-from game.stage.declarations import Readout
 from game.stage.events import StageEvent
 from game.stage.parameters import ParameterError
 from game.stage.story.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
-from game.stage.story.course import SLACK_S, Begun, Course, Dropped, Ended, Found, Reached, Turned
+from game.stage.story.course import SLACK_S, Course
 from game.stage.story.deeds import RATE_HZ, begin_of, end_of, on_the_way
-from game.stage.story.lines import WHOLE, Do, Expect, Follow, HandOver, Look, Moment, Say, Story, Title
+from game.stage.story.entries import Begun, Dropped, Ended
+from game.stage.story.lines import WHOLE, Do, Follow, HandOver, Look, Say, Story, Title
+from game.stage.story.moments import MomentWatch
 from game.stage.story.reading import check_names
-from game.stage.story.readouts import filled, parse_condition, thresholds_in
+from game.stage.story.readouts import filled
 
 if TYPE_CHECKING:
     from game.stage.stage import Stage
@@ -46,13 +45,7 @@ class Runner:
         self.stopped_at: int | None = None  # step at which somebody has taken over
         self._looks = looks
         self.turned = stage.scene_type.quarter_turns % 2 == 1
-        self._conditions = {
-            i: tuple(parse_condition(words) for words in line.conditions)
-            for i, line in enumerate(story.lines)
-            if isinstance(line, Moment)
-        }
-        self._moments = {i: line.moment for i, line in enumerate(story.lines) if isinstance(line, Moment)}
-        self._readouts: dict[str, Readout] | None = None  # of the present step
+        self.watch = MomentWatch(story, stage, self.course)
         self.restart()
         stage.cue = self
 
@@ -77,7 +70,7 @@ class Runner:
         if step == self._done:
             return
         self._done = step
-        self._readouts = None
+        self.watch.forget_readouts()
         regular = step % max(1, round(1.0 / (RATE_HZ * self.stage.dt))) == 0
         if regular and self.stopped_at is None:
             self._go_on()
@@ -88,8 +81,8 @@ class Runner:
     def conclude(self) -> None:
         """Look at what is expected at the end, where the end has come and no further step follows."""
         if self.stopped_at is None and self.finished:
-            self._readouts = None
-            self._measure()
+            self.watch.forget_readouts()
+            self.watch.measure()
 
     def follow(self) -> None:
         """Where the stage has gone back, forget what came after the step at which it stands."""
@@ -178,10 +171,10 @@ class Runner:
     def _go_on(self) -> None:
         for number, begun in list(self.course.under_way.items()):
             self._carry_on(number, begun)
-        self._watch()
-        while self._reach_moments() or self._overtake() or self._begin_one():
+        self.watch.look()
+        while self.watch.reach() or self._overtake() or self._begin_one():
             pass
-        self._measure()
+        self.watch.measure()
 
     def _begin_one(self) -> bool:
         """Begin the first line that may; False if none may."""
@@ -210,6 +203,19 @@ class Runner:
             self._post(number, begin_of(line.do, entry.place))
             if not line.do.over and line.do.pointer == "drag":
                 self._post(number, end_of(line.do, entry.to))
+
+    def _overtake(self) -> bool:
+        """Let a moment come whose condition is true before its turn: words that are late are dropped."""
+        number, between = self.watch.overtaking()
+        if number is None:
+            return False
+        for i in between:
+            if isinstance(self.story.lines[i], (Say, Title)):
+                self.course.add(Dropped(self.stage.step_number, self.film_s, i))
+            else:
+                self._begin(i)
+        self._begin(number)
+        return True
 
     def _said(self, number: int, line: Say) -> str:
         """A caption's words. The first ones of a moment have the numbers of the step at which it came."""
@@ -242,93 +248,6 @@ class Runner:
             middle = 0.5 * (frame.left + frame.right), 0.5 * (frame.bottom + frame.top)
             return middle if place == WHOLE else self.stage.scene.story_targets().get(place, middle)
         return place if place is not None else (0.0, 0.0)
-
-    # -- moments and expectations -------------------------------------------------------------------
-
-    def _measured(self) -> dict[str, Readout]:
-        if self._readouts is None:
-            self._readouts = {readout.name: readout for readout in self.stage.scene.readouts()}
-        return self._readouts
-
-    def _watch(self) -> None:
-        """Note which conditions have come true, or are so no more, since the last look.
-
-        All moments to come are watched, also those whose line is still waiting for its turn: so it is known
-        how long one has been true.
-        """
-        course, stage = self.course, self.stage
-        for number, conditions in self._conditions.items():
-            if self._moments[number] in course.reached:
-                continue
-            true = all(condition.holds(self._measured()) for condition in conditions)
-            if true != (number in course.true):
-                course.add(Turned(stage.step_number, stage.time_s, self.film_s, number, true))
-
-    def _reach_moments(self) -> bool:
-        """Note the moments that have come, or that will not come any more; True if there is one."""
-        course, noted = self.course, False
-        for number in course.awaited:
-            line, begun = self.story.lines[number], course.begun[number]
-            assert isinstance(line, Moment)
-            come = number in course.true
-            if come or self.stage.time_s > begun.time_s + line.deadline + SLACK_S:
-                self._reach(number, come)
-                noted = True
-        return noted
-
-    def _overtake(self) -> bool:
-        """Let a moment come whose condition is true before its turn: words that are late are dropped."""
-        course = self.course
-        number = next((i for i in self._conditions if i not in course.begun), None)
-        if number is None or number not in course.true:
-            return False
-        between = course.overtaken(number)
-        if between is None:
-            return False
-        for i in between:
-            if isinstance(self.story.lines[i], (Say, Title)):
-                course.add(Dropped(self.stage.step_number, self.film_s, i))
-            else:
-                self._begin(i)
-        self._begin(number)
-        return True
-
-    def _reach(self, number: int, come: bool) -> None:
-        stage, course, story = self.stage, self.course, self.story
-        film_s, since_s = self.film_s, course.since.get(number, stage.time_s) if come else math.nan
-        told = [i for i in story.first_words(number) if i not in course.begun]
-        values = self._measured()
-        words = {i: line.say for i in told if isinstance(line := story.lines[i], Say)}
-        typed = [thresholds_in(text, self._conditions[number], values) for text in words.values()] if come else []
-        entry = Reached(stage.step_number, stage.time_s, film_s, number, not come, since_s)
-        texts = {i: filled(text, values.values()) for i, text in words.items()}
-        course.add(entry._replace(texts=texts, typed=tuple(itertools.chain(*typed))))
-        held = course.hold_for(told[0], stage.time_s, film_s, since_s) if come and told else None
-        if held is not None:
-            course.add(held._replace(step=stage.step_number))
-
-    def _measure(self) -> None:
-        """Look at the expectations whose time it is."""
-        ends = self.film_s >= self.course.end_s - SLACK_S
-        for i, one in enumerate(self.story.expectations):
-            if i in self.course.found:
-                continue
-            due = ends or self._is_due(one)
-            if not due and one.by is None:
-                continue
-            readout = self._measured().get(one.expect)
-            value = readout.value if readout is not None else math.nan
-            if due or one.holds(value):
-                stage = self.stage
-                self.course.add(Found(stage.step_number, stage.time_s, i, value, one.holds(value)))
-
-    def _is_due(self, one: Expect) -> bool:
-        when = one.by if one.at is None else one.at
-        if when is None:
-            return False
-        if isinstance(when, str):
-            return when in self.course.reached
-        return self.stage.time_s >= when - SLACK_S
 
     # -- camera -------------------------------------------------------------------------------------
 
