@@ -6,7 +6,7 @@ from game.physics.solids.settings import TIERS, SolidSettings
 from game.physics.solids.shapes import Capsule, Chain, Disc, Material, Polygon, box
 from game.physics.solids.solvers import SOLVERS, SUGGESTED
 from game.physics.solids.store import SolidState
-from game.physics.solids.world import NotFiniteError, SolidWorld
+from game.physics.solids.world import NotFiniteError, RunawayError, SolidWorld
 
 __all__ = [
     "SOLVERS",
@@ -18,6 +18,7 @@ __all__ = [
     "Material",
     "NotFiniteError",
     "Polygon",
+    "RunawayError",
     "SolidSettings",
     "SolidState",
     "SolidWorld",

@@ -15,6 +15,7 @@ from game.physics.solids.state import DYNAMIC, NONE
 LEVELS = 48
 MOST_COLOURS = 23  # what finds none free shares the last
 FINEST = -16  # cells of the finest level are 2**FINEST m
+MANY_CELLS = 64  # of a box on one level; few shapes do not make so many worth avoiding
 
 
 @inner_kernel
@@ -90,41 +91,53 @@ def is_excluded(excluded, i, j):
 
 @inner_kernel
 def pairs_of(s, level, bodies, shapes, excluded, scratch, found):
-    """Add the pairs of shape s with shapes of one level; returns how many are found by now."""
+    """Add the pairs of shape s with shapes of one level; returns how many are found by now.
+
+    Where its box has more cells than there are shapes, a walk through all shapes is shorter, and has an end.
+    """
     boxes, heads, members, cells = shapes.boxes, scratch.heads, scratch.members, scratch.cells
-    room = scratch.pair_keys.shape[0]
     mask = heads.shape[0] - 2
     size = math.ldexp(1.0, level + FINEST)
     x0, y0, x1, y1 = boxes[s, 0], boxes[s, 1], boxes[s, 2], boxes[s, 3]
+    if not ((x1 - x0) / size + 2.0) * ((y1 - y0) / size + 2.0) < heads[mask + 1] + MANY_CELLS:
+        for place in range(heads[mask + 1]):
+            other = members[place]
+            if cells[other, 0] == level:
+                found = add_pair(s, other, level, bodies, shapes, excluded, scratch, found)
+        return found
     first_x, last_x = math.floor(x0 / size - 0.5), math.floor(x1 / size + 0.5)
     first_y, last_y = math.floor(y0 / size - 0.5), math.floor(y1 / size + 0.5)
-    own = cells[s, 0] == level
     for x in range(first_x, last_x + 1):
         for y in range(first_y, last_y + 1):
             bucket = bucket_of(level, x, y, mask)
             for place in range(heads[bucket], heads[bucket + 1]):
                 other = members[place]
-                if own and other <= s:
-                    continue
-                if boxes[other, 0] > x1 or boxes[other, 2] < x0:
-                    continue
-                if boxes[other, 1] > y1 or boxes[other, 3] < y0:
-                    continue
                 if cells[other, 0] != level or cells[other, 1] != x or cells[other, 2] != y:
                     continue
-                if not may_meet(bodies, shapes, s, other):
-                    continue
-                if excluded.shape[0] > 0 and is_excluded(
-                    excluded, int(shapes.bodies[s]), int(shapes.bodies[other])
-                ):
-                    continue
-                if found < room:
-                    a, b = min(s, other), max(s, other)
-                    if shapes.kinds[b] > shapes.kinds[a]:
-                        a, b = b, a
-                    scratch.pair_keys[found, 0], scratch.pair_keys[found, 1] = a, b
-                found += 1
+                found = add_pair(s, other, level, bodies, shapes, excluded, scratch, found)
     return found
+
+
+@inner_kernel
+def add_pair(s, other, level, bodies, shapes, excluded, scratch, found):
+    """Add the pair of two shapes, if it is one and is not found from its other side; how many there are."""
+    boxes, room = shapes.boxes, scratch.pair_keys.shape[0]
+    if scratch.cells[s, 0] == level and other <= s:
+        return found
+    if boxes[other, 0] > boxes[s, 2] or boxes[other, 2] < boxes[s, 0]:
+        return found
+    if boxes[other, 1] > boxes[s, 3] or boxes[other, 3] < boxes[s, 1]:
+        return found
+    if not may_meet(bodies, shapes, s, other):
+        return found
+    if excluded.shape[0] > 0 and is_excluded(excluded, int(shapes.bodies[s]), int(shapes.bodies[other])):
+        return found
+    if found < room:
+        a, b = min(s, other), max(s, other)
+        if shapes.kinds[b] > shapes.kinds[a]:
+            a, b = b, a
+        scratch.pair_keys[found, 0], scratch.pair_keys[found, 1] = a, b
+    return found + 1
 
 
 @inner_kernel

@@ -68,6 +68,7 @@ from game.physics.solids.sweep import stop_fast_bodies
 
 BEGUN, SNAPPED, WRONG, STOPPED = range(4)  # of Scratch.events
 NOTHING_WRONG = -1
+RUNAWAY = 1e7  # m/s, rad/s, ten times what a body can be given: only a solver that fails makes that
 
 
 @lean_kernel
@@ -106,7 +107,9 @@ def fill_rows(rows, scratch):
 
 @inner_kernel
 def place_bodies(bodies, scratch):
-    """Places and velocities of what moves; the index of a body that is not finite, or NOTHING_WRONG."""
+    """Places and velocities of what moves; the first body that is not finite or runs away, or
+    NOTHING_WRONG.
+    """
     motion, wrong = scratch.motion, NOTHING_WRONG
     for i in range(bodies.flags.shape[0]):
         if not bodies.flags[i] & (DYNAMIC | KEY_FRAMED) or bodies.flags[i] & ASLEEP:
@@ -120,8 +123,8 @@ def place_bodies(bodies, scratch):
         bodies.velocities[i, 0], bodies.velocities[i, 1] = motion[i, VX], motion[i, VY]
         bodies.spins[i] = motion[i, W]
         total = bodies.positions[i, 0] + bodies.positions[i, 1] + bodies.angles[i]
-        total += motion[i, VX] + motion[i, VY] + motion[i, W]
-        if not math.isfinite(total) and wrong == NOTHING_WRONG:
+        fastest = max(abs(motion[i, VX]), abs(motion[i, VY]), abs(motion[i, W]))
+        if not (math.isfinite(total + fastest) and fastest <= RUNAWAY) and wrong == NOTHING_WRONG:
             wrong = i
     return wrong
 

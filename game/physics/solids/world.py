@@ -48,6 +48,7 @@ from game.physics.solids.state import (
 from game.physics.solids.stepping import (
     BEGUN,
     NOTHING_WRONG,
+    RUNAWAY,
     SNAPPED,
     WRONG,
     begin_step,
@@ -70,6 +71,10 @@ class Air(Protocol):
 
 class NotFiniteError(ArithmeticError):
     """A step made a number that is not finite; the message names the body, the quantity and the step."""
+
+
+class RunawayError(ArithmeticError):
+    """A step made a body faster than any can be; the message names the body, its speed and the step."""
 
 
 class SolidWorld(SolidBodies):
@@ -220,7 +225,9 @@ class SolidWorld(SolidBodies):
     # ------------------------------------------------------------------ steps
 
     def step(self, dt: float) -> None:
-        """One step of dt (s). ValueError for dt or the air; NotFiniteError if a body is no longer finite."""
+        """One step of dt (s). ValueError for dt or the air; NotFiniteError if a body is no longer finite,
+        RunawayError if its solver has made it faster than `RUNAWAY`.
+        """
         if self._numbers is None or self._numbers.dt != dt:
             self._numbers = self._settings.numbers(checked_number("dt", dt, 0.0, 1e3, above=True))
             self._entrances.forget()
@@ -247,16 +254,19 @@ class SolidWorld(SolidBodies):
         if self._scratch.events[SNAPPED]:
             self._exclude()
         if self._scratch.events[WRONG] != NOTHING_WRONG:
-            body = int(self._scratch.events[WRONG])
-            raise NotFiniteError(f"body {body}: {self._wrong(body)} not finite after step {self.steps}")
+            raise self._wrong(int(self._scratch.events[WRONG]))
 
-    def _wrong(self, body: int) -> str:
-        """The first quantity of a body that is not finite."""
+    def _wrong(self, body: int) -> ArithmeticError:
+        """What a step has made of a body: a quantity that is not finite, or a speed that runs away."""
         rows = self.bodies
         for name in ("positions", "angles", "velocities", "spins"):
             if not np.isfinite(getattr(rows, name)[body]).all():
-                return name
-        return "pose and motion"
+                return NotFiniteError(f"body {body}: {name} not finite after step {self.steps}")
+        (x, y), spin = np.abs(rows.velocities[body]).tolist(), abs(float(rows.spins[body]))
+        found = f"{max(x, y):.3g} m/s" if max(x, y) > RUNAWAY else f"{spin:.3g} rad/s"
+        return RunawayError(
+            f"body {body}: {found} after step {self.steps}: the solver {self._settings.solver} runs away"
+        )
 
     def _feel_air(self, mask: int) -> None:
         """Velocities of the air about all bodies, as they are when a step begins."""

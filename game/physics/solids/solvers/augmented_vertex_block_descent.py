@@ -30,6 +30,7 @@ from game.physics.solids.solvers.descent import (
     STIFFNESS_N,
     STIFFNESS_T,
     aim,
+    bounce_apart,
     count_touching,
     descend,
     friction_force,
@@ -38,28 +39,32 @@ from game.physics.solids.solvers.descent import (
     point_force,
     start_lines,
 )
-from game.physics.solids.solvers.impulses import bounce_contacts
 from game.physics.solids.solvers.motion import accelerate
 from game.physics.solids.solvers.positions import note_gaps, remember, velocities_from_places
-from game.physics.solids.state import END_PAIR, END_POINTS, JN, JT, ROW_POINT, ROW_POINT_WIDTH, STIFF
+from game.physics.solids.state import END_PAIR, END_POINTS, JN, JT, ROW_POINT, ROW_POINT_WIDTH, SEP, STIFF
 
 LEFT = 0.99  # alpha: of a gap, for the next steps
 KEPT = 0.99  # gamma: of forces and stiffnesses
 GROWTH = 1e5  # beta: N/m for each m
 LEAST, LARGEST = 1.0, 1e9  # N/m
+MARGIN = 0.0005  # m, the gap up to which the printed method has a contact at all
 
 
 @inner_kernel
 def start_stiffnesses(contacts, rows, joints, scratch):
-    """What is kept of forces and stiffnesses."""
+    """What is kept of forces and stiffnesses: nothing where two were apart, as if the contact were new.
+
+    The stiffness of an earlier touch would answer a new impact with a force that ten sweeps cannot balance.
+    """
     for c in range(rows.count[0]):
         pair = rows.ends[c, END_PAIR]
         for k in range(rows.ends[c, END_POINTS]):
             at = ROW_POINT + k * ROW_POINT_WIDTH
+            apart = rows.rows[c, at + JN] == 0.0 and rows.rows[c, at + SEP] > MARGIN
             rows.rows[c, at + JN] *= LEFT * KEPT
             rows.rows[c, at + JT] *= LEFT * KEPT
             for n in range(2):
-                stiff = contacts.manifolds[pair, STIFF + 2 * n + k]
+                stiff = 0.0 if apart else contacts.manifolds[pair, STIFF + 2 * n + k]
                 scratch.points[c, STIFFNESS_N + 2 * n + k] = max(LEAST, min(LARGEST, KEPT * stiff))
     for k in range(joints.kinds.shape[0]):
         for slot in range(IMPULSES):
@@ -134,4 +139,4 @@ def solve_augmented_vertex_block_descent(bodies, contacts, rows, joints, scratch
         velocities_from_places(bodies, motion, scratch.before, h)
         note_largest(rows)
         keep_stiffnesses(contacts, rows, scratch)
-    bounce_contacts(rows, motion, numbers)
+    bounce_apart(rows, motion, scratch.points, numbers)

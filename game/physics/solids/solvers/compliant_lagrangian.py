@@ -25,6 +25,7 @@ from game.physics.solids.solvers.descent import (
     STIFFNESS_N,
     STIFFNESS_T,
     aim,
+    bounce_apart,
     count_touching,
     descend,
     friction_force,
@@ -33,7 +34,6 @@ from game.physics.solids.solvers.descent import (
     point_force,
     start_lines,
 )
-from game.physics.solids.solvers.impulses import bounce_contacts
 from game.physics.solids.solvers.motion import accelerate
 from game.physics.solids.solvers.positions import note_gaps, remember, velocities_from_places
 from game.physics.solids.state import END_POINTS, JN, JT, MASS_T, ROW_POINT, ROW_POINT_WIDTH, STIFF_N
@@ -101,4 +101,4 @@ def solve_compliant_lagrangian(bodies, contacts, rows, joints, scratch, numbers)
             update_forces(rows, joints, scratch, rule)
         velocities_from_places(bodies, motion, scratch.before, h)
         note_largest(rows)
-    bounce_contacts(rows, motion, numbers)
+    bounce_apart(rows, motion, scratch.points, numbers)
