@@ -46,3 +46,15 @@ def piece_of(model: BurningClothModel) -> tuple[float, float]:
     rows, columns = np.nonzero(loose)
     places = cloth.nodes[X : X + 2, rows, columns]  # each mesh by its upper left node
     return float(np.mean(places[0])), float(np.mean(places[1]))
+
+
+def story_names(model: BurningClothModel) -> list[tuple[tuple[float, float], str]]:
+    """The match while it burns, the embers by their speed, and what has come loose."""
+    found = []
+    if model.match.lit(model.time):
+        (x, y), _ = model.match.place(model.time)
+        found.append(((x, y), "match"))
+    if model.alight and model.front_now > 0.0:
+        found.append((embers_of(model), f"embers, {1e3 * model.front_now:.0f} mm/s"))
+    loose = model.cloth.fallen()
+    return [*found, (piece_of(model), f"{loose} meshes, on no hook")] if loose else found

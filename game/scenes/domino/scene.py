@@ -19,7 +19,7 @@ from game.scenes.domino.parameters import OF_PICTURE, DominoParameters
 from game.scenes.domino.readouts import readouts
 from game.scenes.domino.saving import content_of
 from game.scenes.domino.sounds import hearing_of
-from game.scenes.domino.targets import story_targets
+from game.scenes.domino.targets import story_names, story_targets
 from game.scenes.domino.view import DominoView
 from game.stage import (
     Equation,
@@ -154,6 +154,9 @@ class Domino(BuiltScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return story_targets(self.model)
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return story_names(self.model)
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model)

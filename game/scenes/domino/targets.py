@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from game.physics.kernels import elementary
 from game.scenes.domino.model import DominoModel
-from game.scenes.domino.tables import FOOT_X, FOOT_Y, SLIDER_BODY
+from game.scenes.domino.tables import FOOT_X, FOOT_Y, SLIDER_BODY, SLIDER_MU
 
 
 def story_targets(model: DominoModel) -> dict[str, tuple[float, float]]:
@@ -27,4 +28,20 @@ def story_targets(model: DominoModel) -> dict[str, tuple[float, float]]:
             0.5 * (max(x for x, _ in blocks) + min(x for x, _ in blocks)),
             0.5 * (max(y for _, y in blocks) + min(y for _, y in blocks)),
         )
+    return found
+
+
+def story_names(model: DominoModel) -> list[tuple[tuple[float, float], str]]:
+    """Balls by name and speed; blocks by friction, and by weight beside the first one's."""
+    places, rows = model.world.bodies.positions, model.world.bodies
+    found = []
+    for entry, body in zip(model.content.balls, model.ball_ids, strict=True):
+        x, y = places[body].tolist()
+        speed = elementary.hypot(*rows.velocities[body].tolist())
+        found.append(((x, y), f"{entry.name or 'ball'}, {speed:.1f} m/s"))
+    bodies = [int(row[SLIDER_BODY]) for row in model.sliders]
+    for row, body in zip(model.sliders, bodies, strict=True):
+        x, y = places[body].tolist()
+        heavier = float(rows.inverse_masses[bodies[0]] / rows.inverse_masses[body])
+        found.append(((x, y), f"μ = {float(row[SLIDER_MU]):.2f}, {heavier:.3g} m"))
     return found

@@ -18,7 +18,7 @@ from game.scenes.metal.parameters import OF_PICTURE, OF_TOOLS, TOOLS, MetalParam
 from game.scenes.metal.readouts import readouts
 from game.scenes.metal.saving import content_of
 from game.scenes.metal.sounds import hearing_of
-from game.scenes.metal.targets import story_targets
+from game.scenes.metal.targets import story_names, story_targets
 from game.scenes.metal.view import WHAT_NEXT, MetalView
 from game.stage import (
     Equation,
@@ -164,6 +164,9 @@ class MetalBalls(BuiltScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return story_targets(self.model)
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return story_names(self.model)
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model)

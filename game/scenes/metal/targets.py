@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.physics.solids.tracks.motion import X, Y
+from game.physics.kernels import elementary
+from game.physics.solids.tracks.motion import VX, VY, X, Y
 from game.scenes.metal.model import MetalModel
 
 
@@ -20,4 +21,15 @@ def story_targets(model: MetalModel) -> dict[str, tuple[float, float]]:
     if model.block_ids:
         x, y = np.mean(model.world.bodies.positions[model.block_ids], axis=0).tolist()
         found["blocks"] = (x, y)
+    return found
+
+
+def story_names(model: MetalModel) -> list[tuple[tuple[float, float], str]]:
+    """Each ball that the level names, and its speed."""
+    rows = model.riders.balls.rows
+    found = []
+    for entry, row in zip(model.content.balls, rows, strict=False):
+        if entry.name:
+            speed = elementary.hypot(float(row[VX]), float(row[VY]))
+            found.append(((float(row[X]), float(row[Y])), f"{entry.name}, {speed:.1f} m/s"))
     return found

@@ -24,8 +24,8 @@ BEGINNING = "Beginning"
 class MomentTime(msgspec.Struct, frozen=True):
     """When a moment came. missed: its deadline came before it.
 
-    late_s: since its condition was true, s simulated. said_late_s: from then to its first words, s simulated; None if there are none. typed: readouts that these
-    words only repeat from the condition.
+    late_s: since its condition was true, s simulated. said_late_s: from then to its
+    first words, s simulated; None if there are none. typed: readouts that these words only repeat.
     """
 
     name: str

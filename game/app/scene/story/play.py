@@ -8,6 +8,7 @@ from game.app.scene.in_play import InPlay
 from game.app.scene.story.background import BackgroundRehearsal
 from game.app.scene.story.filming import Filming
 from game.app.scene.story.journey import Journey
+from game.app.scene.story.small_pictures import SmallPictures
 from game.app.screens.host import Host
 from game.app.stagehand.story_picture import draw_words, point_camera
 from game.app.stagehand.view import StageView
@@ -18,9 +19,12 @@ from game.stage.story.deeds import events_of
 from game.stage.story.lines import Do, Story
 from game.stage.story.rehearsal import moments_of
 from game.stage.story.runner import Runner
-from game.ui.widgets.timebar import TimeBar, TimeBarState
+from game.ui.widgets.list_row import ListRow
+from game.ui.widgets.timebar import TimeBar, TimeBarState, clock
+from game.ui.widgets.topbar import speed_text
 from game.ui.widgets.wishes import Wish
 
+SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
 GUESSED_S = 60.0  # a story lasts at least so long, while that is not known
 ROOM = 1.15  # of what has passed is how long it is, if it has lasted longer
 
@@ -34,11 +38,12 @@ class StoryPlay:
         self.view = view
         self.runner = record.runner = Runner(story, record.stage)
         self.bar = TimeBar(host.look)
+        self.pictures = SmallPictures()
         self.journey = Journey(self.runner, record)
         self.rehearsal = BackgroundRehearsal(story, record.stage.scene_type, host.background)
         self.filming = Filming(host, story)
         self.free = False  # the camera is in the viewer's hand
-        self.view.teaching = False
+        self.view.show_marks(False)
         self._pace = 1.0
         self._led: tuple[float, float, float] | None = None  # where the camera was last put
         effects = [
@@ -71,7 +76,7 @@ class StoryPlay:
         if self.record.stage.cue is self.runner:
             self.record.stage.cue = None
         self.record.runner = None
-        self.view.teaching = True
+        self.view.show_marks(False, otherwise=True)
 
     # -- what comes in ------------------------------------------------------------------------------
 
@@ -84,7 +89,7 @@ class StoryPlay:
 
     def _fulfil(self, wish: Wish) -> None:
         if wish.name == "seek":
-            self.journey.to_film(float(wish.value), self.rehearsal.found)
+            self._seek(float(wish.value))
         elif wish.name == "story-go-on":
             self.go_on()
         elif wish.name == "story-here":
@@ -93,6 +98,33 @@ class StoryPlay:
             self.give_camera_back()
         elif wish.name == "story-take-over":
             self.take_over()
+        elif wish.name == "story-chapters":
+            self._offer_chapters()
+        elif wish.name == "story-speed":
+            self._offer_speeds()
+        else:
+            self.host.perform(wish.name)
+
+    def _offer_chapters(self) -> None:
+        """All that are known, by name; one is gone to."""
+        rows = [ListRow(title, clock(begins), value=begins) for title, begins in self.bar.state.chapters]
+        before = [begins for _, begins in self.bar.state.chapters if begins <= self.bar.state.now_s]
+        self.host.open_choices("Chapters", rows, self._seek, before[-1] if before else None)
+
+    def _seek(self, film_s: float) -> None:
+        self.journey.to_film(film_s, self.rehearsal.found)
+
+    def _offer_speeds(self) -> None:
+        rows = [ListRow(speed_text(speed), value=speed) for speed in SPEEDS]
+        self.host.open_choices("Speed", rows, self._set_speed, self._speed)
+
+    @property
+    def _speed(self) -> float:
+        """What the viewer has set, whatever the script makes of it."""
+        return self.record.stage.speed / self._pace
+
+    def _set_speed(self, speed: float) -> None:
+        self.record.stage.speed = min(max(speed * self._pace, SLOWEST), FASTEST)
 
     def touched(self, event: StageEvent) -> bool:
         """An event of the viewer's is about to come in, by which the scene is the viewer's; False to drop it.
@@ -128,7 +160,7 @@ class StoryPlay:
 
     def toggle_marks(self) -> None:
         """Teaching marks over the picture, or not."""
-        self.view.teaching = not self.view.teaching
+        self.view.show_marks(not self.view.asked)
 
     # -- time and picture ---------------------------------------------------------------------------
 
@@ -171,13 +203,15 @@ class StoryPlay:
         taken = runner.stopped_at is not None
         return TimeBarState(
             min(now_s, length), length, chapters, taken, runner.course.handed_over, self.journey.share,
-            self.free and not runner.finished,
+            self.free and not runner.finished, self.record.stage.paused, speed_text(self._speed),
+            self.pictures.at(self.bar.pointed),
         )  # fmt: skip
 
     def draw_words(self, surface: pygame.Surface) -> None:
         """Captions and cards over the picture; none once somebody has taken over."""
         if self.runner.stopped_at is not None:
             return
+        self.pictures.see(self.runner.shown_s, surface, self.view.rect)
         runner, name = self.runner, self.host.settings.name
         draw_words(surface, self.host.look, self.view, runner, runner.shown_s, name, leaves=True)
 
