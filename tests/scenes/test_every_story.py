@@ -16,6 +16,7 @@ from game.app.stagehand.view import StageView
 from game.scenes import CATALOGUE
 from game.stage import Action, ParameterError, Pointer, Recording, Stage, replay_scene
 from game.stage.story.course import READING, Caption
+from game.stage.story.deeds import events_of
 from game.stage.story.lines import Moment, Story
 from game.stage.story.reading import stories_of
 from game.stage.story.rehearsal import Rehearsal, result_of, stage_of
@@ -165,6 +166,20 @@ def test_its_replay_is_equal(played: Performance) -> None:
 def test_whoever_takes_over_does_no_harm(played: Performance) -> None:
     assert played.harmed == []
     assert played.taken_over >= TAKE_OVERS
+
+
+def test_it_says_what_if(played: Performance) -> None:
+    """At a moment that comes, with one thing changed that the scene takes."""
+    what_if = played.story.what_if
+    assert what_if is not None and what_if.say.endswith("?")
+    runner, stage = played.runner, played.stage
+    runner.return_to(runner.course.reached[what_if.at].step if what_if.at else 0)
+    plain = stage.digest()
+    runner.take_over()
+    for event in events_of(what_if.do, (0.0, 0.0), (0.0, 0.0)):
+        stage.post(event)
+    stage.run(round(1.0 / stage.dt))
+    assert stage.fault is None and stage.digest() != plain
 
 
 def _take_over(runner: Runner, random: np.random.Generator) -> list[str]:

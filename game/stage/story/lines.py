@@ -164,6 +164,17 @@ class Expect(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defau
         return f"at least {low:g}" if high is None else f"{low:g} to {high:g}"
 
 
+class WhatIf(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """What the end card offers: back to a moment, one thing changed, and on without the script.
+
+    say: what is changed, as a question. at: the moment; "" is the beginning.
+    """
+
+    say: Annotated[str, msgspec.Meta(min_length=1, max_length=60)]
+    do: Deed
+    at: Name | Literal[""] = ""
+
+
 StoryLine = Title | Look | Follow | Do | Say | Moment | Slow | HandOver
 VERBS: dict[str, type[StoryLine]] = {
     "title": Title, "look": Look, "follow": Follow, "do": Do, "say": Say, "moment": Moment, "slow": Slow,
@@ -178,6 +189,7 @@ class Story(msgspec.Struct, frozen=True, kw_only=True):
     level: Level
     lines: tuple[StoryLine, ...]
     expectations: tuple[Expect, ...] = ()
+    what_if: WhatIf | None = None
 
     @property
     def scene(self) -> str:
