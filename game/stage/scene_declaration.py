@@ -14,7 +14,7 @@ from game.stage.parameters import Parameter, ParameterError, Parameters, paramet
 
 if TYPE_CHECKING:
     from game.lab import Study
-    from game.stage.story.lines import Story
+    from game.stage.script.lines import Story
 
 
 class SceneDeclaration:

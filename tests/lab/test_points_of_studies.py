@@ -14,7 +14,7 @@ from game.lab.studies.narrowphase.support import support_study
 from game.levels import level_files, load_level
 from game.scenes import CATALOGUE
 from game.stage import SetEffect, SetParameter
-from game.stage.validation import checked_event
+from game.stage.checks.validation import checked_event
 
 # methods that the scene does not have: its points are not to be clicked
 ELSEWHERE = {

@@ -15,9 +15,9 @@ from game.app.stagehand.story_picture import point_camera
 from game.app.stagehand.view import StageView
 from game.scenes import CATALOGUE
 from game.stage import Action, ParameterError, Pointer, Recording, Stage, replay_scene
-from game.stage.story.course import READING, Caption
-from game.stage.story.deeds import events_of
-from game.stage.story.lines import Moment, Story
+from game.stage.script.course import READING, Caption
+from game.stage.script.deeds import events_of
+from game.stage.script.lines import Moment, Story
 from game.stage.story.reading import stories_of
 from game.stage.story.rehearsal import Rehearsal, result_of, stage_of
 from game.stage.story.runner import Runner

@@ -80,8 +80,8 @@ class Shelf:
 
     def _pack(self) -> Act:
         """Make the text; what is then to be done with it."""
-        from game.stage.records.replaying import recording_of_excerpt
         from game.stage.records.run_text import text_of
+        from game.stage.replaying import recording_of_excerpt
 
         stage = self._record.stage
         try:

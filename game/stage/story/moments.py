@@ -7,10 +7,10 @@ import math
 from typing import TYPE_CHECKING
 
 from game.stage.declarations import Readout
-from game.stage.story.course import SLACK_S, Course
-from game.stage.story.entries import Found, Reached, Turned
-from game.stage.story.lines import Expect, Moment, Say, Story
-from game.stage.story.readouts import filled, parse_condition, thresholds_in
+from game.stage.script.course import SLACK_S, Course
+from game.stage.script.entries import Found, Reached, Turned
+from game.stage.script.lines import Expect, Moment, Say, Story
+from game.stage.script.readouts import filled, parse_condition, thresholds_in
 
 if TYPE_CHECKING:
     from game.stage.stage import Stage

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from game.stage.story.course import LATE_S
-from game.stage.story.lines import Expect, Moment, Say, Story
+from game.stage.script.course import LATE_S
+from game.stage.script.lines import Expect, Moment, Say, Story
 from game.stage.story.runner import Runner
 
 if TYPE_CHECKING:

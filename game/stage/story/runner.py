@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 from game.physics.kernels import elementary
 from game.stage.events import StageEvent
 from game.stage.parameters import ParameterError
-from game.stage.story.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
-from game.stage.story.course import SLACK_S, Course
-from game.stage.story.deeds import RATE_HZ, begin_of, end_of, on_the_way
-from game.stage.story.entries import Begun, Dropped, Ended
-from game.stage.story.lines import WHOLE, Do, Follow, HandOver, Look, Say, Story, Title
+from game.stage.script.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
+from game.stage.script.course import SLACK_S, Course
+from game.stage.script.deeds import RATE_HZ, begin_of, end_of, on_the_way
+from game.stage.script.entries import Begun, Dropped, Ended
+from game.stage.script.lines import WHOLE, Do, Follow, HandOver, Look, Say, Story, Title
+from game.stage.script.readouts import filled
 from game.stage.story.moments import MomentWatch
 from game.stage.story.reading import check_names
-from game.stage.story.readouts import filled
 
 if TYPE_CHECKING:
     from game.stage.stage import Stage

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from game.stage import Pointer, Stage, replay_scene
-from game.stage.story.camera import Aim, CameraPath, View, kept_inside
-from game.stage.story.course import READING
+from game.stage.script.camera import Aim, CameraPath, View, kept_inside
+from game.stage.script.course import READING
 from game.stage.story.rehearsal import rehearse, stage_of
 from game.stage.story.runner import Runner
 from tests.stage.story.bouncing import TEXT, StoryBall, story

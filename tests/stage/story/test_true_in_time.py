@@ -6,7 +6,7 @@ import itertools
 
 import pytest
 
-from game.stage.story.course import LATE_S, READING, SLOWEST
+from game.stage.script.course import LATE_S, READING, SLOWEST
 from game.stage.story.rehearsal import Rehearsal, rehearse, stage_of
 from game.stage.story.runner import Runner
 from tests.stage.story.bouncing import StoryBall, story

@@ -7,9 +7,9 @@ import math
 import pytest
 
 from game.stage.declarations import Readout
-from game.stage.story.course import reading_s
-from game.stage.story.numbers import number_words
-from game.stage.story.readouts import filled, named_in, parse_condition, thresholds_in
+from game.stage.script.course import reading_s
+from game.stage.script.numbers import number_words
+from game.stage.script.readouts import filled, named_in, parse_condition, thresholds_in
 
 
 @pytest.mark.parametrize(
