@@ -50,6 +50,7 @@ class Performance(NamedTuple):
     taken_over: int
     harmed: list[str]  # what a take-over has broken, or changed for good
     beginning: Recording  # the first third or so
+    changed: list[bool]  # by what the story offers at its end
     marked: list[tuple[float, int]]  # s of film; pixels that marks change there
 
 
@@ -68,7 +69,7 @@ def played(request: pytest.FixtureRequest) -> Performance:
     every = max(1, round(LOOK_EVERY_S / stage.dt))
     random, taken_over, next_s = np.random.default_rng(18), 0, 1.0
     beginning = stage.recording
-    marked, next_look_s = [], MARKED_EVERY_S
+    marked, next_look_s, changed = [], MARKED_EVERY_S, []
     while not runner.finished and stage.fault is None and stage.time_s < 600.0:
         stage.run(every)
         if stage.time_s >= next_s and not runner.finished:
@@ -76,6 +77,9 @@ def played(request: pytest.FixtureRequest) -> Performance:
             taken_over, next_s = taken_over + 1, stage.time_s + float(random.uniform(*BETWEEN_S))
         if stage.time_s >= REPLAYED_S and beginning.steps == 0:
             beginning = stage.recording
+        what_if = story.what_if
+        if what_if is not None and not changed and what_if.at in runner.course.reached:
+            changed.append(_try_what_if(runner))
         if stage.time_s >= next_look_s:
             marked.append((runner.film_s, _changed_by_marks(runner)))
             next_look_s += MARKED_EVERY_S
@@ -88,7 +92,9 @@ def played(request: pytest.FixtureRequest) -> Performance:
             )
             off.append((runner.shown_s, share))
     found = result_of(runner)
-    return Performance(story, stage, runner, found, off, outside, taken_over, harmed, beginning, marked)
+    return Performance(
+        story, stage, runner, found, off, outside, taken_over, harmed, beginning, changed, marked
+    )
 
 
 def _changed_by_marks(runner: Runner) -> int:
@@ -169,17 +175,27 @@ def test_whoever_takes_over_does_no_harm(played: Performance) -> None:
 
 
 def test_it_says_what_if(played: Performance) -> None:
-    """At a moment that comes, with one thing changed that the scene takes."""
+    """At a moment that comes, with one thing changed: a second after that the state is another one."""
     what_if = played.story.what_if
     assert what_if is not None and what_if.say.endswith("?")
-    runner, stage = played.runner, played.stage
-    runner.return_to(runner.course.reached[what_if.at].step if what_if.at else 0)
+    assert played.changed == [True]
+
+
+def _try_what_if(runner: Runner) -> bool:
+    """Whether the change that the story offers changes anything; the story is given back as it was."""
+    stage, what_if = runner.stage, runner.story.what_if
+    assert what_if is not None
+    here = stage.step_number
+    stage.run(round(AFTER_S / stage.dt))
     plain = stage.digest()
+    runner.return_to(here)
     runner.take_over()
     for event in events_of(what_if.do, (0.0, 0.0), (0.0, 0.0)):
         stage.post(event)
-    stage.run(round(1.0 / stage.dt))
-    assert stage.fault is None and stage.digest() != plain
+    stage.run(round(AFTER_S / stage.dt))
+    changed = stage.fault is None and stage.digest() != plain
+    runner.return_to(here)
+    return changed
 
 
 def _take_over(runner: Runner, random: np.random.Generator) -> list[str]:
