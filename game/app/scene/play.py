@@ -28,7 +28,7 @@ from game.app.stagehand.view import StageView
 from game.app.window.commands import Actions
 from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
-from game.physics.kernels.prebuilt import anything_taken
+from game.compiler.prebuilt import anything_taken
 from game.stage import Action, Scene, Stage, StageEvent
 from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish
@@ -178,8 +178,16 @@ class ScenePlay:
         return wishes
 
     def post(self, event: StageEvent) -> bool:
-        """Let an event act when it is its turn; False if it is refused at once."""
-        return self.gate.post(event)
+        """Let an event act when it is its turn; False if it is refused at once.
+
+        One that asks for another level opens that, with what was chosen beside it.
+        """
+        level = self.shelf.level_of(event)
+        if level is None:
+            return self.gate.post(event)
+        chosen = self.shelf.chosen()
+        self.open_file(level)
+        return all(self.gate.post(one) for one in chosen)
 
     def action_of(self, event: pygame.Event) -> str | None:
         """The scene's own action of a key, if it has one."""
@@ -311,7 +319,7 @@ class ScenePlay:
             self._frame = stage.scene.frame()
             self._place_view()
             self.view.camera.home(smooth=False)
-        self.host.sounds.follow(None if still else stage.scene.hearing())
+        self.host.sounds.follow(None if still else stage.scene.hearing(), elapsed_s)
         if self.story is None or self.story.free or self.story.runner.finished:
             self.view.camera.update(0.0 if self.host.look.less_motion else elapsed_s)
         for message in stage.scene.messages():
