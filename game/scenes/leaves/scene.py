@@ -127,6 +127,3 @@ class Leaves(BuiltScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return self.view.targets()
-
-    def story_names(self) -> list[tuple[tuple[float, float], str]]:
-        return self.view.names()

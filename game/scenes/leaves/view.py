@@ -25,14 +25,6 @@ COLORS = {NOTHING: "text2", FLUTTER: "chalk", TUMBLE: "amber", GLIDE: "green"}
 VERBS = {FLUTTER: "flutters", TUMBLE: "tumbles", GLIDE: "glides"}
 MAP = (0.12, 1.05, 1.55, 0.62)  # m from the view's upper left corner: right, down; width, height of the map
 LEAST, MOST = 0.3, 4.0  # inertias on it
-DOES = {
-    NOTHING: "drifts",
-    FLUTTER: "flutters",
-    TUMBLE: "tumbles",
-    CHAOS: "falls irregularly",
-    GLIDE: "glides",
-}
-NAMED = 5  # leaves at a time
 RIM = 0.13  # m, half the depth of the basket's rim as it is seen
 NEARER, NEAR_M = 0.45, 0.4  # share of its depth that a leaf has in the basket; m before it where that begins
 
@@ -53,17 +45,6 @@ class LeavesView:
             "cloud": (float(tally[2]), float(tally[3])),
             "basket": (basket.x, 0.75),
         }
-
-    def names(self) -> list[tuple[tuple[float, float], str]]:
-        """What the leaves that fly do, each with its inertia I*: the first few of them."""
-        model, plates = self.model, self.model.plates
-        found = []
-        for i in np.flatnonzero(model.flying())[:NAMED].tolist():
-            regime = model.watch.course(i, plates.rows, plates.time).regime
-            inertia = float(plates.laws[MASS_Y, i]) - 1.0
-            x, y = plates.rows[[X, Y], i].tolist()
-            found.append(((x, y), f"{DOES[regime]}: I* = {inertia:.1f}"))
-        return found
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """What the marks mean."""
