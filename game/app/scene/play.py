@@ -29,7 +29,7 @@ from game.app.stagehand.view import StageView
 from game.app.window.commands import Actions
 from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
-from game.physics.kernels.prebuilt import anything_taken
+from game.compiler.prebuilt import anything_taken
 from game.stage import Action, Scene, Stage, StageEvent
 from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish

@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.gas.conserving import upwind
 from game.physics.grid.borders import PERIODIC
 from game.physics.grid.layout import PAD
 from game.physics.grid.obstacles import SolidFaces
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 Floats = NDArray[np.float64]
 # rows of momentum: lift and other forces in the gas, pressure of solids and of sides, what viscosity drags,
