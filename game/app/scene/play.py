@@ -371,7 +371,8 @@ class ScenePlay:
             self._draw(surface)
         if self.story is not None:
             self.story.draw_bar(surface)
-        self.standstill.tell(surface, self.host.look, self.shell.layout.free_stage, errands.seconds)
+        if self.story is None or self.story.journey.share is None:  # its bar says how far a jump has come
+            self.standstill.tell(surface, self.host.look, self.view.rect, errands.seconds)
 
     def _draw(self, surface: pygame.Surface) -> None:
         self.steps.seen = True

@@ -15,7 +15,7 @@ from game.app.screens.screen import Screen
 from game.app.stagehand.opening import Opening
 from game.app.window.commands import COMMANDS, Actions, perform
 from game.app.window.guard import Failure
-from game.stage.catalogue import Entry
+from game.stage.catalogue import STORIES, Entry
 from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.wishes import Wish
 
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from game.app.scene.play import ScenePlay
 
 
-STORIES = "Stories"  # category of scenes that open with their story
 TOUR_AFTER_S = 1.5  # s in which a scene comes to something worth showing
 WITHOUT_A_SCENE = frozenset(("menu", "panel"))  # of the bar's buttons, those that work while it loads
 
@@ -129,11 +128,19 @@ class SceneScreen(Screen):
         self.restyle()
 
     def _open_tour(self) -> None:
-        """The tour, which from now on comes only when it is asked for."""
-        self.host.tour_due = False
-        self.host.settings.toured = True
+        """The tour, which from now on comes only when it is asked for; a story has one of its own."""
+        story = self.play.story if self.play is not None else None
+        if story is None:
+            self.host.tour_due, self.host.settings.toured = False, True
+        else:
+            self.host.story_tour_due, self.host.settings.story_toured = False, True
         self.host.save_settings()
-        self.host.open_tour(lambda: self.shell.layout)
+        self.host.open_tour(lambda: self.shell.layout, story.tour_places if story is not None else None)
+
+    @property
+    def _tour_due(self) -> bool:
+        story = self.play is not None and self.play.story is not None
+        return self.host.story_tour_due if story else self.host.tour_due
 
     def _open_pause_menu(self) -> None:
         """All that can be done, as a list; the scene stands still under it."""
@@ -202,7 +209,7 @@ class SceneScreen(Screen):
             # a game begins with its own card, and the tour can wait for another scene
             if (
                 not self.entry.start
-                and self.host.tour_due
+                and self._tour_due
                 and self._age_s >= TOUR_AFTER_S
                 and not self.play.hand.held
             ):
