@@ -41,7 +41,7 @@ class SceneScreen(Screen):
         self.opening = opening
         if entry.category == STORIES and opening == Opening():
             self.opening = opening = Opening(story="")
-        self.goes_on = entry.roomy and opening == Opening() and kept_path(entry.name).exists()
+        self.goes_on = opening == Opening() and kept_path(entry.name).exists()
         if self.goes_on:
             self.opening = Opening(level=kept_path(entry.name))
         self.shell = Shell(host, entry)
@@ -199,7 +199,10 @@ class SceneScreen(Screen):
 
     def update(self, elapsed_s: float) -> None:
         if self.load(elapsed_s) and self.goes_on and self.play is not None:
-            self.host.tell("Your game goes on.", "N begins a new one.")
+            if self.play.stage.scene_type.builds:
+                self.host.tell("As you left it.", "The list of levels begins anew.")
+            else:
+                self.host.tell("Your game goes on.", "N begins a new one.")
         if self.play is not None:
             self.play.update(elapsed_s)
             self._age_s += elapsed_s
@@ -219,7 +222,7 @@ class SceneScreen(Screen):
         self.loader = None
         if loader.stage is None and self.goes_on:
             self.goes_on, self.opening = False, Opening()
-            self.host.tell("The kept game cannot be read.", loader.error, "warning")
+            self.host.tell("What was kept cannot be read.", loader.error, "warning")
             self.loader = self._load()
             return
         if loader.stage is None:
