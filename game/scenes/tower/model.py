@@ -7,11 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from game.physics.effects import EffectSet
-from game.physics.fields import GRAVITY
 from game.physics.kernels import elementwise, linear
-from game.physics.solids import SolidSettings, SolidState, SolidWorld
-from game.physics.solids.effects import SOLIDS
-from game.physics.solids.state import ASLEEP, DYNAMIC
+from game.physics.solids import SolidState
 from game.scenes.tower.air import AirState, TowerAir
 from game.scenes.tower.breaking import break_up, cuts_of, halves_of, speed_of_stop
 from game.scenes.tower.building import (
@@ -25,7 +22,7 @@ from game.scenes.tower.dust import advance_dust, puffs
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
-from game.scenes.tower.sounds import heard_now
+from game.scenes.tower.sounds import sounds_now
 from game.scenes.tower.tables import (
     BODY,
     COLUMN,
@@ -47,9 +44,9 @@ from game.scenes.tower.tables import (
     Floats,
     none_of,
 )
-from game.stage import ParameterError, Part
-from game.worlds.hearing import HEARD_WIDTH
-from game.worlds.stopwatch import Stopwatch
+from game.worlds.hearing import Heard
+from game.worlds.members.solids import Solids
+from game.worlds.world import World
 
 MOST_BODIES = 1_500
 PIECES_OF_COLUMN = 3
@@ -73,53 +70,37 @@ class ModelState(NamedTuple):
     air: AirState
 
 
-class TowerModel(Part):
-    """A tower of a level. time: s; fired: s at which it was fired (NOT_FIRED)."""
+class TowerModel(World):
+    """A tower of a level. fired: s at which it was fired (NOT_FIRED)."""
 
-    def __init__(self, content: TowerContent, parameters: TowerParameters, active: EffectSet):
+    content: TowerContent
+    parameters: TowerParameters
+
+    def __init__(self, content: TowerContent, parameters: TowerParameters, active: EffectSet, seed: int):
         if content.first > content.storeys:
             raise ValueError(f"first = {content.first}: there are {content.storeys} storeys")
-        self.content, self.parameters, self.active = content, parameters, active
-        self.watch = Stopwatch()
-        self.time, self.steps, self.fired = 0.0, 0, NOT_FIRED
-        self.world = SolidWorld(self._settings())
+        self.solids, self.heard = Solids(parameters, active), Heard()
+        super().__init__(content, parameters, active, self.solids)
+        self.steps, self.fired = 0, NOT_FIRED
+        self.world, self.watch = self.solids.world, self.solids.watch
         self.ground, self.parts = build(self.world, content, parameters.friction, parameters.joints)
         self.storeys = np.full((content.storeys, STOREY_WIDTH), NOT_YET)
-        self.dust, self.heard = none_of(DUST_WIDTH), none_of(HEARD_WIDTH)
-        self.world.check_solver()
+        self.dust = none_of(DUST_WIDTH)
         self.built_mass = float(self.parts[:, MASS].sum())
         self.air = TowerAir(content)
 
     # -- changes --------------------------------------------------------------------------------------
 
-    def _settings(self) -> SolidSettings:
-        parameters = self.parameters
-        try:
-            return SolidSettings(
-                effects=self.active & SOLIDS.known,
-                solver=parameters.solver,
-                substeps=parameters.substeps_now(),
-                gravity=(0.0, -parameters.gravity),
-            )
-        except ValueError as error:
-            raise ParameterError(str(error)) from None
-
     def change_parameter(self, name: str) -> None:
-        """Take over a parameter's new value."""
-        self.watch.clear()
+        super().change_parameter(name)
         if name == "friction":
             bodies = self.parts[self.parts[:, BODY] >= 0.0, BODY].astype(np.int64)
-            shapes = self.world.shapes
-            shapes.frictions[np.isin(shapes.bodies, bodies)] = self.parameters.friction
-        self.world.settings = self._settings()
+            self.solids.set_frictions(bodies, self.parameters.friction)
 
     def change_effects(self, active: EffectSet) -> None:
-        """Compute these effects from now on."""
         if AIR in active and AIR not in self.active:
             self.air = TowerAir(self.content)
-        self.active = active
-        self.world.settings = self._settings()
-        self.watch.clear()
+        super().change_effects(active)
 
     def fire(self) -> None:
         """Begin the schedule now."""
@@ -193,8 +174,7 @@ class TowerModel(Part):
 
     # -- a step ---------------------------------------------------------------------------------------
 
-    def advance(self, dt: float) -> None:
-        """One step."""
+    def advance(self, dt: float) -> str:
         at = self.content.fired_at
         if at is not None and self.time >= at - 0.5 * dt:
             self.fire()
@@ -202,21 +182,21 @@ class TowerModel(Part):
         if self.parameters.gives_way:
             self._give_way(dt)
         before = self.world.bodies.velocities.copy()
-        with self.watch.time("step"):
-            self.world.step(dt)
+        self.solids.step(dt)
         self._break_columns(before)
         self.time += dt
         self.steps += 1
-        self.heard = heard_now(self.world, self.heard, self.time - dt)
+        self.heard.remember(sounds_now(self.world, self.time - dt), self.time - dt)
         self._break_by_impact()
         self._blow(dt)
+        return ""
 
     def _blow(self, dt: float) -> None:
         """Air and dust, once something moves."""
         if AIR not in self.active:
             self.dust = advance_dust(self.dust, dt)
             return
-        if self.awake() or not self.air.is_still():
+        if self.solids.awake() or not self.air.is_still():
             with self.watch.time("air"):
                 self.air.advance(self.floors(), self.loose_pieces(), self.gravity(), dt)
         self.dust = advance_dust(self.dust, dt, self.air.gas.sample)
@@ -325,25 +305,17 @@ class TowerModel(Part):
 
     # -- how it stands --------------------------------------------------------------------------------
 
-    def awake(self) -> int:
-        """How many bodies are computed."""
-        return int(np.count_nonzero(self.world.bodies.flags & (DYNAMIC | ASLEEP) == DYNAMIC))
-
-    def gravity(self) -> float:
-        """m/s², as it acts now."""
-        return self.parameters.gravity if GRAVITY in self.active else 0.0
-
     def state(self) -> ModelState:
         """All that later steps depend on."""
         clock = np.array([self.fired, float(self.steps)])
         return ModelState(
-            self.world.state(), self.parts, self.storeys, self.dust, self.heard, clock, self.air.state()
+            self.world.state(), self.parts, self.storeys, self.dust, self.heard.rows, clock, self.air.state()
         )
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.world.restore(state.world)
         self.parts, self.storeys = state.parts.copy(), state.storeys.copy()
-        self.dust, self.heard = state.dust.copy(), state.heard.copy()
+        self.dust, self.heard.rows = state.dust.copy(), state.heard.copy()
         self.fired, self.steps = float(state.clock[0]), int(state.clock[1])
         self.air.restore(state.air)

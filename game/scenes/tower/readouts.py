@@ -31,7 +31,7 @@ def readouts(model: TowerModel) -> list[Readout]:
         Readout("pieces", pieces_of(model)),
         Readout("mass", mass / TONNE, "t"),
         Readout("mass lost", abs(mass - model.built_mass) / model.built_mass, ""),
-        Readout("awake", model.awake()),
+        Readout("awake", model.solids.awake()),
         Readout("dust in the air", model.air.in_the_air(), "kg"),
         Readout("dust raised", float(model.air.dust[0]), "kg"),
         Readout("fastest air", model.air.fastest(), "m/s"),

@@ -13,6 +13,7 @@ from game.physics.solids import Material, SolidWorld, box
 from game.scenes.tower.breaking import break_up, cuts_of, middle_of
 from game.scenes.tower.building import floor_height
 from game.scenes.tower.dust import advance_dust, puffs
+from game.scenes.tower.hand import part_at
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
 from game.scenes.tower.tables import BODY, COLUMN, DVX, DX, GONE, KIND, RUBBLE, SHARD, SLAB, STOREY
@@ -221,5 +222,7 @@ def test_the_hand_takes_what_has_turned_where_it_lies() -> None:
     model, hand = stage.scene.model, stage.scene.hand
     row = int(np.flatnonzero(model.parts[:, KIND] == SLAB)[0])
     model.world.set_pose(int(model.parts[row, BODY]), (40.0, 10.0), 0.5 * math.pi)
-    assert hand.part_at((40.0, 12.3), (SLAB,)) == row
-    assert hand.part_at((42.3, 10.0), (SLAB,)) == -1
+    hand.before = (40.0, 12.3)
+    assert part_at(hand, SLAB) == row
+    hand.before = (42.3, 10.0)
+    assert part_at(hand, SLAB) == -1

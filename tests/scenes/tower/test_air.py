@@ -147,7 +147,7 @@ def test_the_fall_is_the_same_with_and_without_the_air():
 def test_still_air_is_not_computed_and_a_state_is_taken_up_again():
     stage = built()
     stage.run(90)
-    assert stage.scene.model.awake() == 0 and stage.scene.model.air.gas.time < 80.0 / 60.0
+    assert stage.scene.model.solids.awake() == 0 and stage.scene.model.air.gas.time < 80.0 / 60.0
     stage.post(Action("fire"))
     stage.run(30)
     stage.post(Pointer("down", -2.5, 2.8, 3))  # a floor breaks between two steps
