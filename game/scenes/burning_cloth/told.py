@@ -1,15 +1,35 @@
-"""What a story may look at in the yard."""
+"""What is told of the cloth beside readouts: places for stories, sounds, and the cloth as a level."""
 
 from __future__ import annotations
 
+import msgspec
 import numpy as np
 
+from game.arrays import Point
 from game.physics.cloth.layout import FUEL, HOT, PER, X
+from game.scenes.burning_cloth.level import BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
-from game.scenes.burning_cloth.tables import BOX, TABLE
+from game.scenes.burning_cloth.tables import BOX, HALF, TABLE
+from game.stage import Hearing
+
+NAMES = {1: "wood", 2: "thud"}
 
 
-def story_targets(model: BurningClothModel) -> dict[str, tuple[float, float]]:
+def hearing(model: BurningClothModel) -> Hearing:
+    """Crackles of the last moments, from the left or the right."""
+    return Hearing("dominoes", model.time, model.heard.sounds(NAMES, HALF))
+
+
+def saved(model: BurningClothModel) -> BurningClothContent:
+    """The level with what the hand has written and washed out; a new cloth is not burnt."""
+    if tuple(model.written) == model.content.dabs and tuple(model.washed) == model.content.washed:
+        return model.content
+    return msgspec.structs.replace(
+        model.content, dabs=tuple(model.written), washed=tuple(model.washed), expected=()
+    )
+
+
+def targets(model: BurningClothModel) -> dict[str, Point]:
     """The cloth's middle, the match's head, its box, the fronts' middle, each letter's foot; m."""
     cloth = model.cloth
     (x, y), _ = model.match.place(model.time)
@@ -25,7 +45,7 @@ def story_targets(model: BurningClothModel) -> dict[str, tuple[float, float]]:
     return found
 
 
-def embers_of(model: BurningClothModel) -> tuple[float, float]:
+def embers_of(model: BurningClothModel) -> Point:
     """The middle of what glows, or of the cloth."""
     cloth = model.cloth
     hot = (cloth.patches[HOT] > 520.0) & (cloth.patches[FUEL] > 0.0)

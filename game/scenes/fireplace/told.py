@@ -1,18 +1,29 @@
-"""The fireplace as it stands, as the content of a level file."""
+"""What is told of the fireplace beside readouts: places for stories, sounds, and the fire as a level."""
 
 from __future__ import annotations
 
 import math
 
 import msgspec
+import numpy as np
 
+from game.arrays import Point
 from game.physics.heat.nodes import TEMPERATURE, WATER
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
+from game.scenes.fireplace.match import KEYS
 from game.scenes.fireplace.model import FireplaceModel
-from game.scenes.fireplace.tables import BODY, HALF_LENGTH, HALF_THICK, SCALE, WHOLE
+from game.scenes.fireplace.tables import BODY, HALF, HALF_LENGTH, HALF_THICK, SCALE, WHOLE
+from game.stage import Hearing
+
+NAMES = {1: "wood", 2: "thud"}
 
 
-def content_of(model: FireplaceModel) -> FireplaceContent:
+def hearing(model: FireplaceModel) -> Hearing:
+    """Pops and breaks of the last moments, from the left or the right."""
+    return Hearing("dominoes", model.time, model.heard.sounds(NAMES, HALF))
+
+
+def saved(model: FireplaceModel) -> FireplaceContent:
     """The level; where wood has burnt or was moved, each piece by itself, as thick as it is now."""
     if not model.changed:
         return model.content
@@ -36,3 +47,21 @@ def content_of(model: FireplaceModel) -> FireplaceContent:
     return msgspec.structs.replace(
         model.content, wood=tuple(entries), damper=float(model.parameters.damper), expected=()
     )
+
+
+def targets(model: FireplaceModel) -> dict[str, Point]:
+    """The match's head, the kindling, the logs' middle, the hottest piece, the flames, the flue; m."""
+    head = model.match.place(model.time)
+    found = {
+        "match": head[0] if head is not None else KEYS[0][:2],
+        "kindling": (0.0, 0.09),
+        "hearth": (0.0, 0.32),
+        "flue": (0.0, 1.2),
+        "flames": (0.0, 0.25 + 0.5 * model.flame_height()),
+        "embers": (0.0, 0.12),
+    }
+    wood = model.wood
+    if wood.count:
+        x, y = wood.places()[int(np.argmax(wood.nodes.nodes[TEMPERATURE, : wood.count]))].tolist()
+        found["hottest"] = (x, y)
+    return found
