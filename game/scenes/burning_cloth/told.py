@@ -11,13 +11,16 @@ from game.scenes.burning_cloth.level import BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
 from game.scenes.burning_cloth.tables import BOX, HALF, TABLE
 from game.stage import Hearing
+from game.worlds.hearing import ROOM, fire, wind
 
+LOUD_FIRE = 40e3  # W
 NAMES = {1: "wood", 2: "thud"}
 
 
 def hearing(model: BurningClothModel) -> Hearing:
-    """Crackles of the last moments, from the left or the right."""
-    return Hearing("dominoes", model.time, model.heard.sounds(NAMES, HALF))
+    """Crackles of the last moments, from the left or the right; the flames and the wind."""
+    steady = (ROOM, fire(float(model.seen[0]), LOUD_FIRE), wind(float(model.air.flows[2])))
+    return Hearing("burning cloth", model.time, model.heard.sounds(NAMES, HALF), steady)
 
 
 def saved(model: BurningClothModel) -> BurningClothContent:

@@ -14,13 +14,16 @@ from game.scenes.fireplace.match import KEYS
 from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.tables import BODY, HALF, HALF_LENGTH, HALF_THICK, SCALE, WHOLE
 from game.stage import Hearing
+from game.worlds.hearing import ROOM, fire
 
+LOUD_FIRE = 250e3  # W/m
 NAMES = {1: "wood", 2: "thud"}
 
 
 def hearing(model: FireplaceModel) -> Hearing:
-    """Pops and breaks of the last moments, from the left or the right."""
-    return Hearing("dominoes", model.time, model.heard.sounds(NAMES, HALF))
+    """Pops and breaks of the last moments, from the left or the right; the flames."""
+    steady = (ROOM, fire(model.shine, LOUD_FIRE))
+    return Hearing("fireplace", model.time, model.heard.sounds(NAMES, HALF), steady)
 
 
 def saved(model: FireplaceModel) -> FireplaceContent:

@@ -6,39 +6,45 @@ import numpy as np
 
 from game.scenes.tower.model import TowerModel
 from game.scenes.tower.tables import BODY, COLUMN, KIND, SHARD, SLAB, TALL, WIDE
-from game.worlds.hands.hand import NOBODY, Hand, Use
-from game.worlds.members.solids import nearest_box
+from game.stage import Part, Pointer
 
 REACH = 0.4  # m beside something, within which the pointer takes it
 FARTHEST = 1e4  # m
+NOBODY = -1
 
 
-def part_at(hand: Hand, *kinds: int) -> int:
-    """Row of the part of these kinds at the pointer, or NOBODY."""
-    parts = hand.model.parts
-    there = np.flatnonzero((parts[:, BODY] >= 0.0) & np.isin(parts[:, KIND], kinds))
-    bodies = parts[there, BODY].astype(np.int64)
-    best, outside = nearest_box(hand.model.world, bodies, parts[there][:, [WIDE, TALL]], hand.at)
-    return int(there[best]) if outside <= REACH else NOBODY
+class TowerHand(Part):
+    """Takes the pointer."""
 
+    def __init__(self, model: TowerModel):
+        self.model = model
 
-def _cut(hand: Hand) -> str:
-    row = part_at(hand, COLUMN)
-    if row == NOBODY:
-        return "There is no column there."
-    hand.model.cut(row)
-    return ""
+    def take(self, event: Pointer) -> str:
+        """A pointer event; what there is to say about it."""
+        if event.kind != "down" or event.button not in (1, 3):
+            return ""
+        point = min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST)
+        breaking = event.button == 3 or self.model.parameters.tool == "break"
+        row = self.part_at(point, (SLAB, SHARD) if breaking else (COLUMN,))
+        if row == NOBODY:
+            return "There is no floor there." if breaking else "There is no column there."
+        if breaking:
+            self.model.break_floor(row)
+        else:
+            self.model.cut(row)
+        return ""
 
-
-def _break(hand: Hand) -> str:
-    row = part_at(hand, SLAB, SHARD)
-    if row == NOBODY:
-        return "There is no floor there."
-    hand.model.break_floor(row)
-    return ""
-
-
-def tower_hand(model: TowerModel) -> Hand:
-    """The right button breaks."""
-    uses = {"cut": Use(_cut), "break": Use(_break)}
-    return Hand(model, uses, (-FARTHEST, -FARTHEST), (FARTHEST, FARTHEST), right="break")
+    def part_at(self, point: tuple[float, float], kinds: tuple[int, ...]) -> int:
+        """Row of the part of these kinds at a point, or NOBODY."""
+        parts, bodies = self.model.parts, self.model.world.bodies
+        there = np.flatnonzero((parts[:, BODY] >= 0.0) & np.isin(parts[:, KIND], kinds))
+        if not len(there):
+            return NOBODY
+        own = parts[there, BODY].astype(np.int64)
+        away = np.array(point) - bodies.positions[own]
+        c, s = bodies.rotations[own, 0], bodies.rotations[own, 1]
+        across = np.abs(c * away[:, 0] + s * away[:, 1]) - 0.5 * parts[there, WIDE]
+        along = np.abs(c * away[:, 1] - s * away[:, 0]) - 0.5 * parts[there, TALL]
+        outside = np.maximum(across, along)
+        best = int(np.argmin(outside))
+        return int(there[best]) if outside[best] <= REACH else NOBODY

@@ -1,19 +1,16 @@
-"""What a story may look at in the tower, what is heard of it, and the tower as a level."""
+"""What a story may look at in the tower."""
 
 from __future__ import annotations
 
-import msgspec
-
 from game.scenes.tower.building import floor_height
-from game.scenes.tower.level import TowerContent
 from game.scenes.tower.measures import front_of, roof_of
 from game.scenes.tower.model import TowerModel
-from game.scenes.tower.sounds import HALF, NAMES
-from game.stage import Hearing
+
+RUBBLE_M = 9.0  # so far above the ground a picture's middle has little of the ground in it
 
 
 def story_targets(model: TowerModel) -> dict[str, tuple[float, float]]:
-    """Where the floors meet, the roof as it was and as it is, the storey that is cut first, the foot; m."""
+    """Where the floors meet, the roof as it was and as it is, the storey that is cut first, the rubble; m."""
     content = model.content
     return {
         "front": front_of(model),
@@ -21,15 +18,5 @@ def story_targets(model: TowerModel) -> dict[str, tuple[float, float]]:
         "top": (0.0, floor_height(content, content.storeys)),
         "charges": (0.0, floor_height(content, model.first_storey()) - 0.5 * content.storey),
         "middle": (0.0, 0.5 * floor_height(content, content.storeys)),
-        "foot": (0.0, 3.0),
+        "rubble": (0.0, max(RUBBLE_M, 0.8 * front_of(model)[1])),
     }
-
-
-def hearing(model: TowerModel) -> Hearing:
-    """Contacts that began in the last moments."""
-    return Hearing("tower", model.time, model.heard.sounds(NAMES, HALF))
-
-
-def saved(model: TowerModel) -> TowerContent:
-    """The tower as it was built, with the storey that is cut first as chosen."""
-    return msgspec.structs.replace(model.content, first=model.first_storey())

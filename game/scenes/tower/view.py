@@ -9,6 +9,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.physics.solids.state import DYNAMIC
 from game.scenes.tower.building import floor_height, half_width
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.measures import fall_of, front_of
@@ -32,17 +33,14 @@ from game.scenes.tower.tables import (
 )
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
-from game.ui.painters.wall import is_dark
-from game.worlds.members.solids import bodies_between, contact_places
-from game.worlds.painting.boards import paint_quads
-from game.worlds.painting.inks import color_of
+from game.worlds.members.solids import contact_places
 from game.worlds.painting.polygons import NO_EDGE, paint
 
 Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
 PANES = 3  # windows in a bay
-NO_LIGHT = ((0.0, pygame.Color(0, 0, 0)), (1.0, pygame.Color(0, 0, 0)))
 SPARED = 4  # of so many puffs one is drawn where the air's own dust is
+GROUND_BANDS, GROUND_M = 14, 16.0  # bands of the field, m below the horizon in all
 CHUNK = 160  # puffs that are painted at once, the oldest first
 
 
@@ -59,21 +57,23 @@ class Hour(NamedTuple):
     edge: int
     glass: tuple[int, int]  # no lamp is on: nobody is there; some panes mirror the sky
     dust: tuple[int, int]
+    sheen: int  # added where light from the sun or the moon falls on dust
 
 
 DAY = Hour(
     (0x8FB7DA, 0xC9DDE8, 0xF6E7CF), 0xFFF6DC, (0xA9BCCB, 0x8499AB), (0x8D9A78, 0x5E6B52),
-    0xB9B2A6, 0x9C968C, (0x8A847A, 0xA59E92), 0x4A463F, (0x8FB4C8, 0xBFD8E2), (0xE6DCCB, 0xA99F90),
+    0xB9B2A6, 0x9C968C, (0x8A847A, 0xA59E92), 0x4A463F, (0x8FB4C8, 0xBFD8E2), (0xE6DCCB, 0xA99F90), 0x38322A,
 )  # fmt: skip
 NIGHT = Hour(
-    (0x0A1024, 0x1C2444, 0x6E4A5C), 0xF0C9A0, (0x232A44, 0x161B2E), (0x20262A, 0x0D1012),
-    0x7F7C80, 0x65636A, (0x57555C, 0x6E6B70), 0x0A0B10, (0x2D3E58, 0x3A4A66), (0x9A8F8C, 0x4C464A),
+    (0x0A1024, 0x1C2444, 0x6E4A5C), 0xF0C9A0, (0x232A44, 0x161B2E), (0x3A3A44, 0x1B1F25),
+    0x7F7C80, 0x65636A, (0x57555C, 0x6E6B70), 0x0A0B10, (0x2D3E58, 0x3A4A66), (0x9A8F8C, 0x4C464A), 0x8A6E5C,
 )  # fmt: skip
 
 
 def hour_of(canvas: Canvas) -> Hour:
     """By the theme."""
-    return NIGHT if is_dark(canvas) else DAY
+    color = canvas.color("stage")
+    return NIGHT if color.r + color.g + color.b < 384 else DAY
 
 
 class TowerView:
@@ -109,27 +109,40 @@ class TowerView:
         hour = hour_of(canvas)
         seen = canvas.camera.visible()
         rows = np.array([[0.0], [0.35], [1.0]])
-        stops = [(0.0, color_of(hour.sky[2])), (0.4, color_of(hour.sky[1])), (1.0, color_of(hour.sky[0]))]
+        stops = [(0.0, _color(hour.sky[2])), (0.4, _color(hour.sky[1])), (1.0, _color(hour.sky[0]))]
         low = min(seen.bottom, 0.0)
         canvas.field(np.repeat(rows, 2, axis=1), (seen.left, low), (seen.right, seen.top), stops)
         width, (x, _) = seen.right - seen.left, canvas.camera.center
         sun = seen.left + 0.76 * width, 0.3 * (seen.top - seen.bottom) + max(seen.bottom, 0.0)
         for share, veil in ((2.2, 0.08), (1.5, 0.14), (1.0, 1.0)):
-            canvas.discs(np.array([sun]), 0.02 * width * share, color_of(hour.sun), veil)
+            canvas.discs(np.array([sun]), 0.02 * width * share, _color(hour.sun), veil)
         for (slide, _), town, ink in zip(BEHIND, self._towns, hour.towns, strict=True):
             shifted = town + np.array(((1.0 - slide) * x, 0.0))
             near = (shifted[:, 0] > seen.left - 40.0) & (shifted[:, 0] < seen.right + 40.0)
             kept = shifted[near]
             if len(kept) > 2:
                 outline = np.concatenate([[(kept[0, 0], -2.0)], kept, [(kept[-1, 0], -2.0)]])
-                canvas.polygon(outline, fill=color_of(ink))
-        ground = np.array(
-            [(seen.left, 0.0), (seen.right, 0.0), (seen.right, low - 1.0), (seen.left, low - 1.0)]
-        )
-        canvas.polygon(ground, fill=color_of(hour.ground[1]))
-        band = ground.copy()
-        band[2:, 1] = -0.5
-        canvas.polygon(band, fill=color_of(hour.ground[0]))
+                canvas.polygon(outline, fill=_color(ink))
+        self._paint_ground(canvas, hour, sun[0])
+
+    @staticmethod
+    def _paint_ground(canvas: Canvas, hour: Hour, sun_x: float) -> None:
+        """A field in bands, the nearer the darker, with the light of the sun or the moon on it."""
+        seen = canvas.camera.visible()
+        near, far = _color(hour.ground[1]), _color(hour.ground[0])
+        heights = -GROUND_M * np.linspace(0.0, 1.0, GROUND_BANDS + 1) ** 1.6
+        heights[-1] = min(seen.bottom, -GROUND_M) - 1.0
+        wide = 0.02 * (seen.right - seen.left)
+        for k in range(GROUND_BANDS):
+            ink = far.lerp(near, k / (GROUND_BANDS - 1.0))
+            top, low = float(heights[k]), float(heights[k + 1])
+            canvas.polygon(
+                [(seen.left, top), (seen.right, top), (seen.right, low), (seen.left, low)], fill=ink
+            )
+            half = wide * (0.8 + 0.22 * k)
+            lit = [(sun_x - half, top), (sun_x + half, top), (sun_x + half + 0.22 * wide, low),
+                   (sun_x - half - 0.22 * wide, low)]  # fmt: skip
+            canvas.polygon(lit, fill=_color(hour.sun), fill_alpha=0.12 * (1.0 - k / GROUND_BANDS) ** 2)
 
     def _facade(self, canvas: Canvas, hour: Hour) -> None:
         """Panes between the floors of storeys that stand."""
@@ -147,8 +160,9 @@ class TowerView:
                 )
                 inks.append(hour.glass[1] if (7 * storey + 5 * k) % 11 in (0, 4) else hour.glass[0])
         if boxes:
-            quads, own = np.array(boxes).reshape(-1, 2), np.array(inks, dtype=np.int64)
-            paint_quads(canvas, quads, own, 0.75, hour.edge)
+            self._paint(
+                canvas, np.array(boxes).reshape(-1, 2), np.array(inks, dtype=np.int64), 0.75, hour.edge
+            )
 
     def _is_falling(self, storey: int) -> bool:
         """True if the floor that carries a storey is not where it was built."""
@@ -169,7 +183,7 @@ class TowerView:
         order = np.argsort(np.where(parts[:, KIND] == COLUMN, 0.0, parts[:, KIND] + 1.0), kind="stable")
         parts = parts[order]
         bodies = parts[:, BODY].astype(np.int64)
-        places, angles = bodies_between(model.world, previous and previous.world, alpha)
+        places, angles = self._between(previous, alpha)
         world = model.world
         shape_of = np.full(len(world.bodies.flags), -1)
         used = np.flatnonzero(world.shapes.kinds >= 0)
@@ -209,7 +223,25 @@ class TowerView:
         a, b = float(left[near].min()), float(right[near].max())
         for wider, veil in ((0.6, 0.22), (2.2, 0.14), (5.0, 0.08)):
             quad = np.array([(a - 0.3 * wider, 0.0), (b + wider, 0.0), (b + 0.6 * wider, -0.9), (a, -0.9)])
-            canvas.polygon(quad, fill=color_of(hour.edge), fill_alpha=veil)
+            canvas.polygon(quad, fill=_color(hour.edge), fill_alpha=veil)
+
+    def _between(self, previous: ModelState | None, alpha: float) -> tuple[Floats, Floats]:
+        """Places (n, 2) m and angles (n,) rad of all slots between the last two steps."""
+        rows = self.model.world.bodies
+        if previous is None or previous.world.bodies.angles.shape != rows.angles.shape:
+            return rows.positions, rows.angles
+        before = previous.world.bodies
+        same = (before.flags & DYNAMIC == rows.flags & DYNAMIC) & (
+            before.inverse_masses == rows.inverse_masses
+        )
+        share = np.where(same, 1.0 - alpha, 0.0)
+        places = rows.positions - share[:, None] * (rows.positions - before.positions)
+        return places, rows.angles - share * (rows.angles - before.angles)
+
+    def _paint(self, canvas: Canvas, corners: Floats, inks: Longs, share: float, edge: int) -> None:
+        count = len(inks)
+        paint(canvas, corners, np.arange(0, 4 * count + 1, 4), inks, np.full(count, share),
+              np.full(count, edge), np.zeros((4, 2)))  # fmt: skip
 
     # -- in front -------------------------------------------------------------------------------------
 
@@ -219,7 +251,8 @@ class TowerView:
         """
         dust, air = self.model.dust, AIR in self.model.active
         if air:
-            canvas.veil(self.model.air.veil(), *self.model.air.box(), color_of(hour.dust[1]), NO_LIGHT)
+            sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, _color(hour.sheen)))
+            canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), sheen)
             dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
         if not len(dust):
             return
@@ -229,9 +262,9 @@ class TowerView:
             part = slice(first, first + CHUNK)
             fade = float(np.mean((1.0 - age[part]) * np.minimum(1.0, 6.0 * age[part] + 0.2)))
             where = dust[part][:, [DX, DY]]
-            shade, light = color_of(hour.dust[1]), color_of(hour.dust[0])
+            shade, light = _color(hour.dust[1]), _color(hour.dust[0])
             for share, ink, veil in ((1.0, shade, 0.05), (0.72, shade, 0.06), (0.48, light, 0.08)):
-                shift = (0.0, 0.0) if ink is shade else (0.12, 0.2)
+                shift = (0.0, 0.0) if ink is shade else (0.3, 0.2)
                 canvas.discs(where + np.array(shift), radius[part] * share, ink, veil * min(1.0, 1.6 * fade))
 
     def _marks(self, canvas: Canvas) -> None:
@@ -250,6 +283,10 @@ class TowerView:
         if math.isfinite(took):
             words = canvas.figure("fall", f"{took:.2f} s, law {law:.2f} s")
             canvas.label((half, y), words, "vermilion", 13, "semibold", "left", (8.0, 0.0), clear=True)
+
+
+def _color(ink: int) -> pygame.Color:
+    return pygame.Color(ink >> 16 & 255, ink >> 8 & 255, ink & 255)
 
 
 def _town(random: np.random.Generator, scale: float) -> Any:

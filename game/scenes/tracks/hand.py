@@ -33,13 +33,13 @@ def _make(hand: Hand) -> str:
 
 def _move(hand: Hand) -> str:
     if hand.held != NOBODY:
-        hand.model.tracks.hold(hand.held, hand.at)
+        hand.model.hold(hand.held, hand.at)
     return ""
 
 
 def _put_down(hand: Hand) -> str:
     if hand.held != NOBODY:
-        hand.model.tracks.riders.put_down(hand.held, 0.5 * TOOLS.reach(hand))
+        hand.model.put_down(hand.held, 0.5 * TOOLS.reach(hand))
     return ""
 
 
@@ -55,7 +55,7 @@ def _delete(hand: Hand) -> str:
 def _drop(hand: Hand) -> None:
     model: TracksWorld = hand.model
     if 0 <= model.held < len(model.balls.energies):
-        model.note_energy(model.held)
+        model.begin_here(model.held)
     model.held = NOBODY
 
 

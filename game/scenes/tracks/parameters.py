@@ -32,6 +32,10 @@ class TrackParameters(Parameters):
     )
     restitution = Param(0.0, 0.0, 1.0, group="World", help="part of the speed of an impact that comes back")
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
+    again = Toggle(
+        True, group="World", label="Balls come back",
+        help="a ball that has flown out of view begins again where it began",
+    )  # fmt: skip
     tier = solids.choose_quality("Steps")
     substeps = solids.choose_substeps(64, "Steps")
     step_length = solids.choose_step(1.0 / 120.0, 1.0 / 2000.0, 1.0 / 20.0, "Steps")

@@ -26,7 +26,7 @@ def readouts(model: TracksWorld) -> list[Readout]:
     energies = model.tracks.riders.energies()
     way, turn, height = energies.sum(axis=0).tolist() if there else (0.0, 0.0, 0.0)
     total = way + turn + height
-    lost = float(model.balls.energies.sum()) - total
+    lost = model.lost()
     lost = lost if abs(lost) > ROUNDING * (way + turn + abs(height)) else 0.0
     return [
         *found,

@@ -10,7 +10,7 @@ from game.arrays import Floats
 from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import RADIUS, VX, VY
 from game.scenes.tracks.parameters import TOOLS
-from game.scenes.tracks.world import COLOURS, TRAIL, TracksState, TracksWorld
+from game.scenes.tracks.world import BEYOND, COLOURS, TRAIL, TracksState, TracksWorld
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.worlds.hands.hand import NOBODY, Hand, legend_of
 from game.worlds.members.tracks import balls_between
@@ -42,7 +42,9 @@ class TrackView:
             for curve in self.model.tracks.riders.curves:
                 canvas.particles(np.asarray(curve.points, dtype=np.float64), "amber", 2.2)
         rows = self.model.rows
-        places, angles = balls_between(rows, previous and previous.balls.rows, alpha)
+        view = self.model.content.view  # a ball that comes back was at least so far beside it
+        jump = BEYOND * min(view.right - view.left, view.top - view.bottom)
+        places, angles = balls_between(rows, previous and previous.balls.rows, alpha, jump)
         if self.model.parameters.trails and len(rows) <= SHOWN_BALLS:
             self._draw_trails(canvas, places)
         self._draw_balls(canvas, places, angles)

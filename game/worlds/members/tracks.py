@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -89,11 +90,16 @@ class Tracks(Member):
         self.riders.restore(balls)
 
 
-def balls_between(now: Floats, before: Floats | None, alpha: float) -> tuple[Floats, Floats]:
-    """Places (n, 2) m and angles (n,) rad of balls, ``alpha`` of the way from rows of a state to now."""
+def balls_between(
+    now: Floats, before: Floats | None, alpha: float, jump: float = math.inf
+) -> tuple[Floats, Floats]:
+    """Places (n, 2) m and angles (n,) rad of balls, ``alpha`` of the way from rows of a state to now; those
+    that have moved by more than ``jump`` (m) were put where they are, and are there at once.
+    """
     places, angles = now[:, m.X : m.Y + 1], now[:, m.ANGLE]
     if before is None or before.shape != now.shape:
         return places, angles
-    share = 1.0 - alpha
-    places = places - share * (places - before[:, m.X : m.Y + 1])
+    moved = places - before[:, m.X : m.Y + 1]
+    share = np.where(np.abs(moved).max(axis=1, initial=0.0) > jump, 0.0, 1.0 - alpha)
+    places = places - share[:, None] * moved
     return places, angles - share * (angles - before[:, m.ANGLE])

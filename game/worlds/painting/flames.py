@@ -8,7 +8,7 @@ import numpy as np
 import pygame
 
 from game.arrays import Floats, Singles
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
 
 FLAME = (

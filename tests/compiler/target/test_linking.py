@@ -12,11 +12,11 @@ import pytest
 from numba import config, njit, types
 from numba.core.errors import TypingError
 
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
+from game.compiler.progress import compiling
+from game.compiler.target.linking import InnerLibrary, environments_of, kept_form
 from game.physics.kernels.elementary import linking
-from game.physics.kernels.jit import compiling, kernel
-from game.physics.kernels.lean import inner_kernel, lean_kernel
-from game.physics.kernels.linking import InnerLibrary, environments_of, kept_form
-from tests.physics.kernels.test_jit import Copy
+from tests.compiler.test_decorator import Copy
 
 pytestmark = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
 DOUBLE = (types.float64,)
@@ -208,7 +208,7 @@ class TestCollecting:
 
 
 INNER = """
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 @inner_kernel
 def low(x):
     if x < 0.0:
@@ -234,7 +234,7 @@ def make(bits):
 a, b = make(0), make(1)
 """
 HEAD = """
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.inner import a, b, low, middle, speaks, tells
 @lean_kernel
 def call(x):
@@ -248,7 +248,7 @@ CALLS = {  # what a process of its own calls: its value, and how many kernels it
 }
 CALL = """
 from game.physics.{name} import call
-from game.physics.kernels.jit import compiling
+from game.compiler.progress import compiling
 print(call(2.0), compiling().done)
 try:
     call(-1.0)

@@ -13,8 +13,8 @@ from llvmlite import ir as llvm
 from numba import types
 from numba.core import cgutils, ir, lowering
 
-from game.physics.kernels.bundles import ADDRESS, is_by_address
-from game.physics.kernels.doors import Door, fits_door
+from game.compiler.target.bundles import ADDRESS, is_by_address
+from game.compiler.target.doors import Door, fits_door
 
 DATA, SHAPE, STRIDES = 4, 5, 6  # of the structure of an array
 

@@ -22,31 +22,22 @@ import contextlib
 import hashlib
 import logging
 import os
-import pickle
-import re
 import shutil
 import sys
 import tempfile
 import time
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from types import CodeType
-from typing import Any
 
-from numba.core.caching import NullCache
-from numba.core.serialize import dumps
-
+from game.compiler.prebuilt import no_file
+from game.compiler.sources import module_name, source_digest
 from game.folders import cache_folder
-from game.physics.kernels.linking import kept_form, rebuilt
-from game.physics.kernels.prebuilt import GENERIC, platform_name, prebuilt
 from game.trust import is_private_file, make_private_folder, reason_to_distrust
 
 SUFFIX = f".py{sys.version_info[0]}{sys.version_info[1]}.code"
 STALE_AFTER_S = 7 * 86_400.0  # s; a folder of other sources that another checkout may still use is younger
 MAX_BYTES = 512 << 20  # of all folders together
 _CHECKSUM = 16  # bytes at the head of a file
-BEFORE_LOADING: list[Callable[[str], None]] = []  # what makes a symbol known that machine code refers to
 _used: dict[Path, None] = {}
 
 
@@ -63,6 +54,40 @@ def code_in(path: Path) -> bytes:
     return data[_CHECKSUM:]
 
 
+def take_code(path: Path) -> bytes | None:
+    """The code in a file of the cache folder, for a kernel that will run it; None if it cannot be trusted.
+
+    ValueError if it is damaged; OSError if it is not there or cannot be read.
+    """
+    if not _is_trusted(path.parent):
+        return None
+    wrong = no_file(path) if path.exists() else ""
+    if wrong:
+        _tell_once(f"{path}: {wrong}")
+        return None
+    code = code_in(path)
+    _mark_used(path.parent)
+    _used[path] = None
+    return code
+
+
+def keep_code(path: Path, code: bytes) -> None:
+    """Write code to a file of the cache folder, unless nobody could trust it there; OSError if that fails."""
+    make_private_folder(path.parent)
+    if _is_trusted(path.parent):
+        _write(path, _checksum(code) + code)
+        _used[path] = None
+        remove_old_folders(path.parent)
+
+
+def code_folder(file: Path) -> Path | None:
+    """Folder of the machine code of the kernels that stand in ``file``; None if theirs cannot be kept."""
+    try:
+        return cache_folder() / "kernels" / f"{module_name(file)}-{source_digest(file)}"
+    except (OSError, ValueError):  # not of this package, no readable sources (in a zip file), or just edited
+        return None
+
+
 def can_keep_code() -> bool:
     """Whether there is a place where the code of kernels can be kept, and taken from again."""
     folder = cache_folder() / "kernels"
@@ -71,105 +96,6 @@ def can_keep_code() -> bool:
         return os.access(folder, os.W_OK) and not reason_to_distrust(folder)
     except OSError:
         return False
-
-
-class KernelCache(NullCache):
-    """Where a dispatcher of numba finds and keeps the machine code of one function.
-
-    ``folder`` belongs to the function's module and sources; ``options``: what it was declared with.
-    """
-
-    def __init__(self, function: Callable[..., Any], folder: Path, options: str):
-        code = function.__code__
-        self._folder = folder
-        self._stem = f"{re.sub(r'[^0-9A-Za-z_.]', '', function.__qualname__)}-{code.co_firstlineno}"
-        cells = [
-            (type(cell.cell_contents).__name__, cell.cell_contents) for cell in function.__closure__ or ()
-        ]
-        defaults = function.__defaults__, function.__kwdefaults__
-        self._function_key = f"{_describe_code(code)}|{cells!r}|{defaults!r}|{options}"
-
-    @property
-    def cache_path(self) -> str:
-        return str(self._folder)
-
-    def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """The compiled function for these types, or None if there is none that can be used."""
-        for read in (self._read_kept, self._read_prebuilt):
-            try:
-                data = read(sig, target_context.codegen())
-                if data is not None:
-                    symbols, kept = pickle.loads(data)
-                    for symbol in symbols:
-                        for prepare in BEFORE_LOADING:
-                            prepare(symbol)
-                    target_context.refresh()
-                    return rebuilt(target_context, kept)
-            except Exception:  # missing, unreadable, written by who knows what: compiling mends it
-                continue
-        return None
-
-    def _read_kept(self, sig: Any, codegen: Any) -> bytes | None:
-        """What an earlier process has compiled here for this processor."""
-        path = self._path(sig, codegen.magic_tuple()[1:])
-        if path is None or not _is_trusted(self._folder):
-            return None
-        code = code_in(path)
-        _mark_used(self._folder)
-        _used[path] = None
-        return code
-
-    def _read_prebuilt(self, sig: Any, codegen: Any) -> bytes | None:
-        """What came with Carom, for any processor of this platform."""
-        path, shipped = self._path(sig, GENERIC), prebuilt()
-        return None if path is None or shipped is None else shipped.take(f"{path.parent.name}/{path.name}")
-
-    def save_overload(self, sig: Any, cres: Any) -> None:
-        """Keep a compiled function, if it can be kept and there is a place."""
-        with contextlib.suppress(Exception):
-            path = self._path(sig, cres.codegen.magic_tuple()[1:])
-            if path is None or cres.lifted or cres.library.has_dynamic_globals:
-                return
-            make_private_folder(self._folder)
-            if not _is_trusted(self._folder):
-                return
-            data = dumps(kept_form(cres))
-            _write(path, _checksum(data) + data)
-            _used[path] = None
-            remove_old_folders(self._folder)
-
-    def _path(self, sig: Any, processor: tuple[str, str]) -> Path | None:
-        """File for these types on a processor (name, features); None if types have no lasting name."""
-        types = sig if isinstance(sig, tuple) else (sig.return_type, *sig.args)
-        described = "; ".join(_describe(item) for item in types)
-        if " at 0x" in described or " at 0x" in self._function_key:
-            return None
-        key = f"{described}|{platform_name()}|{processor!r}|{self._function_key}"
-        digest = hashlib.blake2b(key.encode(), digest_size=10).hexdigest()
-        return self._folder / f"{self._stem}-{digest}{SUFFIX}"
-
-
-def _describe_code(code: CodeType) -> str:
-    """A function's code in words, whatever file it stands in; two on one line may differ by a constant."""
-    return f"{code.co_code.hex()} {code.co_names!r} {[_describe_constant(item) for item in code.co_consts]!r}"
-
-
-def _describe_constant(value: Any) -> str:
-    if isinstance(value, CodeType):
-        return _describe_code(value)
-    return repr(sorted(map(repr, value))) if isinstance(value, frozenset) else repr(value)
-
-
-def _describe(type_: Any) -> str:
-    """A type in words that differ when the types differ, also for two NamedTuples of one name."""
-    words = repr(type_)
-    owner = getattr(type_, "instance_class", None)
-    if owner is not None:
-        words += f"<{owner.__module__}.{owner.__qualname__}{getattr(owner, '_fields', '')}>"
-    inner = getattr(type_, "types", None)
-    if isinstance(inner, tuple):
-        words += "(" + ", ".join(_describe(item) for item in inner) + ")"
-    return words
 
 
 def _checksum(data: bytes) -> bytes:

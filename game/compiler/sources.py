@@ -13,9 +13,9 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
-PACKAGE_ROOT = Path(__file__).resolve().parents[2]
+PACKAGE_ROOT = Path(__file__).resolve().parents[1]
 COMPILER_FILES = tuple(
-    PACKAGE_ROOT / "physics" / "kernels" / name for name in ("jit.py", "jit_cache.py", "jit_sources.py")
+    PACKAGE_ROOT / "compiler" / name for name in ("decorator.py", "cache.py", "sources.py")
 )
 
 # Found anywhere in the text, even in a comment: a module too many costs a compilation, one too few is wrong.

@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,12 +21,15 @@ import numpy as np
 import pytest
 
 import game
-from game.physics.kernels import jit, jit_cache
-from game.physics.kernels.jit import Compiling, code_folder, compiling, kernel
-from game.physics.kernels.prebuilt import GENERIC
+from game.compiler import cache, decorator
+from game.compiler.cache import code_folder
+from game.compiler.decorator import kernel
+from game.compiler.prebuilt import GENERIC
+from game.compiler.progress import Compiling, compiling
+from game.compiler.target.kept import KernelCache
 
 HELPER = """
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 @kernel
 def helper(x):
     return x + 1.0
@@ -33,7 +37,7 @@ def helper(x):
 CONSTANTS = "FACTOR = 10.0\n"
 USER = '''
 """A kernel that calls one of another file and uses a constant of a third."""
-from game.physics.kernels.jit import (  # the bracket :) in this remark is none of the import's
+from game.compiler.decorator import (  # the bracket :) in this remark is none of the import's
     kernel,
 )
 from game.physics import (
@@ -57,7 +61,7 @@ def make(bits):
 PROBE = """
 import json, sys
 from game.physics import using
-from game.physics.kernels.jit import compiling
+from game.compiler.progress import compiling
 one, two = using.make(0), using.make(1)
 values = [using.user(1.0), one(1.0), two(1.0)]
 kernels = [using.user, using.helper, one, two]
@@ -69,20 +73,6 @@ print(json.dumps({
     "compiled": compiling().done,
 }))
 """
-
-COMPILER = (
-    "jit",
-    "jit_cache",
-    "jit_sources",
-    "prebuilt",
-    "quick_typing",
-    "linking",
-    "short_lowering",
-    "bundles",
-    "doors",
-    "members",
-    "lean",
-)
 
 
 class Answer(NamedTuple):
@@ -98,6 +88,13 @@ COLD = Answer([20.0, 1.0, 101.0], misses=4, hits=0, compiled=4)
 WARM = Answer([20.0, 1.0, 101.0], misses=0, hits=3, compiled=0)  # the helper lies within its caller's code
 
 
+def make_pipe(path: Path) -> None:
+    """A pipe that nobody writes to, where there are such."""
+    if not hasattr(os, "mkfifo"):
+        pytest.skip("there are no pipes here")
+    os.mkfifo(path)
+
+
 class Copy:
     """A small copy of the package with kernels of its own, and processes that run it."""
 
@@ -105,12 +102,10 @@ class Copy:
         self.folder = folder
         self.cache = folder / "cache"
         source = Path(game.__file__).parent
-        kernels = folder / "game" / "physics" / "kernels"
-        kernels.mkdir(parents=True)
-        for name in ("__init__.py", "folders.py", "trust.py"):
+        (folder / "game" / "physics").mkdir(parents=True)
+        shutil.copytree(source / "compiler", folder / "game" / "compiler")
+        for name in ("__init__.py", "folders.py", "trust.py", "physics/__init__.py"):
             shutil.copy(source / name, folder / "game" / name)
-        for name in ("__init__.py", "kernels/__init__.py", *(f"kernels/{file}.py" for file in COMPILER)):
-            shutil.copy(source / "physics" / name, folder / "game" / "physics" / name)
         self.write("physics/helping.py", HELPER)
         self.write("physics/using.py", USER)
         self.write("constants.py", CONSTANTS)
@@ -212,7 +207,7 @@ class TestFreshness:
         """The module is loaded as it was, the text on disk is another; neither may get the other's code."""
         module = "game." + name.removesuffix(".py").replace("/", ".")
         edit = f"""
-import game.physics.kernels.jit, {module}, pathlib
+import game.compiler.decorator, {module}, pathlib
 pathlib.Path("game/{name}").write_text({new!r})
 """
         assert copy.run(edit + PROBE).values[0] == 20.0
@@ -230,7 +225,7 @@ class TestTwoOfOneName:
     """Closures over different integers have one name for numba; kept code of them may be of two processes."""
 
     TWINS = """
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 def make(bits):
     @kernel(inline="never")
     def twin(x):
@@ -286,12 +281,20 @@ class TestTroubles:
         assert copy.run() == COLD
         assert copy.run() == WARM
 
-    def test_a_folder_in_the_place_of_a_file(self, warm: Copy, tmp_path: Path) -> None:
+    @pytest.mark.parametrize(
+        ("make", "words"), [(Path.mkdir, "a folder, not a file"), (make_pipe, "not a regular file")]
+    )
+    def test_something_else_in_the_place_of_a_file_is_said_once(
+        self, warm: Copy, tmp_path: Path, make: Callable[[Path], object], words: str
+    ) -> None:
         copy = of_warm(warm, tmp_path)
         for path in copy.code_files():
             path.unlink()
-            path.mkdir()
-        assert copy.run() == COLD
+            make(path)
+        out, said = copy.start().communicate(timeout=200)
+        assert Answer(**json.loads(out)) == COLD
+        assert said.startswith("carom: machine code is not kept, ") and said.count("\n") == 1
+        assert f".code: it is {words}" in said
 
     def test_from_a_zip_file(self, copy: Copy) -> None:
         archive = copy.folder / "game.zip"
@@ -412,27 +415,27 @@ class TestCleaning:
         self.folder(tmp_path, "game.a.b-1", 30)
         self.folder(tmp_path, "game.b-1", 30)
         (tmp_path / "note").write_text("x")
-        jit_cache.remove_old_folders(current)
+        cache.remove_old_folders(current)
         assert self.left(tmp_path) == ["game.a-2", "game.a-3", "game.a.b-1", "game.b-1", "note"]
 
     def test_the_oldest_go_until_there_is_room(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr(jit_cache, "MAX_BYTES", 250)
+        monkeypatch.setattr(cache, "MAX_BYTES", 250)
         current = self.folder(tmp_path, "game.a-1", 6, 100)
         for age in range(1, 6):
             self.folder(tmp_path, f"game.m{age}-1", age, 100)
-        jit_cache.remove_old_folders(current)
+        cache.remove_old_folders(current)
         assert self.left(tmp_path) == ["game.a-1", "game.m1-1"]
 
     def test_the_current_one_stays_however_large(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr(jit_cache, "MAX_BYTES", 10)
+        monkeypatch.setattr(cache, "MAX_BYTES", 10)
         current = self.folder(tmp_path, "game.a-1", 0, 1000)
-        jit_cache.remove_old_folders(current)
+        cache.remove_old_folders(current)
         assert self.left(tmp_path) == ["game.a-1"]
 
     def test_a_missing_folder_is_no_trouble(self, tmp_path: Path) -> None:
-        jit_cache.remove_old_folders(tmp_path / "none" / "game.a-1")
+        cache.remove_old_folders(tmp_path / "none" / "game.a-1")
         assert not (tmp_path / "none").exists()
 
 
@@ -464,7 +467,7 @@ class TestNames:
     """What the file of a piece of code is called"""
 
     def path(self, function, sig, folder: Path, options: str = "") -> Path | None:
-        return jit_cache.KernelCache(function, folder, options)._path(sig, GENERIC)
+        return KernelCache(function, folder, options)._path(sig, GENERIC)
 
     def test_types_of_one_name_differ(self, tmp_path: Path) -> None:
         import numba
@@ -536,8 +539,8 @@ class TestDecorator:
     def test_kernels_of_other_places_are_not_kept(self, tmp_path: Path) -> None:
         assert code_folder(Path(__file__)) is None
         assert code_folder(tmp_path / "missing.py") is None
-        assert code_folder(Path(jit.__file__).with_name("no_such_module.py")) is None
-        assert code_folder(Path(jit.__file__)) is not None
+        assert code_folder(Path(decorator.__file__).with_name("no_such_module.py")) is None
+        assert code_folder(Path(decorator.__file__)) is not None
 
     def test_what_is_compiling_is_known(self) -> None:
         from numba.core import event

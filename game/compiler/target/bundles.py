@@ -13,16 +13,13 @@ from __future__ import annotations
 from typing import Any
 
 from llvmlite import ir
-from numba import types
 from numba.core import cgutils
 from numba.core.datamodel import models
-from numba.extending import register_model
 
 MOST_BY_VALUE = 16  # numbers and addresses; a tuple of more goes by its address
 ADDRESS = ir.IntType(8).as_pointer()
 
 
-@register_model(types.Array)
 class ArrayModel(models.ArrayModel):
     """An array, or its parts nested as they are in its structure."""
 
@@ -93,12 +90,10 @@ class _ByAddress(models.DataModel):
         return builder.bitcast(self.address_of(builder, address, k), kind.as_pointer())
 
 
-@register_model(types.NamedTuple)
 class NamedTupleModel(_ByAddress, models.TupleModel):
     """Of members of several types."""
 
 
-@register_model(types.NamedUniTuple)
 class NamedUniTupleModel(_ByAddress, models.UniTupleModel):
     """Of members of one type."""
 

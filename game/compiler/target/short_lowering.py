@@ -21,8 +21,8 @@ from numba.core.errors import LoweringError, new_error_context  # type: ignore[a
 from numba.core.typed_passes import NativeLowering
 from numba.np.arrayobj import fix_integer_index, load_item, store_item
 
-from game.physics.kernels.bundles import ADDRESS
-from game.physics.kernels.members import DATA, SHAPE, STRIDES, MemberLower, is_array
+from game.compiler.target.bundles import ADDRESS
+from game.compiler.target.members import DATA, SHAPE, STRIDES, MemberLower, is_array
 
 _NUMBER = (types.Integer, types.Float, types.Boolean)
 _POWERS = (operator.pow, operator.ipow)
@@ -202,7 +202,7 @@ class ShortLower(MemberLower):
             for side, kind, to in zip((expr.lhs, expr.rhs), own, signature.args, strict=True)
         ]
         function = context.typing_context.resolve_value_type(op)
-        answer = function.get_call_type(context.typing_context, signature.args, {})
+        answer = context.typing_context.call_type(function, signature.args)
         value = context.get_function(function, answer)(builder, values)
         return context.cast(builder, value, signature.return_type, resty)
 

@@ -11,7 +11,8 @@ from collections.abc import Callable
 from typing import Any
 
 from numba import config
-from numba.core.dispatcher import Dispatcher
+
+from game.compiler.tried import is_plain
 
 
 class Entrances:
@@ -36,6 +37,6 @@ class Entrances:
 
 
 def _entrance(kernel: Any, arguments: tuple[Any, ...]) -> Callable[..., Any]:
-    if config.DISABLE_JIT or not isinstance(kernel, Dispatcher):
+    if config.DISABLE_JIT or is_plain() or not hasattr(kernel, "typeof_pyval"):
         return kernel
     return kernel.compile(tuple(kernel.typeof_pyval(argument) for argument in arguments))

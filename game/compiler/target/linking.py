@@ -5,8 +5,8 @@ makes machine code of it. An inner kernel five calls deep is optimised five time
 is never run. Here it stays as it was lowered; the kernel that Python calls links in all that it needs, from
 whatever depth, and is optimised with it once. A fifth of the time of compiling goes away.
 
-Each function's name in the code is its own in all processes (see jit.py), so what two kept kernels hold under
-one name is the same.
+Each function's name in the code is its own in all processes (see contexts.py), so what two kept kernels hold
+under one name is the same.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from numba.core.compiler import Compiler, CompileResult
 from numba.core.environment import lookup_environment
 from numba.core.typed_passes import NativeLowering
 
-from game.physics.kernels.short_lowering import ShortLowering
+from game.compiler.target.short_lowering import ShortLowering
 
 _ENVIRONMENT = "_ZN08NumbaEnv"  # how the name of a function's environment begins, numba's table of constants
 _CIRCLE = ".numba.unresolved$"  # and that of a function that is called before it is there

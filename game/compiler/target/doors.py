@@ -14,11 +14,10 @@ from numba import types
 from numba.core import cgutils
 from numba.core.boxing import unbox_tuple
 from numba.core.callwrapper import PyCallWrapper
-from numba.core.pythonapi import NativeValue
-from numba.extending import unbox
+from numba.core.pythonapi import NativeValue, PythonAPI, _UnboxContext
 from numba.np.numpy_support import as_dtype
 
-from game.physics.kernels.bundles import is_by_address
+from game.compiler.target.bundles import is_by_address
 
 _TAKES_ADDRESSES = "carom_takes_addresses"  # set on the builder of such a door
 _ITEM_SIZE = 24  # bytes, where an array's structure says how many bytes an element takes
@@ -51,9 +50,17 @@ def fits_door(context: Any, kinds: tuple[Any, ...]) -> bool:
     return not context.enable_nrt and all(is_plain(kind, True) for kind in kinds)
 
 
-@unbox(types.NamedTuple)
-@unbox(types.NamedUniTuple)
-def unbox_named_tuple(kind: Any, obj: Any, c: Any) -> Any:
+class DoorAPI(PythonAPI):
+    """How code talks with Python; at a door large tuples are not unboxed, but laid into memory."""
+
+    def to_native_value(self, typ: Any, obj: Any) -> Any:
+        """What a kernel gets for an object of Python's."""
+        if isinstance(typ, types.NamedTuple | types.NamedUniTuple):
+            return _unbox_named_tuple(typ, obj, _UnboxContext(self.context, self.builder, self))
+        return super().to_native_value(typ, obj)
+
+
+def _unbox_named_tuple(kind: Any, obj: Any, c: Any) -> Any:
     """A NamedTuple of Python's for a kernel: the address of what it is in memory, at a door."""
     model = c.context.data_model_manager[kind]
     if not (getattr(c.builder, _TAKES_ADDRESSES, False) and is_by_address(model)):

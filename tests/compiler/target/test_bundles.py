@@ -11,10 +11,9 @@ from numba.core.errors import LoweringError
 from numba.core.runtime import _nrt_python, rtsys
 from numba.extending import intrinsic, overload
 
-from game.physics.kernels.bundles import MOST_BY_VALUE, is_by_address
-from game.physics.kernels.entrances import Entrances
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
+from game.compiler.entrances import Entrances
+from game.compiler.target.bundles import MOST_BY_VALUE, is_by_address
 
 pytestmark = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 
 @kernel

@@ -5,7 +5,7 @@
 A newcomer's first picture need not wait for the compiler. The file is made by ``python -m game precompile``
 and put into a wheel by hatch_build.py. It is used where Python, numba, llvmlite and numpy are those that it
 was made with; each kernel in it has a name that says all that it depends on, the sources included, as in the
-cache folder (see jit_cache.py). Otherwise kernels are compiled as if it were not there.
+cache folder (see cache.py). Otherwise kernels are compiled as if it were not there.
 
 It is read whole, once, and checked whole: bytes that are not those that were packed count as no file, and so
 does a file that another user could have written (see game/trust.py). Both are said, once.
@@ -133,12 +133,17 @@ def unpack(data: bytes) -> Prebuilt:
 
 
 def shipped_file() -> Path | None:
-    """The file to take machine code from, if there is one; nothing is read, no compiler is imported."""
+    """The file to take machine code from, one that is named even if it is not there; None if there is none.
+
+    Nothing is read, and no compiler is imported.
+    """
     chosen = os.environ.get(VARIABLE, "")
     if chosen == "0":
         return None
-    file = Path(chosen).absolute() if chosen else PACKAGE / "data" / "kernels" / file_name()
-    return file if file.is_file() else None
+    if chosen:
+        return Path(chosen).absolute()
+    file = PACKAGE / "data" / "kernels" / file_name()
+    return file if os.path.lexists(file) else None
 
 
 _lock = threading.Lock()
@@ -160,7 +165,11 @@ def _found() -> Found:
     except UnfitError as error:
         return Found(None, str(error))
     except Exception as error:  # no sound file: whatever is in it
-        words = str(error) if isinstance(error, DamagedError | OSError) else "it is not what was packed"
+        words = "it is not what was packed"
+        if isinstance(error, OSError):
+            words = error.strerror or str(error)
+        elif isinstance(error, DamagedError):
+            words = str(error)
         logging.getLogger("carom").warning(
             "carom: machine code that came with Carom is not taken and is compiled anew, %s: %s", file, words
         )
@@ -180,11 +189,18 @@ def anything_taken() -> bool:
     return code is not None and bool(code.taken)
 
 
+def no_file(path: Path) -> str:
+    """What lies in the place of a file, if it is none: a folder, or a pipe or such; empty for a file."""
+    if path.is_dir():
+        return "it is a folder, not a file"
+    return "" if path.is_file() else "it is not a regular file"
+
+
 def _read(file: Path) -> bytes:
     """A file's content; DamagedError for one that another user may have written."""
-    reason = reason_to_distrust(file.parent)
-    if reason:
-        raise DamagedError(reason)
+    wrong = "no such file" if not file.exists() else reason_to_distrust(file.parent) or no_file(file)
+    if wrong:
+        raise DamagedError(wrong)
     flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
     with os.fdopen(os.open(file, flags | getattr(os, "O_BINARY", 0)), "rb") as opened:
         if not is_private_file(os.fstat(opened.fileno())):

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import game
-from game.physics.kernels import jit_sources
-from game.physics.kernels.jit_sources import closure_of, imports_of, module_name, source_digest
+from game.compiler import sources
+from game.compiler.sources import closure_of, imports_of, module_name, source_digest
 
 ROOT = Path(game.__file__).resolve().parent
 
@@ -84,24 +84,20 @@ def test_a_closure_holds_its_own_file_and_what_it_imports() -> None:
     assert closure == sorted(
         ROOT / name
         for name in (
-            *("stage/watch.py", "physics/kernels/finite.py"),
-            *("physics/kernels/jit.py", "physics/kernels/jit_cache.py"),
-            *("physics/kernels/jit_sources.py", "physics/kernels/linking.py"),
-            *("physics/kernels/prebuilt.py", "physics/kernels/quick_typing.py", "folders.py", "trust.py"),
-            *("physics/kernels/bundles.py", "physics/kernels/doors.py", "physics/kernels/members.py"),
-            "physics/kernels/short_lowering.py",
+            *("stage/watch.py", "physics/kernels/finite.py", "folders.py", "trust.py"),
+            *(f"compiler/{name}.py" for name in ("cache", "decorator", "prebuilt", "progress", "sources")),
+            "compiler/tried.py",
+            *(path.relative_to(ROOT) for path in (ROOT / "compiler" / "target").glob("[a-z]*.py")),
         )
     )
 
 
 def test_the_compiler_belongs_to_every_digest(monkeypatch: pytest.MonkeyPatch) -> None:
     path = ROOT / "files.py"
-    assert jit_sources.COMPILER_FILES[0] not in closure_of(path)
+    assert sources.COMPILER_FILES[0] not in closure_of(path)
     before = source_digest(path)
-    texts = dict.fromkeys(jit_sources.COMPILER_FILES, b"another compiler")
-    monkeypatch.setattr(
-        jit_sources, "_text_digest", lambda file: texts.get(file) or jit_sources._source(file)
-    )
+    texts = dict.fromkeys(sources.COMPILER_FILES, b"another compiler")
+    monkeypatch.setattr(sources, "_text_digest", lambda file: texts.get(file) or sources._source(file))
     source_digest.cache_clear()
     try:
         assert source_digest(path) != before

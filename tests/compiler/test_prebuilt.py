@@ -1,6 +1,6 @@
 """Machine code that came with Carom: taken where it fits and is sound, never where others could change it.
 
-As in test_jit.py, processes run a small copy of the package; here its kernels are packed into it.
+As in test_decorator.py, processes run a small copy of the package; here its kernels are packed into it.
 """
 
 from __future__ import annotations
@@ -9,17 +9,18 @@ import json
 import os
 import pickle
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from game.physics.kernels import prebuilt
-from game.physics.kernels.prebuilt import DamagedError, UnfitError, file_name, pack, unpack
-from tests.physics.kernels.test_jit import COLD, CONSTANTS, PROBE, WARM, Answer, Copy, Planted
+from game.compiler import prebuilt
+from game.compiler.prebuilt import DamagedError, UnfitError, file_name, pack, unpack
+from tests.compiler.test_decorator import COLD, CONSTANTS, PROBE, WARM, Answer, Copy, Planted, make_pipe
 
 PACK = """
-from game.physics.kernels.jit_cache import code_in, files_used
-from game.physics.kernels.prebuilt import PACKAGE, file_name, pack
+from game.compiler.cache import code_in, files_used
+from game.compiler.prebuilt import PACKAGE, file_name, pack
 file = PACKAGE / "data" / "kernels" / file_name()
 file.parent.mkdir(parents=True)
 codes = {f"{path.parent.name}/{path.name}": code_in(path) for path in files_used()}
@@ -27,9 +28,9 @@ file.write_bytes(pack(codes, ["one"]))
 file.chmod(0o644)
 """
 TAKEN = """
-from game.physics.kernels import jit_cache, prebuilt
+from game.compiler import cache, prebuilt
 code = prebuilt.prebuilt()
-print(json.dumps([len(code.taken) if code else 0, len(jit_cache.files_used())]))
+print(json.dumps([len(code.taken) if code else 0, len(cache.files_used())]))
 """
 GENERIC = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
 WORDS = "carom: machine code that came with Carom is not taken and is compiled anew, "
@@ -136,6 +137,35 @@ class TestTampering:
         file_of(shipped).write_bytes(prebuilt._MAGIC + prebuilt._checksum(content) + content)
         answer, said = run(shipped)
         assert answer == COLD and said.count("\n") == 1
+
+
+class TestNoFile:
+    """What lies in the place of the file, or that nothing does, is said in one line."""
+
+    @pytest.mark.parametrize(
+        ("make", "words"),
+        [(Path.mkdir, "a folder, not a file"), (make_pipe, "not a regular file")],
+    )
+    @pytest.mark.parametrize("named", [False, True])
+    def test_something_else(
+        self, shipped: Copy, make: Callable[[Path], object], words: str, named: bool
+    ) -> None:
+        file = file_of(shipped)
+        file.unlink()
+        make(file)
+        answer, said = run(shipped, **({"CAROM_PREBUILT": str(file)} if named else {}))
+        assert answer == COLD
+        assert said == f"{WORDS}{file}: it is {words}\n"
+
+    @pytest.mark.parametrize("place", ["missing", "no/folder/either"])
+    def test_a_named_one_that_is_missing(self, shipped: Copy, tmp_path: Path, place: str) -> None:
+        answer, said = run(shipped, CAROM_PREBUILT=str(tmp_path / place))
+        assert answer == COLD
+        assert said == f"{WORDS}{tmp_path / place}: no such file\n"
+
+    def test_where_none_came_nothing_is_said(self, shipped: Copy) -> None:
+        file_of(shipped).unlink()
+        assert run(shipped) == (COLD, "")
 
 
 class TestFit:
