@@ -16,7 +16,7 @@ from game.scenes.burning_cloth.parameters import OF_PICTURE, BurningClothParamet
 from game.scenes.burning_cloth.picture.sheet_painter import warm_up_sheet
 from game.scenes.burning_cloth.picture.yard import warm_up_yard
 from game.scenes.burning_cloth.readouts import readouts_of
-from game.scenes.burning_cloth.told import hearing, saved, targets
+from game.scenes.burning_cloth.told import hearing, names, saved, targets
 from game.scenes.burning_cloth.view import BurningClothView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
@@ -49,7 +49,9 @@ class BurningCloth(WorldScene):
     parameters_type = BurningClothParameters
     parameters: BurningClothParameters
     model: BurningClothModel
-    parts = Parts(BurningClothModel, cloth_hand, BurningClothView, readouts_of, saved, targets, hearing)
+    parts = Parts(
+        BurningClothModel, cloth_hand, BurningClothView, readouts_of, saved, targets, hearing, names
+    )
     tiny = {"tier": "own", "meshes": 16}
     painters = (
         ("polygons", warm_up_painter), ("cloth", warm_up_sheet), ("backdrop", warm_up_backdrop),

@@ -33,7 +33,7 @@ def saved(model: BurningClothModel) -> BurningClothContent:
 
 
 def targets(model: BurningClothModel) -> dict[str, Point]:
-    """The cloth's middle, the match's head, its box, the fronts' middle, each letter's foot; m."""
+    """The cloth's middle, the match's head, its box, the fronts' middle, letters' feet, what falls; m."""
     cloth = model.cloth
     (x, y), _ = model.match.place(model.time)
     found = {
@@ -44,6 +44,7 @@ def targets(model: BurningClothModel) -> dict[str, Point]:
     }
     for number, (right, down) in enumerate(model.letters.feet.tolist(), start=1):
         found[f"letter {number}"] = model.place_on(right, down)
+    found["piece"] = piece_of(model)
     found["lower edge"] = (0.0, float(np.min(cloth.nodes[X + 1, -1])))
     return found
 
@@ -57,3 +58,26 @@ def embers_of(model: BurningClothModel) -> Point:
         return 0.0, 1.1
     places = cloth.nodes[X : X + 2, rows // PER, columns // PER]
     return float(np.mean(places[0])), float(np.mean(places[1]))
+
+
+def piece_of(model: BurningClothModel) -> Point:
+    """The middle of what holds together and hangs on no hook any more, or of the cloth."""
+    cloth = model.cloth
+    loose = cloth.loose()
+    if not loose.any():
+        return 0.0, 1.1
+    rows, columns = np.nonzero(loose)
+    places = cloth.nodes[X : X + 2, rows, columns]  # each mesh by its upper left node
+    return float(np.mean(places[0])), float(np.mean(places[1]))
+
+
+def names(model: BurningClothModel) -> list[tuple[Point, str]]:
+    """The match while it burns, the embers by their speed, and what has come loose."""
+    found = []
+    if model.match.lit(model.time):
+        (x, y), _ = model.match.place(model.time)
+        found.append(((x, y), "match"))
+    if model.alight and model.front_now > 0.0:
+        found.append((embers_of(model), f"embers, {1e3 * model.front_now:.0f} mm/s"))
+    loose = model.cloth.fallen()
+    return [*found, (piece_of(model), f"{loose} meshes, on no hook")] if loose else found

@@ -15,7 +15,7 @@ from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.parameters import OF_PICTURE, FireplaceParameters
 from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
-from game.scenes.fireplace.told import hearing, saved, targets
+from game.scenes.fireplace.told import hearing, names, saved, targets
 from game.scenes.fireplace.view import FireplaceView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
@@ -45,7 +45,7 @@ class Fireplace(WorldScene):
     parameters_type = FireplaceParameters
     parameters: FireplaceParameters
     model: FireplaceModel
-    parts = Parts(FireplaceModel, fire_hand, FireplaceView, readouts_of, saved, targets, hearing)
+    parts = Parts(FireplaceModel, fire_hand, FireplaceView, readouts_of, saved, targets, hearing, names)
     tiny = {"tier": "own", "cells": 16}
     painters = (
         ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_gas),

@@ -68,3 +68,16 @@ def targets(model: FireplaceModel) -> dict[str, Point]:
         x, y = wood.places()[int(np.argmax(wood.nodes.nodes[TEMPERATURE, : wood.count]))].tolist()
         found["hottest"] = (x, y)
     return found
+
+
+def names(model: FireplaceModel) -> list[tuple[Point, str]]:
+    """The hottest piece, and the flames by their height."""
+    found, wood = [], model.wood
+    if wood.count:
+        kelvin = wood.nodes.nodes[TEMPERATURE, : wood.count]
+        hottest = int(np.argmax(kelvin))
+        x, y = wood.places()[hottest].tolist()
+        found.append(((x, y), f"the hottest wood, {float(kelvin[hottest]):.0f} K"))
+    if model.flame_height() > 0.0:
+        found.append(((0.0, 0.25 + model.flame_height()), f"flames, {model.flame_height():.2f} m"))
+    return found
