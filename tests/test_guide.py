@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from game.levels import parse_level
 from game.physics import effects
 from game.scenes import CATALOGUE
 from game.stage import ParameterError, SetParameter, Stage
-from game.stage.story.lines import VERBS
+from game.stage.script.lines import VERBS
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import DARK
 
@@ -49,6 +50,13 @@ def test_a_scene(capsys):
     assert stage.step_back()
     stage.step()
     assert stage.digest() == before
+
+
+def test_a_scene_of_the_guide_keeps_the_law_of_the_floors():
+    from tests.test_floors import blas_calls, libm_calls
+
+    tree = ast.parse(programs("Add a scene"))
+    assert [*libm_calls(tree), *blas_calls(tree)] == []
 
 
 def test_a_task():

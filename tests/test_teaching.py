@@ -19,8 +19,8 @@ from game.stage import (
     SetParameter,
     Stage,
 )
-from game.stage.records.replaying import replay_scene
 from game.stage.records.run_text import recording_in, text_of
+from game.stage.replaying import replay_scene
 from game.teaching import ChoiceQuestion, GoalQuestion, NumberQuestion, read_number
 from tests.stage.example_scene import GRAVITY, BouncingBall
 

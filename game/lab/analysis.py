@@ -54,14 +54,16 @@ def fit_order(
 ) -> float:
     """Least-squares slope of log(error) over log(knob); nan with fewer than three usable points.
 
-    floor, ceiling: errors outside take no part. over: `knob`, or `counter`, when the slope is that over
-    1 / counter; what counted nothing has no place on its axis, and takes no part.
+    floor, ceiling: errors outside take no part. over: `knob`; or `parts` or `counter`, when the slope is that
+    over 1 / knob or 1 / counter: above 0 as long as what is finer errs less. What counted nothing has no
+    place on its axis, and takes no part.
     """
+    axis = "counter" if over == "counter" else "knob"
     points = usable(rows, floor)
     if envelope:
-        points = upper_envelope(points, over=over)
-    points = [row for row in points if row.error <= ceiling and float(getattr(row, over)) > 0.0]
-    places = [float(getattr(row, over)) for row in points]
+        points = upper_envelope(points, over=axis)
+    points = [row for row in points if row.error <= ceiling and float(getattr(row, axis)) > 0.0]
+    places = [float(getattr(row, axis)) for row in points]
     if len(set(places)) < 3:
         return math.nan
     slope = float(np.polyfit(elementwise.log(places), elementwise.log([row.error for row in points]), 1)[0])
@@ -94,16 +96,17 @@ def slope_of(study: Study, method: Method, rows: Sequence[Row]) -> float:
         return math.nan
     if study.axes.up == "cpu":
         return fit_exponent(rows)
-    return fit_order(rows, study.floor, study.envelope, study.order_over, study.ceiling)
+    return fit_order(rows, study.floor, study.envelope, study.refined_over, study.ceiling)
 
 
-def settled(rows: Sequence[Row], failures: Sequence[Row]) -> list[Row]:
-    """Rows beyond the last failure, if they span a factor SPAN of the knob; else all.
+def settled(rows: Sequence[Row], failures: Sequence[Row], parts: bool = False) -> list[Row]:
+    """Rows finer than the last failure, if they span a factor SPAN of the knob; else all.
 
-    Among failures only the lucky points are left to fit, which flattens a curve.
+    Among failures only the lucky points are left to fit, which flattens a curve. parts: see `Knob`.
     """
-    beyond = min((row.knob for row in failures), default=math.inf)
-    finer = [row for row in rows if row.knob < beyond]
+    sign = -1.0 if parts else 1.0
+    beyond = min((sign * row.knob for row in failures), default=math.inf)
+    finer = [row for row in rows if sign * row.knob < beyond]
     if finer and max(row.knob for row in finer) >= SPAN * min(row.knob for row in finer):
         return finer
     return list(rows)
@@ -111,7 +114,7 @@ def settled(rows: Sequence[Row], failures: Sequence[Row]) -> list[Row]:
 
 def fitted(table: StudyTable, method: str) -> list[Row]:
     """The rows of a method that its slope is fitted to."""
-    return settled(table.of(method), table.of(method, failed=True))
+    return settled(table.of(method), table.of(method, failed=True), table.study.knob.parts)
 
 
 def cost_to_reach(rows: Sequence[Row], target: float, envelope: bool = False) -> float:

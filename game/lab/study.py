@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol
 
 COST = "CPU time for one simulated second"
+PRESENT = "present"  # the method of a scene's own setting that is none of the study's
 
 
 @dataclass(frozen=True)
@@ -30,11 +31,16 @@ class Method:
 
 @dataclass(frozen=True)
 class Knob:
-    """What is turned: name, label and unit."""
+    """What is turned: name, label and unit.
+
+    parts: it counts what the whole is divided into, such as cells or substeps, or how much is taken into
+    account: more of it is finer, where a step or a tolerance is finer as it shrinks.
+    """
 
     name: str
     label: str
     unit: str = ""
+    parts: bool = False
 
 
 @dataclass(frozen=True)
@@ -200,6 +206,11 @@ class Study:
         if own:
             return None, f"No mark: measured on {self.workload.words}; your scene has {own}."
         return setting, f"Measured on {self.workload.words}, as your scene has them."
+
+    @property
+    def refined_over(self) -> str:
+        """What an order is that of: of the error over the "knob", over 1 / knob ("parts"), or 1 / counter."""
+        return "parts" if self.order_over == "knob" and self.knob.parts else self.order_over
 
     @property
     def slope_name(self) -> str:

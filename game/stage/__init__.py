@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from game.stage.effect_costs import EffectMeter
     from game.stage.fault import Fault
     from game.stage.playing.paced import FASTEST, SLOWEST
-    from game.stage.records.replaying import begin, replay, replay_scene
+    from game.stage.replaying import begin, replay, replay_scene
     from game.stage.stage import Stage
     from game.stage.states.interpolation import blend, blend_angles, blend_quaternions, jumped
     from game.stage.warming import Warming, WarmingProgress
@@ -97,13 +97,13 @@ _LATER = {
     "Stage": "game.stage.stage",
     "Warming": "game.stage.warming",
     "WarmingProgress": "game.stage.warming",
-    "begin": "game.stage.records.replaying",
+    "begin": "game.stage.replaying",
     "blend": "game.stage.states.interpolation",
     "blend_angles": "game.stage.states.interpolation",
     "blend_quaternions": "game.stage.states.interpolation",
     "jumped": "game.stage.states.interpolation",
-    "replay": "game.stage.records.replaying",
-    "replay_scene": "game.stage.records.replaying",
+    "replay": "game.stage.replaying",
+    "replay_scene": "game.stage.replaying",
 }
 
 

@@ -301,6 +301,15 @@ class Scene(SceneDeclaration):
         """Figures of the state from which studies tell where the scene is, beside parameters and effects."""
         return {}
 
+    def chosen(self) -> dict[str, Any]:
+        """Effects (True where on), `standing` and parameters by name: what a study is asked with.
+
+        A word may name an effect and a parameter, such as gravity: here it is the parameter, as it is in the
+        points of studies.
+        """
+        effects = {effect.name: effect in self.active for effect in self.effects}
+        return {**effects, **self.standing(), **self.values}
+
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """Rows of the legend: (mark, words, live count or ""); mark is "shape:colour", e.g. "disc:chalk"."""
         return ()

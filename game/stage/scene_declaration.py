@@ -14,7 +14,7 @@ from game.stage.parameters import Parameter, ParameterError, Parameters, paramet
 
 if TYPE_CHECKING:
     from game.lab import Study
-    from game.stage.story.lines import Story
+    from game.stage.script.lines import Story
 
 
 class SceneDeclaration:
@@ -35,6 +35,7 @@ class SceneDeclaration:
     quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
     content_type: ClassVar[type[msgspec.Struct] | None] = None  # the [content] of its level files
     default_content: ClassVar[Any] = None  # without one
+    level_parameter: ClassVar[str] = ""  # each of its values has a level, which a window opens in its place
     study: ClassVar[Study | None] = None
     takes: ClassVar[frozenset[str]] = frozenset()  # of "wheel", "middle", "right": not for zoom and pan
     strips: ClassVar[tuple[Strip, ...]] = ()

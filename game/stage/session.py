@@ -15,6 +15,7 @@ from typing import Any
 from game.definition import DefinitionError
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
+from game.stage.checks.validation import LOCKED, locked_parameters
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
 from game.stage.fault import Fault, fault_at, fault_in
 from game.stage.parameters import STEP_LENGTH, ParameterError
@@ -25,7 +26,6 @@ from game.stage.states.snapshots import Snapshot, SnapshotRing
 from game.stage.states.state import copy_state, digest_of, same_shapes
 from game.stage.timeline import Timeline
 from game.stage.timing import StepTimer
-from game.stage.validation import LOCKED, locked_parameters
 from game.stage.watch import FiniteWatch
 
 Build = Callable[[Mapping[str, Any], EffectSet], Scene]

@@ -1,25 +1,87 @@
-"""What a model has heard in the last moments, as the sounds of a scene."""
+"""What a world has heard in the last moments: impacts of solids, and whatever else its members add."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
 
-from numpy.typing import NDArray
+import numpy as np
 
+from game.arrays import Floats, Longs
+from game.physics.solids import SolidWorld
 from game.stage import Sound
+from game.worlds.world import Member
 
 HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)  # columns: s, number of the kind, m/s, m
 HEARD_WIDTH = 4
 REMEMBERED_S = 0.4  # s that an impact stays among those heard: more than the longest gap that is heard
 
 
-def sounds_of(heard: NDArray[Any], names: Mapping[int, str], half: float, middle: float = 0.0) -> list[Sound]:
-    """Of rows (k, HEARD_WIDTH), by the names of kinds; ``half`` m beside the middle is all on one side."""
+class Heard(Member):
+    """``rows`` (k, HEARD_WIDTH), those of the last moments, at most ``most`` of them."""
+
+    def __init__(self, most: int = 24, seconds: float = REMEMBERED_S):
+        self.most, self.seconds = most, seconds
+        self.rows: Floats = np.zeros((0, HEARD_WIDTH))
+
+    def remember(self, added: Floats, began: float) -> None:
+        """Take sounds (k, HEARD_WIDTH) of a step that began at a time (s), in order; forget old ones."""
+        self.forget(began)
+        if len(added):
+            added = added[np.lexsort((added[:, HEARD_X], added[:, HEARD_TIME]))]
+            self.rows = np.concatenate([self.rows, added])[-self.most :]
+
+    def add(self, time: float, kind: int, speed: float, x: float) -> None:
+        """One more sound."""
+        self.rows = np.concatenate([self.rows, [(time, float(kind), speed, x)]])[-self.most :]
+
+    def forget(self, now: float) -> None:
+        """Leave out what is over."""
+        if len(self.rows):
+            self.rows = self.rows[self.rows[:, HEARD_TIME] > now - self.seconds]
+
+    def sounds(self, names: Mapping[int, str], half: float, middle: float = 0.0) -> list[Sound]:
+        """By the names of kinds; ``half`` m beside the middle is all on one side."""
+        return sounds_of(self.rows, names, half, middle)
+
+    def state(self) -> tuple[Any, ...]:
+        return (self.rows,)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        self.rows = next(fields).copy()
+
+
+def sounds_of(rows: Floats, names: Mapping[int, str], half: float, middle: float = 0.0) -> list[Sound]:
+    """Rows (k, HEARD_WIDTH) as sounds, see `Heard.sounds`."""
     return [
-        Sound(
-            float(row[HEARD_TIME]), names[int(row[HEARD_KIND])], float(row[HEARD_SPEED]),
-            max(-1.0, min(1.0, (float(row[HEARD_X]) - middle) / half)),
-        )
-        for row in heard
-    ]  # fmt: skip
+        Sound(time, names[int(kind)], speed, max(-1.0, min(1.0, (x - middle) / half)))
+        for time, kind, speed, x in rows.tolist()
+    ]
+
+
+class Impacts(NamedTuple):
+    """Contacts that began in a step: place x, y m, impulse N s, speed of approach m/s, s after the step's
+    beginning (k, 5); the two bodies and the kinds of both shapes, (k, 2) each.
+    """
+
+    rows: Floats
+    bodies: Longs
+    shapes: Longs
+
+    def heard(self, began: float, kinds: Any, speeds: Floats) -> Floats:
+        """As sounds (k, HEARD_WIDTH) of these kinds and speeds (k,)."""
+        kinds = np.asarray(kinds, dtype=np.float64)
+        return np.stack([began + self.rows[:, 4], kinds, speeds, self.rows[:, 0]], axis=1)
+
+    def by_impulse(self, reference: float, most: float) -> Floats:
+        """Speeds (k,) m/s, a heavy one as a light one (of ``reference`` kg) that is faster."""
+        fast = self.rows[:, 3]
+        return np.asarray(fast * np.clip(self.rows[:, 2] / (reference * fast), 0.3, most))
+
+
+def impacts(world: SolidWorld, least: float) -> Impacts:
+    """Of the last step, those that were faster than ``least`` m/s: what leans and slides is silent."""
+    shapes, places = world.contacts_begun()
+    of: Any = world.shapes
+    loud = np.flatnonzero(places[:, 3] > least) if len(places) else np.zeros(0, dtype=np.int64)
+    return Impacts(places[loud], of.bodies[shapes[loud]], of.kinds[shapes[loud]])

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple, Protocol
 
+from game.arrays import Point
+from game.levels import Level
 from game.physics.effects import EffectSet
-from game.stage import Frame, Pointer, Scene, SetParameter
+from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, WarmUp
 from game.stage.messages import Messages
 from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.world import World
 
 
 class Model(Protocol):
@@ -35,7 +38,7 @@ class BuiltModel(Model, Protocol):
         """Take over a parameter's new value."""
 
 
-class Hand(Protocol):
+class Taking(Protocol):
     """What a person does to the model."""
 
     def take(self, event: Pointer) -> str:
@@ -76,7 +79,7 @@ class BuiltScene(ModelScene):
     """
 
     model: BuiltModel
-    hand: Hand
+    hand: Taking
     view: View
     not_of_model: ClassVar[Collection[str]] = ()
     of_tier: ClassVar[Collection[str]] = ("substeps",)
@@ -129,3 +132,92 @@ class BuiltScene(ModelScene):
             frame = self.frame()
             top = (0.5 * (frame.left + frame.right), frame.top)
             draw_captions(canvas, top, captions_of(expected, self.readouts()))
+
+
+def _nowhere(model: Any) -> Mapping[str, Point]:
+    return {}
+
+
+def _silence(model: Any) -> None:
+    return None
+
+
+class Parts(NamedTuple):
+    """What a `WorldScene` is made of: classes of its world, hand and view, and functions of the world.
+
+    world(content, parameters, active, seed); hand(world); view(world, hand). readouts: what is measured;
+    saved: the content as it is now; targets: what a story may look at, m; hearing: what is heard.
+    """
+
+    world: Callable[..., Any]
+    hand: Callable[[Any], Any]
+    view: Callable[[Any, Any], View]
+    readouts: Callable[[Any], Sequence[Readout]]
+    saved: Callable[[Any], Any] | None = None
+    targets: Callable[[Any], Mapping[str, Point]] = _nowhere
+    hearing: Callable[[Any], Hearing | None] = _silence
+
+
+class WorldScene(BuiltScene):
+    """A scene of ``parts``; what it adds is its words, and the deeds of its own keys.
+
+    tool_prefix: of actions that choose a tool, before the tool's name; None: there are none. painters: what
+    is compiled beside a step, by names; tiny: parameters with which that step is quick.
+    """
+
+    model: World
+    hand: Any
+    parts: ClassVar[Parts]
+    tool_prefix: ClassVar[str | None] = None
+    painters: ClassVar[Sequence[tuple[str, Callable[[], None]]]] = ()
+    tiny: ClassVar[Mapping[str, Any]] = {}
+    takes = frozenset(("right",))
+    covers = True
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """A step, and what paints."""
+        step = WarmUp("step", lambda: cls(parameters=cls.tiny).advance(cls.dt))
+        return (step, *(WarmUp(*one) for one in cls.painters))
+
+    def build(self, level: Level | None) -> None:
+        content, parts = self.content_of(level), self.parts
+        self.model = parts.world(content, self.parameters, self.active, self.seed)
+        for member in self.model.members:
+            member.check()
+        self.hand = parts.hand(self.model)
+        self.view = parts.view(self.model, self.hand)
+        self.check_content(content)
+
+    def tool_changed(self) -> None:
+        self.hand.let_go()
+
+    def advance(self, dt: float) -> None:
+        self.said.say(self.model.advance(dt))
+
+    def action(self, name: str) -> None:
+        """Choose a tool, or do what `do` does."""
+        prefix = self.tool_prefix
+        tool = name.removeprefix(prefix) if prefix is not None and name.startswith(prefix) else ""
+        choice = self.parameter("tool") if tool else None
+        if isinstance(choice, Choice) and tool in choice.options:
+            choice.__set__(self, tool)
+            self.hand.let_go()
+        else:
+            self.said.say(self.do(name))
+
+    def do(self, name: str) -> str:
+        """One of ``actions`` that is no tool; why it could not be done, or ""."""
+        return ""
+
+    def readouts(self) -> Sequence[Readout]:
+        return self.parts.readouts(self.model)
+
+    def save_content(self) -> Any:
+        return None if self.parts.saved is None else self.parts.saved(self.model)
+
+    def story_targets(self) -> Mapping[str, Point]:
+        return self.parts.targets(self.model)
+
+    def hearing(self) -> Hearing | None:
+        return self.parts.hearing(self.model)

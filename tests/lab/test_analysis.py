@@ -70,6 +70,25 @@ def test_points_beyond_the_last_failure():
     assert settled(rows, [row(0.002, 1.0, 1.0, "missed")]) == rows  # too few left to fit
 
 
+def test_what_counts_parts_is_finer_beyond_its_last_failure():
+    rows = [row(1.0 / r.knob, r.error, r.cpu_s) for r in power_law(1.0)]
+    finer = settled(rows, [row(10.0, 1.0, 1.0, "missed")], parts=True)
+    assert min(r.knob for r in finer) > 10.0
+    assert settled(rows, [row(500.0, 1.0, 1.0, "missed")], parts=True) == rows  # too few left to fit
+
+
+@pytest.mark.parametrize("parts", [False, True])
+def test_an_order_is_above_nothing_where_what_is_finer_errs_less(parts: bool):
+    """Whether the knob is a length that shrinks or a number of parts that grows."""
+    rows = [row(1.0 / r.knob if parts else r.knob, r.error, r.cpu_s) for r in power_law(2.0)]
+    study = Study(
+        "s", "S", "e", "m", "c", Knob("n", "number", parts=parts), (Method("m", "m", 2.0),), list, None, ""
+    )
+    failed = row(0.5 if parts else 2.0, 1.0, 1e-4, "thrown out")
+    table = StudyTable(study, [failed, *rows])
+    assert summarise(table)[0].order == pytest.approx(2.0)
+
+
 def test_cost_to_reach_an_error():
     rows = power_law(1.0)
     for target in (1e-1, 1e-2):
@@ -128,7 +147,8 @@ def test_only_what_an_order_is_expected_of_has_a_slope():
     study = Study(**made, axes=Axes("knob", "cpu"))
     assert slope_of(study, Method("m", "m", 2.0), rows) == pytest.approx(2.0)
     assert math.isnan(slope_of(study, Method("m", "m"), rows))
-    assert slope_of(Study(**made), Method("m", "m", 1.0), rows) == pytest.approx(-1.0)
+    made["knob"] = Knob("n", "number", parts=True)
+    assert slope_of(Study(**made), Method("m", "m", 1.0), rows) == pytest.approx(1.0)
     assert math.isnan(slope_of(Study(**made), Method("m", "m"), rows))
     assert math.isnan(slope_of(Study(**made, ceiling=0.02), Method("m", "m", 1.0), rows))  # too few are left
     assert (study.across(rows[3]), study.up(rows[3])) == (8.0, 64e-6)

@@ -11,8 +11,8 @@ import pytest
 
 from game.scenes import CATALOGUE
 from game.stage import Action, ParameterError, Pointer, Recording, Stage, replay_scene
-from game.stage.story.course import READING, Caption
-from game.stage.story.lines import Moment, Story
+from game.stage.script.course import READING, Caption
+from game.stage.script.lines import Moment, Story
 from game.stage.story.reading import stories_of
 from game.stage.story.rehearsal import Rehearsal, result_of, stage_of
 from game.stage.story.runner import Runner

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import ast
+from importlib import import_module
+from pathlib import Path
+
 import pygame
 import pytest
 
 from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.scenes.papers import PAPERS, papers_of
+from game.scenes.solids.paper import slid
 from game.ui.canvas.pen import FIGURE, Pen
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK, LIGHT
@@ -56,3 +61,19 @@ def test_what_its_page_compares_is_measured(row):
     found = list(row.load().measure())
     assert found and all(isinstance(one, Comparison) and one.what and one.ours for one in found)
     assert not any(word in one.ours for one in found for word in ("nan", "inf", "none"))
+
+
+@pytest.mark.parametrize("row", DONE, ids=lambda row: row.number)
+def test_its_costs_are_those_of_its_own_thread(row):
+    """The window draws beside it, and would be counted."""
+    folder = Path(import_module(row.page.partition(":")[0]).__file__).parent
+    pages = [folder / "measuring.py"] if folder.name == "papers" else []
+    for path in (Path(import_module(row.page.partition(":")[0]).__file__), *pages):
+        names = {node.id for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Name)}
+        assert not names & {"process_time", "perf_counter", "monotonic"}, path.name
+
+
+def test_a_block_that_slides_is_held_against_the_law():
+    """Of first order: velocities are the law's, and places lag by half a step of them."""
+    for steps in (60, 240):
+        assert slid(steps) == pytest.approx(1.0 / steps, rel=1e-3)

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 
 from game.app.commands import given, output
 from game.app.compile.second_process import with_this_game
+from game.app.window.children import start
 from game.app.window.mistake import MistakeError
 from game.app.window.words import say
 
@@ -124,7 +125,7 @@ def _start(names: Sequence[str]) -> subprocess.Popen[str]:
         "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy", "PYGAME_HIDE_SUPPORT_PROMPT": "1",
     }  # fmt: skip
     command = [sys.executable, "-m", "game.app.compile.collecting", *names]
-    return subprocess.Popen(
+    return start(
         command,
         env=environment,
         stdin=subprocess.DEVNULL,
@@ -152,8 +153,8 @@ def _codes(files: Sequence[Path]) -> dict[str, bytes]:
 def make_wheel(root: Path, file: Path, folder: Path) -> None:
     """Build the wheel of a checkout with a file of machine code in it. MistakeError if pip cannot."""
     command = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w", str(folder), str(root)]
-    done = subprocess.run(command, env={**os.environ, WHEEL_VARIABLE: str(file)}, stdin=subprocess.DEVNULL)
-    if done.returncode:
+    environment = {**os.environ, WHEEL_VARIABLE: str(file)}
+    if start(command, group=True, env=environment, stdin=subprocess.DEVNULL).wait():
         raise MistakeError(f"--wheel {folder}: pip could not build it", 1)
 
 

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from game.app.commands import given, output
 from game.app.compile.second_process import with_this_game
 from game.app.stagehand.script import Script, demo_of
+from game.app.window.children import start
 from game.app.window.mistake import MistakeError
 from game.app.window.words import say
 
@@ -196,7 +197,7 @@ def _with_pure_steps(results: list[Result], quiet: bool) -> list[Result]:
     command = [sys.executable, "-m", "game", "selftest", "--plan", json.dumps(plan)]
     troubles: dict[str, str] = {}
     pipe = subprocess.PIPE
-    with subprocess.Popen(command, env=environment, stdout=pipe, text=True, encoding="utf-8") as process:
+    with start(command, env=environment, stdout=pipe, text=True, encoding="utf-8") as process:
         assert process.stdout is not None
         for line in process.stdout:
             name, trouble = json.loads(line)
@@ -256,7 +257,7 @@ def _compare(first: Stage, other: Stage, straight: str) -> str:
 
 def _left_out(stage: Stage) -> str:
     """Which fields state() leaves out, if that can be told."""
-    from game.stage.states.left_out import fields_left_out
+    from game.stage.checks.left_out import fields_left_out
 
     with suppress(Exception):  # the scene is at fault already; this only says more
         names = fields_left_out(stage.build_scene(stage.scene.values, stage.scene.active), stage.dt)

@@ -11,7 +11,7 @@ from game.app.window.words import say
 
 if TYPE_CHECKING:
     from game.stage import Scene
-    from game.stage.story.lines import Story
+    from game.stage.script.lines import Story
     from game.stage.story.rehearsal import Rehearsal
 
 

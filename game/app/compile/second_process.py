@@ -10,6 +10,7 @@ import threading
 from collections.abc import Sequence
 from typing import Any
 
+from game.app.window.children import start
 from game.folders import PACKAGE
 
 PATIENCE_S = 1.0
@@ -36,7 +37,7 @@ def start_quietly(command: Sequence[str], **options: Any) -> subprocess.Popen[An
     streams: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
     environment = {**with_this_game(), "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
     with contextlib.suppress(OSError):
-        return subprocess.Popen(command, env=environment, **{**streams, **options})
+        return start(command, env=environment, **{**streams, **options})
     return None
 
 

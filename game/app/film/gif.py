@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
+
+from game.app.film.part_file import PartFile
 
 PALETTE = "stats_mode=diff"
 DITHER = "dither=bayer:bayer_scale=4:diff_mode=rectangle"
 
 
-def write_gif(source: Path, path: Path, rate: int, av: Any) -> None:
-    """A GIF from a film without loss. rate: pictures a second; av: PyAV."""
+def write_gif(source: PartFile, target: PartFile, rate: int, av: Any) -> None:
+    """A GIF from a film without loss. rate: pictures a second; av: PyAV. The packer's errors, or OSError."""
     palette = _palette_of(source, av)
-    with av.open(str(source)) as taken, av.open(str(path), "w", format="gif") as out:
+    source.seek(0)
+    with av.open(source) as taken, av.open(target, "w", format="gif") as out:
         stream = taken.streams.video[0]
         graph = av.filter.Graph()
         pictures = _source(graph, stream, rate)
@@ -51,9 +53,10 @@ def _write_ready(sink: Any, made: Any, out: Any, av: Any) -> None:
             out.mux(packet)
 
 
-def _palette_of(source: Path, av: Any) -> Any:
+def _palette_of(source: PartFile, av: Any) -> Any:
     """The picture of 256 colours."""
-    with av.open(str(source)) as taken:
+    source.seek(0)
+    with av.open(source) as taken:
         stream = taken.streams.video[0]
         graph = av.filter.Graph()
         pictures = graph.add_buffer(template=stream)

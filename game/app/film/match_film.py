@@ -25,8 +25,8 @@ from game.scenes.shared.tables.rolling import FALL_S
 from game.scenes.shared.tables.sounds import sounds_of
 from game.scenes.shared.tables.view import WOOD, Balls, draw_balls
 from game.stage import Frame, Hearing, Readout, Scene, Sound
-from game.stage.story.lines import WHOLE as EVERYTHING
-from game.stage.story.lines import Expect, Follow, HandOver, Look, Moment, Say, Story, StoryLine, Title
+from game.stage.script.lines import WHOLE as EVERYTHING
+from game.stage.script.lines import Expect, Follow, HandOver, Look, Moment, Say, Story, StoryLine, Title
 from game.stage.story.reading import written_story
 from game.stage.story.rehearsal import rehearse
 from game.ui.canvas.canvas import Canvas

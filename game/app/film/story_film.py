@@ -11,16 +11,16 @@ import pygame
 
 from game.app.film.progress import Progress
 from game.app.film.soundtrack import Ear, Soundtrack
-from game.app.film.video import Chapter, VideoWriter
+from game.app.film.video import Chapter, VideoError, VideoWriter
 from game.app.stagehand.headless import prepare
 from game.app.stagehand.story_picture import draw_words, point_camera
 from game.app.stagehand.view import StageView
 from game.app.window.pictures import write_png
-from game.files import write_text
+from game.files import save_text
 from game.stage import Frame, Scene, Stage
 from game.stage.playing.paced import NEWEST
-from game.stage.story.course import Caption
-from game.stage.story.lines import Story
+from game.stage.script.course import Caption
+from game.stage.script.lines import Story
 from game.stage.story.rehearsal import Rehearsal, stage_of
 from game.stage.story.runner import Runner
 from game.ui.look.layout import auto_scale
@@ -148,11 +148,14 @@ def chapters_of(found: Rehearsal, begin_s: float, length: float) -> list[Chapter
 def _write_beside(
     path: Path, film: StoryFilm, poster: pygame.Surface | None, begin_s: float, length: float
 ) -> tuple[Path, ...]:
-    """Subtitles and poster, by the film's name."""
+    """Subtitles and poster, by the film's name. VideoError if one cannot be written."""
     subtitles, picture = path.with_suffix(".srt"), path.with_suffix(".png")
-    write_text(subtitles, srt_of(film.runner.course.captions(), begin_s, length))
-    if poster is not None:
-        write_png(poster, picture)
+    try:
+        save_text(subtitles, srt_of(film.runner.course.captions(), begin_s, length))
+        if poster is not None:
+            write_png(poster, picture)
+    except OSError as error:
+        raise VideoError(f"{error} ({path} itself is whole)") from None
     return subtitles, picture
 
 

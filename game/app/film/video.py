@@ -7,12 +7,9 @@ says so in one line.
 
 from __future__ import annotations
 
-import contextlib
-import os
 import queue
-import tempfile
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -22,6 +19,7 @@ import pygame
 from numpy.typing import NDArray
 
 from game.app.film.gif import write_gif
+from game.app.film.part_file import PartFile
 from game.ui.sound import RATE
 
 WAITING = 8  # pictures that may wait for the encoder
@@ -78,13 +76,11 @@ class VideoWriter:
         self._failure = ""
         self._jobs: queue.Queue[Any] = queue.Queue(WAITING)
         try:
-            handle, name = tempfile.mkstemp(prefix=".", suffix=path.suffix, dir=path.parent)
-            os.close(handle)
-            self._part = Path(name)
-            form = "matroska" if self._gif else FORMATS[path.suffix.lower()]
-            self._container = load_av().open(name, "w", format=form)
+            self._part = PartFile(path)
         except OSError as error:
-            raise VideoError(f"{path}: {error.strerror or error}") from None
+            raise VideoError(f"{path}: {_reason(error)}") from None
+        form = "matroska" if self._gif else FORMATS[path.suffix.lower()]
+        self._container = load_av().open(self._part, "w", format=form)
         self._add_streams()
         self._thread = threading.Thread(target=self._work, name="encoder", daemon=True)
         self._thread.start()
@@ -126,28 +122,38 @@ class VideoWriter:
     def __exit__(self, kind: Any, *_: object) -> None:
         self._jobs.put(None)
         self._thread.join()
-        with contextlib.suppress(Exception):
-            self._container.close()
+        try:
+            self._container.close()  # writes what only the end knows
+        except Exception as error:  # whatever the packer finds
+            self._failure = self._failure or _reason(error)
+        if self._part.problem is not None:
+            self._failure = _reason(self._part.problem)
         if self._gif and kind is None and not self._failure:
             self._reduce_colors()
-        failed = kind is not None or bool(self._failure)
-        if failed:
-            self._part.unlink(missing_ok=True)
+        if kind is not None or self._failure:
+            self._part.drop()
             if kind is None:
                 raise VideoError(f"{self.path}: {self._failure}")
             return
-        self._part.chmod(0o666 & ~_umask())
-        self._part.replace(self.path)
+        try:
+            self._part.keep()
+        except OSError as error:
+            raise VideoError(f"{self.path}: {_reason(error)}") from None
 
     def _reduce_colors(self) -> None:
-        """The GIF from what was kept without loss."""
-        reduced = self._part.with_suffix(".reduced.gif")
+        """The GIF from what was kept without loss, which is then no longer needed."""
+        lossless = self._part
         try:
-            write_gif(self._part, reduced, self._rate, load_av())
-            reduced.replace(self._part)
+            self._part = PartFile(self.path)
+        except OSError as error:
+            self._failure = _reason(error)
+            return
+        try:
+            write_gif(lossless, self._part, self._rate, load_av())
         except Exception as error:  # whatever the filters find, as of the encoder
-            reduced.unlink(missing_ok=True)
-            self._failure = " ".join(str(error).split()) or type(error).__name__
+            self._failure = _reason(self._part.problem or error)
+        finally:
+            lossless.drop()
 
     def add(self, picture: pygame.Surface, sound: NDArray[np.int16] | None = None) -> None:
         """The next picture, and the samples (n, 2) that are heard with it. VideoError if encoding failed."""
@@ -158,16 +164,19 @@ class VideoWriter:
         self._jobs.put((rows[:, :width].copy(), sound))
 
     def _work(self) -> None:
-        """Encode what comes, until there is nothing more."""
+        """Encode what comes, until there is nothing more; what comes after a failure is passed over."""
+        while (job := self._jobs.get()) is not None:
+            if not self._failure:
+                self._try(self._encode, *job)
+        if not self._failure:
+            self._try(self._flush)
+
+    def _try(self, work: Callable[..., None], *given: Any) -> None:
+        """Do a piece of work; why it failed is raised where pictures are added."""
         try:
-            while (job := self._jobs.get()) is not None:
-                self._encode(*job)
-            self._flush()
-        except Exception as error:  # whatever the encoder finds: raised where pictures are added
-            words = getattr(error, "strerror", None) or str(error)
-            self._failure = " ".join(words.split()) or type(error).__name__
-            while self._jobs.get() is not None:
-                pass
+            work(*given)
+        except Exception as error:  # whatever the encoder finds
+            self._failure = _reason(error)
 
     def _encode(self, pixels: NDArray[np.uint8], sound: NDArray[np.int16] | None) -> None:
         av = load_av()
@@ -193,8 +202,7 @@ class VideoWriter:
                     self._container.mux(packet)
 
 
-def _umask() -> int:
-    """The mask for new files; there is no way to read it but to set it."""
-    mask = os.umask(0o077)
-    os.umask(mask)
-    return mask
+def _reason(error: Exception) -> str:
+    """Why something failed, in one line."""
+    words = getattr(error, "strerror", None) or str(error)
+    return " ".join(words.split()) or type(error).__name__

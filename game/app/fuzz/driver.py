@@ -14,6 +14,7 @@ from game.app.application import App
 from game.app.loop import Loop
 from game.app.scene.screen import SceneScreen
 from game.app.stagehand.opening import Opening
+from game.app.window.children import end_children
 from game.app.window.settings import Settings
 from game.app.window.window import Window
 from game.stage.catalogue import Catalogue
@@ -133,5 +134,6 @@ class Driver:
         return screen
 
     def close(self) -> None:
-        """Close all screens."""
+        """Close all screens; a film that was begun is not finished."""
         self.app.screens.clear()
+        end_children()

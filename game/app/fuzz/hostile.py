@@ -5,7 +5,22 @@ from __future__ import annotations
 import re
 from random import Random
 
-NUMBERS = ("nan", "inf", "-inf", "-1", "0", "1e308", "-1e308", "1e-320", "9" * 30, '"1"', "true", "[]", "{}")
+NUMBERS = (
+    "nan",
+    "inf",
+    "-inf",
+    "-1",
+    "0",
+    "1e308",
+    "-1e308",
+    "1e-320",
+    "1e-170",
+    "9" * 30,
+    '"1"',
+    "true",
+    "[]",
+    "{}",
+)
 WHOLE = (
     "",
     "\n\n",

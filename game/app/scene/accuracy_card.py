@@ -48,12 +48,9 @@ class AccuracyCard(PageScreen):
 
     def _start(self, study: Study) -> None:
         """Measure a study, once the run before it, of this card or of one that was closed, has stopped."""
-        scene = self._stage.scene
-        effects = {effect.name: effect in scene.active for effect in scene.effects}
-        present = {**scene.standing(), **scene.values, **effects}
         for before in _latest:
             before.stop()
-        self.run = StudyRun(study, present, _tables.get(study.name), *_latest)
+        self.run = StudyRun(study, self._stage.scene.chosen(), _tables.get(study.name), *_latest)
         _tables[study.name], _latest[:] = self.run.table, [self.run]
 
     def _data(self) -> AccuracyData:

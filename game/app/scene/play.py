@@ -178,8 +178,16 @@ class ScenePlay:
         return wishes
 
     def post(self, event: StageEvent) -> bool:
-        """Let an event act when it is its turn; False if it is refused at once."""
-        return self.gate.post(event)
+        """Let an event act when it is its turn; False if it is refused at once.
+
+        One that asks for another level opens that, with what was chosen beside it.
+        """
+        level = self.shelf.level_of(event)
+        if level is None:
+            return self.gate.post(event)
+        chosen = self.shelf.chosen()
+        self.open_file(level)
+        return all(self.gate.post(one) for one in chosen)
 
     def action_of(self, event: pygame.Event) -> str | None:
         """The scene's own action of a key, if it has one."""

@@ -17,8 +17,17 @@ from game.app.screens.question import Question
 from game.app.stagehand import files
 from game.app.stagehand.opening import Opening
 from game.app.window import clipboard
-from game.levels import Level, LevelError, load_level
-from game.stage import ParameterError, Recording, RecordingError, Scene, Stage
+from game.levels import Level, LevelError, level_files, load_level
+from game.stage import (
+    Action,
+    ParameterError,
+    Recording,
+    RecordingError,
+    Scene,
+    SetParameter,
+    Stage,
+    StageEvent,
+)
 from game.ui.widgets.list_row import ListRow
 
 if TYPE_CHECKING:
@@ -62,6 +71,39 @@ class Shelf:
             return
         self._record.errands.work(lambda: self._read(Path(path)))
 
+    def level_of(self, event: StageEvent) -> Path | None:
+        """The level that an event asks for: by another value of the level's parameter, or an action so named.
+
+        None where it asks for none, or there is none with that value.
+        """
+        scene = self._record.stage.scene
+        name = scene.level_parameter
+        if not name:
+            return None
+        if isinstance(event, SetParameter) and event.name == name:
+            value = event.value
+        elif isinstance(event, Action):
+            value = event.name
+        else:
+            return None
+        for path in level_files(scene.name):
+            try:
+                level = load_level(path, scene.name, scene.content_type)
+            except LevelError:  # opening it says why
+                continue
+            if level.parameters.get(name, scene.parameter(name).default) == value:
+                return path
+        return None
+
+    def chosen(self) -> list[SetParameter]:
+        """What a person has chosen otherwise than the level says, to be chosen again in another one."""
+        scene = self._record.stage.scene
+        return [
+            SetParameter(name, value)
+            for name, value in scene.values.items()
+            if name != scene.level_parameter and value != scene.level_value(name)
+        ]
+
     def ask_and_save(self) -> None:
         """Ask for a title, and save under it."""
         about = f"As a level and a recording; {self._host.keys.label('open')} opens them again"
@@ -80,8 +122,8 @@ class Shelf:
 
     def _pack(self) -> Act:
         """Make the text; what is then to be done with it."""
-        from game.stage.records.replaying import recording_of_excerpt
         from game.stage.records.run_text import text_of
+        from game.stage.replaying import recording_of_excerpt
 
         stage = self._record.stage
         try:

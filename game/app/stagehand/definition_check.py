@@ -5,6 +5,7 @@ from __future__ import annotations
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.app.window.commands import COMMANDS
 from game.definition import DefinitionError
+from game.lab.study import PRESENT
 from game.scenes import CATALOGUE
 from game.stage import Scene, Stage
 from game.ui.canvas.pen import FIGURE, Pen
@@ -18,8 +19,9 @@ CARD, PICTURE = (320, 208), (640, 360)  # px
 def check_definition(scene_type: type[Scene]) -> None:
     """Draw and read all that a scene's class declares; whatever is raised says what is wrong with it.
 
-    DefinitionError for the key of an action that is taken. Equations, card and figure are only looked at in
-    a scene that has them; strips and a picture as it opens.
+    DefinitionError for the key of an action that is taken, for a name that stands for two things, and for a
+    study that does not find the scene. Equations, card and figure are only looked at in a scene that has
+    them; strips and a picture as it opens.
     """
     for equation in scene_type.equations:
         parse(equation.formula)
@@ -40,4 +42,22 @@ def check_definition(scene_type: type[Scene]) -> None:
     stage = Stage(scene_type)
     stage.run(1)
     stage.scene.check_strips()
+    check_studies(stage.scene)
     picture_of_stage(stage, PICTURE)
+
+
+def check_studies(scene: Scene) -> None:
+    """DefinitionError unless each study places the scene, with its own effects, at a method that there is.
+
+    And for a figure of `standing` that has the name of a parameter or an effect.
+    """
+    name = type(scene).__name__
+    taken = {*scene.declared_parameters(), *scene.effects.names}
+    for figure in scene.standing():
+        if figure in taken:
+            raise DefinitionError(f"{name}.standing: {figure} is a parameter or an effect as well")
+    for study in scene.study.family if scene.study is not None else ():
+        setting, _ = study.place(scene.chosen())
+        known = (*(method.name for method in study.methods), PRESENT)
+        if setting is not None and setting.method not in known:
+            raise DefinitionError(f"{name}.study: {study.name} has no method {setting.method!r}")

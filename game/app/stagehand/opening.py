@@ -10,7 +10,7 @@ from game.levels import Level, LevelError, level_files, load_level
 
 if TYPE_CHECKING:
     from game.stage import Recording, Scene, Stage
-    from game.stage.story.lines import Story
+    from game.stage.script.lines import Story
 
 NOTHING: Mapping[str, Any] = {}
 

@@ -16,7 +16,7 @@ from game.stage.story.rehearsal import Rehearsal, rehearse
 
 if TYPE_CHECKING:
     from game.stage import Scene
-    from game.stage.story.lines import Story
+    from game.stage.script.lines import Story
 
 LARGEST = 1 << 20  # bytes
 

@@ -7,9 +7,9 @@ import math
 import pygame
 
 from game.app.stagehand.view import StageView
-from game.stage.story.camera import View
-from game.stage.story.course import Caption
-from game.stage.story.lines import Title
+from game.stage.script.camera import View
+from game.stage.script.course import Caption
+from game.stage.script.lines import Title
 from game.stage.story.runner import Runner, last_words
 from game.ui.look.look import Look
 from game.ui.painters import story_words

@@ -17,6 +17,8 @@ import threading
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 
+from game.app.window.children import end_children
+
 GRACE_S = 1.5  # for whoever tidies up
 STOPPED_LINE = "carom: stopped"
 _said = threading.Event()
@@ -61,7 +63,8 @@ def _watch(woken: socket.socket, signals: Collection[int], left: threading.Event
 
 
 def _end(status: int) -> None:
-    """End the process where it stands: no lock is waited for, nothing is flushed."""
+    """End the process where it stands, and its children: no lock is waited for, nothing is flushed."""
+    end_children()
     if not _said.is_set():
         with contextlib.suppress(OSError):
             os.write(2, f"{STOPPED_LINE}\n".encode())

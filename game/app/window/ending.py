@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from game.app.window.children import end_children
 from game.app.window.deadline import deadline
 
 STOPPED, ENDED = 128 + signal.SIGINT, 128 + signal.SIGTERM  # exit status
@@ -29,8 +30,9 @@ def ends_tidily(to_the_end: bool = False) -> Iterator[None]:
     """While this goes on SIGINT raises KeyboardInterrupt and SIGTERM raises Ended in the main thread.
 
     Who has not left this `deadline.GRACE_S` later is ended, and with ``to_the_end`` also who has left this
-    and still lives: an interpreter that waits for its threads. A signal that somebody else listens to, or
-    that is ignored, is left to them.
+    and still lives: an interpreter that waits for its threads. After a signal the processes that were
+    started (see children.py) are ended too. A signal that somebody else listens to, or that is ignored, is
+    left to them.
     """
     usual: dict[signal.Signals, Any] = {
         signal.SIGINT: signal.default_int_handler,
@@ -50,6 +52,8 @@ def ends_tidily(to_the_end: bool = False) -> Iterator[None]:
                 stack.enter_context(insistence.goes_on())
             yield
     finally:
+        if insistence.heard:
+            end_children()
         for number in mine:
             signal.signal(number, usual[number])
 
@@ -64,6 +68,7 @@ class _Insistence:
 
     def __init__(self) -> None:
         self._raised: KeyboardInterrupt | None = None
+        self.heard = False
 
     @contextmanager
     def goes_on(self) -> Iterator[None]:
@@ -83,6 +88,7 @@ class _Insistence:
 
     def hear(self, number: int, frame: Any) -> None:
         """What a signal does."""
+        self.heard = True
         self._raise(Ended() if number == signal.SIGTERM else KeyboardInterrupt())
 
     def _insist(self, number: int, frame: Any) -> None:

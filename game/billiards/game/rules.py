@@ -178,6 +178,17 @@ class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
         """Numbers of the balls that the cue ball may touch first."""
         return self.on_table
 
+    @property
+    def from_behind(self) -> bool:
+        """True if the cue ball is played from behind the line, and must meet no ball first that lies there,
+        too (6.11).
+        """
+        return self.in_hand == "behind the line"
+
+    def barred(self) -> tuple[int, ...]:
+        """Numbers of the balls that lose the rack if they go down now."""
+        return ()
+
     def targets(self) -> tuple[int, ...]:
         """Numbers of the balls that would count for the shooter if they went down now."""
         return self.on_table
@@ -229,15 +240,27 @@ def common_fouls(game: Game, shot: ShotSummary, allowed: tuple[int, ...], push_o
     fouls += [Foul("off the table", f"The {named(ball)} left the table.") for ball in shot.off_table]
     if push_out:
         return tuple(fouls)
-    if not shot.first:
-        fouls.append(Foul("no contact", "The cue ball touched no ball."))
-    elif not any(ball in allowed for ball in shot.first):
-        fouls.append(Foul("wrong ball", f"The {named(shot.first[0])} was hit first, not {listed(allowed)}."))
-    if shot.short and game.in_hand == "behind the line":
-        fouls.append(Foul("behind the line", f"The {named(shot.first[0])} lies behind the line, too."))
+    fouls += contact_fouls(game, shot.first, shot.short, allowed)
     reached = shot.pocketed or shot.cushioned or shot.cue_pocketed or shot.off_table
     if shot.first and not reached:
         fouls.append(Foul("no cushion", "After the contact no ball went down and none reached a cushion."))
+    return tuple(fouls)
+
+
+def contact_fouls(
+    game: Game, first: tuple[int, ...], short: bool, allowed: tuple[int, ...]
+) -> tuple[Foul, ...]:
+    """What is wrong with the first contact: no ball, the wrong one (6.2), or one behind the line (6.11).
+
+    first, short: as in `ShotSummary`; allowed: balls that may be touched first.
+    """
+    if not first:
+        return (Foul("no contact", "The cue ball touched no ball."),)
+    fouls = []
+    if not any(ball in allowed for ball in first):
+        fouls.append(Foul("wrong ball", f"The {named(first[0])} was hit first, not {listed(allowed)}."))
+    if short and game.from_behind:
+        fouls.append(Foul("behind the line", f"The {named(first[0])} lies behind the line, too."))
     return tuple(fouls)
 
 

@@ -7,8 +7,6 @@ its motion to does not send that one: a chain names no ball twice.
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from game.billiards.game.rules import CUE_BALL, Pocketing, ShotSummary
 from game.billiards.laws.state import (
     BALL_BALL,
@@ -30,6 +28,7 @@ from game.billiards.laws.state import (
     SPINNING_STATIONARY,
     STATIONARY,
 )
+from game.billiards.shot.crossing import short_contact
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.rack import HEAD_SPOT
 
@@ -67,7 +66,7 @@ def summarize(trajectory: Trajectory) -> ShotSummary:
         _cue_path(rows, numbers, cue),
         tuple(numbers[k] for k in dict.fromkeys(touched) if k != cue),
         rest,
-        first_time is not None and _is_short(trajectory, cue, numbers.index(first[0]), first_time),
+        first_time is not None and is_short(trajectory, cue, numbers.index(first[0]), first_time),
     )
 
 
@@ -158,18 +157,12 @@ def _still_frozen(trajectory: Trajectory, ball: int, cushion: int, time: float) 
     return True
 
 
-def _is_short(trajectory: Trajectory, cue: int, ball: int, time: float) -> bool:
-    """True if a ball lies behind the head string when the cue ball touches it, not having crossed it yet."""
+def is_short(trajectory: Trajectory, cue: int, ball: int, time: float) -> bool:
+    """True if a ball lies behind the head string when the cue ball touches it at a time, s, not having
+    crossed it yet. cue, ball: rows.
+    """
     line = HEAD_SPOT * trajectory.shot.table.length
-    if float(trajectory.state_at(time).positions[ball, 1]) > line:
-        return False
-    highest = float(trajectory.shot.positions[cue, 1])
-    starts = [t for t, of in trajectory.segments[:, [SEG_TIME, SEG_BALL]].tolist() if of == cue and t < time]
-    # a path is highest where it begins or ends; a curve between is seen well enough by its middle
-    for start, end in pairwise([*starts, time]):
-        for moment in (start, 0.5 * (start + end), end):
-            highest = max(highest, float(trajectory.state_at(moment).positions[cue, 1]))
-    return highest <= line
+    return bool(short_contact(trajectory.segments, cue, ball, time, line))
 
 
 def _cue_path(rows: list[Row], numbers: list[int], cue: int) -> tuple[tuple[str, int], ...]:

@@ -10,16 +10,9 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.map.grid import Grid, aims_of, neighbours
 from game.billiards.map.leaving import heat
-from game.billiards.search.outcomes import (
-    CHAIN,
-    CUSHIONS,
-    DOWN,
-    FIRST_BALLS,
-    GIVEN_UP,
-    POCKET,
-    SCRATCH,
-    Outcomes,
-)
+from game.billiards.search.chances import DRAWS, as_hand_does, pocket_of
+from game.billiards.search.legality import Legality
+from game.billiards.search.outcomes import CHAIN, CUSHIONS, DOWN, POCKET, Outcomes
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
 
 Array = NDArray[np.float64]
@@ -73,16 +66,17 @@ def grid_for(board: Board, aims: int = AIMS) -> Grid:
 def pool_map(
     board: Board,
     noise: Noise,
-    first: tuple[int, ...] = (),
+    legality: Legality | None = None,
     groups: int = 16,
-    draws: int = 64,
+    draws: int = DRAWS,
     seed: int = SEED,
 ) -> PoolMap:
-    """Every pot at a board. first: numbers of the balls that may be touched first, () for any of them."""
+    """Every pot at a board that breaks no rule. legality: what the rules ask, None for nothing."""
+    legality = Legality.free(board) if legality is None else legality
     grid = grid_for(board)
     strokes = grid.strokes
     outcomes = board.play(strokes)
-    keys = pot_keys(board, outcomes, first)
+    keys = pot_keys(board, outcomes, legality)
     alike = neighbours(keys, grid.shape)
     found, counts = np.unique(keys[keys > 0], return_counts=True)
     chosen = found[np.lexsort((found, -counts))][:groups].tolist()
@@ -93,35 +87,26 @@ def pool_map(
         rows = np.flatnonzero(keys == key)
         near = rows[np.argsort(-alike[rows], kind="stable")[:4]]
         tried = board.play(with_noise(strokes[near], draw_noise(seed, 16), noise, board.radius))
-        share = (_balls_down(pot_keys(board, tried, first)) == _balls_down(np.array([key]))).reshape(
-            len(near), -1
-        )
+        share = _goes_down(board, tried, legality, key).reshape(len(near), -1)
         best.append(strokes[near[int(np.argmax(share.mean(axis=1)))]])
         members.append(rows)
-    played = board.play(with_noise(np.array(best), draw_noise(seed + 1, draws), noise, board.radius))
-    down = _balls_down(pot_keys(board, played, first)).reshape(len(chosen), -1)
-    ends = played.places[:, board.cue].reshape(len(chosen), -1, 2)
+    played = board.play(as_hand_does(np.array(best), noise, board.radius, draws))
     pots = []
     for k, key in enumerate(chosen):
-        good = down[k] == _balls_down(np.array([key]))
-        pots.append(_pot(board, outcomes, members[k], best[k], float(good.mean()), ends[k][good]))
+        own = played.rows(slice(k * draws, (k + 1) * draws))
+        good = _goes_down(board, own, legality, key)
+        ends = own.places[good, board.cue]
+        pots.append(_pot(board, outcomes, members[k], best[k], float(good.mean()), ends))
     return PoolMap(strokes, keys, tuple(sorted(pots, key=lambda pot: -pot.chance)), outcomes)
 
 
-def pot_keys(board: Board, outcomes: Outcomes, first: tuple[int, ...] = ()) -> NDArray[np.int64]:
+def pot_keys(board: Board, outcomes: Outcomes, legality: Legality | None = None) -> NDArray[np.int64]:
     """A number (m,) for what each stroke pots: ball, pocket, chain and cushions; 0 for nothing, or a foul.
 
-    Of several balls it is the one of the lowest row.
+    Of several balls it is the one of the lowest row. legality: what the rules ask, None for nothing.
     """
     facts, histories = outcomes.facts, outcomes.histories
-    allowed = sum(1 << board.layout.numbers.index(number) for number in first) or (1 << board.count) - 1
-    touched = facts[:, FIRST_BALLS]
-    good = (
-        (facts[:, GIVEN_UP] == 0)
-        & (facts[:, SCRATCH] == 0)
-        & (facts[:, DOWN] != 0)
-        & (touched & ~allowed == 0)
-    )
+    legality = Legality.free(board) if legality is None else legality
     down = facts[:, DOWN]
     row = np.zeros(len(down), np.int64)
     for ball in range(board.count - 1, -1, -1):
@@ -129,7 +114,13 @@ def pot_keys(board: Board, outcomes: Outcomes, first: tuple[int, ...] = ()) -> N
     own = histories[np.arange(len(row)), row]
     cushions = np.minimum(own[:, CUSHIONS], MOST_CUSHIONS)
     key = 1 + row + 16 * (np.maximum(own[:, POCKET], 0) + 8 * (cushions + 4 * own[:, CHAIN]))
-    return np.where(good, key, 0)
+    return np.where((down != 0) & ~legality.fouls(board, outcomes), key, 0)
+
+
+def _goes_down(board: Board, outcomes: Outcomes, legality: Legality, key: int) -> NDArray[np.bool_]:
+    """Which strokes (m,) send the ball of a key into its pocket without a foul, however it got there."""
+    ball, pocket = (key - 1) % 16, (key - 1) // 16 % 8
+    return pocket_of(board, outcomes, legality, ball) == pocket
 
 
 def _balls_down(keys: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -19,13 +19,15 @@ from game.billiards.search.aims import aims_of
 from game.billiards.search.breaking import best_break
 from game.billiards.search.candidates import BALL
 from game.billiards.search.finding import DRAWS, FoundShot, named_shots, processors, search, thread_pool
+from game.billiards.search.legality import board_of, legality_of
 from game.billiards.search.looking import Effort, Looked
+from game.billiards.search.outcomes import NO_LINE
 from game.billiards.search.placing import BallInHand, place_cue_ball
 from game.billiards.search.rating import Aims
 from game.billiards.search.safety import look_for_push_out, look_for_safety
-from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
+from game.billiards.search.strokes import Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.table.rack import BALL_RADIUS, HEAD_SPOT
+from game.billiards.table.rack import BALL_RADIUS
 
 Array = NDArray[np.float64]
 
@@ -204,11 +206,10 @@ class _Mind:
     def _aims(self, frame: Frame, layout: Arrangement) -> list[Aims]:
         """What to be after; from behind the line no ball that lies there, too (6.11)."""
         found = aims_of(frame.game, layout.numbers, self.alone)
-        if frame.game.in_hand != "behind the line":
+        line = legality_of(frame).line
+        if line == NO_LINE:
             return found
-        beyond = sum(
-            1 << row for row, y in enumerate(layout.positions[:, 1]) if y > HEAD_SPOT * frame.table.length
-        )
+        beyond = sum(1 << row for row, y in enumerate(layout.positions[:, 1]) if y > line)
         return [aims._replace(first=aims.first & beyond) for aims in found]
 
     def likeliest(self, frame: Frame, layouts: list[Arrangement], most: int) -> list[Arrangement]:
@@ -240,7 +241,7 @@ class _Mind:
         """
         grade = self.grade
         effort = grade.effort if effort is None else effort
-        view = View(Board(frame.layout, frame.table, frame.physics), grade.noise)
+        view = View(board_of(frame), grade.noise)
         found: list[tuple[Looked, Aims]] = []
         every_aim = self._aims(frame, frame.layout)
         for aims in every_aim:

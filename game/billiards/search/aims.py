@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from game.billiards.game.games.combination import SHORTEST_CHAIN, CombinationMatch
 from game.billiards.game.games.eight_ball import EIGHT, GROUPS, EightBall
+from game.billiards.game.games.ghost import Ghost
 from game.billiards.game.games.nine_ball import NINE, NineBall
 from game.billiards.game.rules import CUE_BALL, Game
 from game.billiards.search.rating import Aims
@@ -29,7 +30,20 @@ def aims_of(game: Game, numbers: tuple[int, ...], solo: bool = False) -> list[Ai
     if isinstance(game, CombinationMatch):
         chain = SHORTEST_CHAIN if len(game.on_table) > 1 else 0
         return [Aims(balls, balls, balls, other=balls, called=False, solo=solo, chain=chain)]
-    return [Aims(balls, balls, balls, called=False, solo=True)]
+    first, barred = bits_of(numbers, game.legal_first()), bits_of(numbers, game.barred())
+    if isinstance(game, Ghost):
+        return [_ghost_aims(game, numbers, first, barred)]
+    return [Aims(first, balls, balls, lose=barred, called=False, solo=True)]
+
+
+def _ghost_aims(game: Ghost, numbers: tuple[int, ...], first: int, barred: int) -> Aims:
+    """Aims of who plays the ghost: to clear the table, as the discipline asks."""
+    last, targets = bits_of(numbers, (game.last,)), bits_of(numbers, game.targets())
+    eight = game.discipline == "eight-ball"
+    return Aims(
+        first, targets, targets | last, win=0 if barred else last, lose=barred,
+        called=game.discipline == "ten-ball", rotation=not eight, solo=True,
+    )  # fmt: skip
 
 
 def _eight_ball_aims(game: EightBall, numbers: tuple[int, ...], solo: bool) -> list[Aims]:

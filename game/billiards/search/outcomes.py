@@ -28,15 +28,20 @@ from game.billiards.laws.state import (
     POCKETED,
     ROLLING_SPINNING,
     ROLLING_STATIONARY,
+    SEGMENTS_END,
+    SEGMENTS_START,
     SPINNING_STATIONARY,
     STATUS,
 )
+from game.billiards.shot.crossing import stays_short
 
-# columns of facts (m, 6): rows of the balls that the cue ball touched first, as bits; 1 if it went down; 1
+# columns of facts (m, 7): rows of the balls that the cue ball touched first, as bits; 1 if it went down; 1
 # if any ball touched a cushion after the first contact; rows of the balls that went down, as bits; 1 if the
-# shot was given up; cushions that the cue ball touched before the first contact
-FIRST_BALLS, SCRATCH, CUSHIONED, DOWN, GIVEN_UP, CUSHIONS_FIRST = range(6)
-FACTS = 6
+# shot was given up; cushions that the cue ball touched before the first contact; 1 if the first ball lay
+# behind the board's line, which the cue ball had not crossed before
+FIRST_BALLS, SCRATCH, CUSHIONED, DOWN, GIVEN_UP, CUSHIONS_FIRST, SHORT = range(7)
+FACTS = 7
+NO_LINE = -np.inf  # m; a line from which no cue ball is played
 
 # columns of histories (m, n, 4), for each ball: the pocket it went into (-1: none), balls that sent it on
 # (with itself and the cue ball, as bits), contacts with balls and with cushions until it went down
@@ -47,7 +52,7 @@ NOWHERE = -1e3  # m; place of a ball that went down
 
 
 class Outcomes(NamedTuple):
-    """What came of m strokes at n balls: facts (m, 6), histories (m, n, 4), places (m, n, 2) m at the end."""
+    """What came of m strokes at n balls: facts (m, 7), histories (m, n, 4), places (m, n, 2) m at the end."""
 
     facts: NDArray[np.int64]
     histories: NDArray[np.int64]
@@ -116,8 +121,11 @@ def _meet_at_once(events, start, end, histories, moving, cue):
 
 @inner_kernel
 def _follow_shot(events, start, end, cue, facts, histories):
-    """Go through one shot's events; writes facts (6,) and histories (n, 4)."""
+    """Go through one shot's events; writes facts (7,) and histories (n, 4). Returns the row of the event in
+    which the cue ball met its first ball, -1 if it met none.
+    """
     moving = 1 << cue
+    first = -1
     row = start
     while row < end:
         event = int(events[row, 1])
@@ -131,6 +139,8 @@ def _follow_shot(events, start, end, cue, facts, histories):
                 a = int(events[k, 2])
                 b = int(events[k, 3])
                 if new and (a == cue or b == cue):
+                    if first < 0:
+                        first = k
                     facts[FIRST_BALLS] |= 1 << (b if a == cue else a)
             moving = _meet_at_once(events, row, last, histories, moving, cue)
             row = last
@@ -154,14 +164,22 @@ def _follow_shot(events, start, end, cue, facts, histories):
         elif event in (ROLLING_STATIONARY, ROLLING_SPINNING, SPINNING_STATIONARY):
             moving &= ~(1 << i)
         row += 1
+    return first
 
 
 @lean_kernel
-def sum_up(events, ends, final, cue, first, last, facts, histories, places):
-    """Sum up shots `first` to `last` of a log: facts (m, 6), histories (m, n, 4), places (m, n, 2).
+def sum_up(log, cue, line, first, last, outcomes):
+    """Sum up shots `first` to `last` of a log into the outcomes (m).
 
-    events, ends, final: of the log, see `batch.Log`; types of contacts are overwritten.
+    log: a `batch.Log`; types of contacts are overwritten. line: m, behind which no ball may be met first,
+    NO_LINE without one; only with a line are segments looked at.
     """
+    events = log.events
+    ends = log.ends
+    final = log.final
+    facts = outcomes.facts
+    histories = outcomes.histories
+    places = outcomes.places
     n = final.shape[1]
     for s in range(first, last):
         for column in range(FACTS):
@@ -174,10 +192,36 @@ def sum_up(events, ends, final, cue, first, last, facts, histories, places):
         histories[s, cue, CHAIN] = 1 << cue
         if ends[s, STATUS] != FINISHED:
             facts[s, GIVEN_UP] = 1
-        _follow_shot(
+        met = _follow_shot(
             events, int(ends[s, EVENTS_START]), int(ends[s, EVENTS_END]), cue, facts[s], histories[s]
         )
+        if met >= 0 and line > NO_LINE:
+            ball = int(events[met, 2]) + int(events[met, 3]) - cue
+            begin, stop = int(ends[s, SEGMENTS_START]), int(ends[s, SEGMENTS_END])
+            if stays_short(log.segments, begin, stop, cue, ball, events[met, 0], line):
+                facts[s, SHORT] = 1
         for i in range(n):
             down = final[s, i, IN_MOTION] == POCKETED or final[s, i, IN_MOTION] == OFF_TABLE
             places[s, i, 0] = NOWHERE if down else final[s, i, IN_X]
             places[s, i, 1] = NOWHERE if down else final[s, i, IN_Y]
+
+
+@inner_kernel(inline="always")
+def is_foul(facts, first):
+    """True if a stroke breaks the rules of contact: see `game.billiards.game.rules.common_fouls`. first: bits
+    of the balls that may be touched first.
+    """
+    return (
+        facts[GIVEN_UP] != 0
+        or facts[SCRATCH] != 0
+        or facts[FIRST_BALLS] & first == 0
+        or facts[SHORT] != 0
+        or (facts[DOWN] == 0 and facts[CUSHIONED] == 0)
+    )
+
+
+@lean_kernel
+def find_fouls(facts, first, barred, fouls):
+    """Mark the strokes (m,) that are a foul, or in which one of the barred balls (bits) goes down."""
+    for s in range(facts.shape[0]):
+        fouls[s] = is_foul(facts[s], first) or facts[s, DOWN] & barred != 0

@@ -16,13 +16,10 @@ from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.search.lanes import openness, pot_chance
 from game.billiards.search.outcomes import (
     CHAIN,
-    CUSHIONED,
     DOWN,
-    FIRST_BALLS,
-    GIVEN_UP,
     NOWHERE,
     POCKET,
-    SCRATCH,
+    is_foul,
 )
 from game.physics.kernels import elementary
 
@@ -126,12 +123,7 @@ def _is_sent_by(chain, least):
 def classify(facts, histories, aims, ball, pocket):
     """What a stroke led to (MISSED to LOST), whose shooter meant to pot `ball` into `pocket` (-1: any)."""
     down = facts[DOWN]
-    foul = (
-        facts[GIVEN_UP] != 0
-        or facts[SCRATCH] != 0
-        or facts[FIRST_BALLS] & aims[FIRST_AIM] == 0
-        or (down == 0 and facts[CUSHIONED] == 0)
-    )
+    foul = is_foul(facts, aims[FIRST_AIM])
     if down & aims[LOSE_AIM] != 0:
         return LOST
     if down & aims[WIN_AIM] != 0:

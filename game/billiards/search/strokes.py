@@ -36,7 +36,7 @@ from game.billiards.laws.state import (
     PHYSICS_COLUMNS,
     SLIDING,
 )
-from game.billiards.search.outcomes import Outcomes, sum_up
+from game.billiards.search.outcomes import NO_LINE, Outcomes, sum_up
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
 from game.billiards.shot.physics import Physics
 from game.billiards.simulation import log_for, play_into
@@ -146,30 +146,38 @@ class _Buffers(NamedTuple):
     log: Log
 
 
-def _buffers_for(n: int, flies: bool) -> _Buffers:
-    kept: dict[tuple[int, bool], _Buffers] = _local.__dict__.setdefault("buffers", {})
-    if (n, flies) not in kept:
-        kept[n, flies] = _Buffers(
+def _buffers_for(n: int, flies: bool, paths: bool) -> _Buffers:
+    kept: dict[tuple[int, bool, bool], _Buffers] = _local.__dict__.setdefault("buffers", {})
+    if (n, flies, paths) not in kept:
+        kept[n, flies, paths] = _Buffers(
             np.zeros((CHUNK, n, FLIGHT_IN_COLUMNS if flies else IN_COLUMNS)),
             np.empty((CHUNK, PHYSICS_COLUMNS)),
             np.empty((CHUNK, 4), np.int64),
-            log_for(CHUNK, n, max(EVENTS_A_STROKE * CHUNK, 4 * n * n + 2 * MAX_EVENTS), False, flies),
+            log_for(CHUNK, n, max(EVENTS_A_STROKE * CHUNK, 4 * n * n + 2 * MAX_EVENTS), paths, flies),
         )
-    return kept[n, flies]
+    return kept[n, flies, paths]
 
 
 class Board:
     """An arrangement with its cue ball, ready for many strokes.
 
-    layout, table, physics: what was given. cue: row of the cue ball. ValueError without a cue ball.
+    layout, table, physics: what was given. line: y, m, from behind which the cue ball is played, so that no
+    ball there may be met first; NO_LINE without one. cue: row of the cue ball. ValueError without one.
     """
 
-    def __init__(self, layout: Arrangement, table: Table, physics: Physics = Physics()) -> None:  # noqa: B008
+    def __init__(
+        self,
+        layout: Arrangement,
+        table: Table,
+        physics: Physics = Physics(),  # noqa: B008  (immutable)
+        line: float = NO_LINE,
+    ) -> None:
         if CUE_BALL not in layout.numbers:
             raise ValueError("search: there is no cue ball on the table")
         self.layout = layout
         self.table = table
         self.physics = physics
+        self.line = line
         self.cue = layout.numbers.index(CUE_BALL)
         shot = layout.shot(table, physics)
         self.base = shot.balls.copy()
@@ -189,6 +197,7 @@ class Board:
         """The board with some of its rows, at rest at other places (n, 2) m; nothing is checked."""
         board = Board.__new__(Board)
         board.__dict__.update(self.__dict__)
+        board.line = NO_LINE  # the next stroke is played from where the cue ball lies
         board.base = self.base[kept]
         board.base[:, :2] = places[kept] - self.middle
         board.cue = int(np.flatnonzero(kept == self.cue)[0])
@@ -211,10 +220,8 @@ class Board:
         """Play one chunk into its rows of the outcomes."""
         chunk = strokes[start : start + CHUNK]
         for log, first, played in self.played(chunk):
-            sum_up(
-                log.events, log.ends, log.final, self.cue, first, played,
-                *(column[start : start + len(chunk)] for column in outcomes),
-            )  # fmt: skip
+            rows = outcomes.rows(slice(start, start + len(chunk)))
+            sum_up(log, self.cue, self.line, first, played, rows)
 
     def _flies(self, strokes: Array) -> bool:
         """True if one of strokes (m, 5) may take a ball off the slate."""
@@ -231,7 +238,7 @@ class Board:
         """
         m = len(strokes)
         flies = self._flies(strokes)
-        buffers = _buffers_for(self.count, flies)
+        buffers = _buffers_for(self.count, flies, self.line > NO_LINE)
         balls, constants, ranges = buffers.balls[:m], buffers.constants[:m], buffers.ranges[:m]
         constants[:] = self._constants
         ranges[:] = self._ranges

@@ -94,7 +94,7 @@ collapse_study = Study(
     error="relative error of the time until the last floor is struck",
     error_unit="",
     counter="substeps",
-    knob=Knob("substeps", "substeps"),
+    knob=Knob("substeps", "substeps", parts=True),
     methods=tuple(Method(name, name.replace("-", " "), None) for name in SOLVERS),
     settings=collapse_settings,
     trial=CollapseTrial,

@@ -200,7 +200,7 @@ swing_study = Study(
     error="farthest particle from its exact place after 0.8 s",
     error_unit="m",
     counter="projections of a link",
-    knob=Knob("substeps", "substeps or sweeps a frame"),
+    knob=Knob("substeps", "substeps or sweeps a frame", parts=True),
     methods=(
         Method("euler", "Euler, n substeps", 1.0),
         Method("euler-sweeps", "Euler, n sweeps", None, "sweeps do nothing for the motion"),
@@ -223,7 +223,7 @@ stretch_study = Study(
     error="stretch of 20 links that should be 1 m long",
     error_unit="m",
     counter="projections of a link",
-    knob=Knob("work", "sweeps a frame"),
+    knob=Knob("work", "sweeps a frame", parts=True),
     methods=(
         Method("iterations", "n iterations", 1.0),
         Method("over-relaxed", "over-relaxed", None, "each correction 1.8 times as far"),

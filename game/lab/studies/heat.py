@@ -85,7 +85,7 @@ conduction_study = Study(
     error="temperature after 0.04 s",
     error_unit="K",
     counter="steps",
-    knob=Knob("steps", "steps"),
+    knob=Knob("steps", "steps", parts=True),
     methods=(
         Method("explicit", "explicit Euler", 1.0),
         Method("crank-nicolson", "Crank and Nicolson", 2.0),

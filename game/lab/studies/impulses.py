@@ -222,7 +222,7 @@ pile_study = Study(
     error="deepest overlap of 96 discs of radius 0.43 m after 4 s",
     error_unit="m",
     counter="sweeps over all contacts",
-    knob=Knob("iterations", "sweeps a step"),
+    knob=Knob("iterations", "sweeps a step", parts=True),
     methods=(
         Method("none", "no correction"),
         Method("baumgarte", "Baumgarte", None, "pushes, and so adds energy"),

@@ -16,6 +16,7 @@ from game.physics.kernels import elementwise
 STEP, STEPS, SPEED, STRENGTH = 1.0 / 60.0, 12, 0.3, 10.0
 SUBSTEPS = (4, 8, 16, 32, 64, 128, 256)
 FINEST = 1_000
+THROWN = 0.004  # m, about half a wave, where the next trap is
 CENTRED = "drift-kick-drift"
 
 
@@ -53,9 +54,9 @@ class TrapTrial:
         self.levitator = moved_grain(self.substeps)
 
     def outcome(self) -> Outcome:
-        """How far it is from where it should be."""
-        away = self.levitator.positions[0] - _reference()
-        return Outcome(float(elementwise.hypot(*away)), STEPS * self.substeps)
+        """How far it is from where it should be; farther than the next trap it was thrown out of its own."""
+        away = float(elementwise.hypot(*(self.levitator.positions[0] - _reference())))
+        return Outcome(away, STEPS * self.substeps, "thrown out of its trap" if away > THROWN else "")
 
 
 def _settings() -> list[Setting]:
@@ -74,7 +75,7 @@ trap_study = Study(
     error="place of the grain after 0.2 s",
     error_unit="m",
     counter="substeps",
-    knob=Knob("substeps", "substeps of 1/60 s"),
+    knob=Knob("substeps", "substeps of 1/60 s", parts=True),
     methods=(Method(CENTRED, "drift, kick, drift", 2.0),),
     settings=_settings,
     trial=TrapTrial,

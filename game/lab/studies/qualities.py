@@ -8,11 +8,14 @@ from game.lab.study import Row
 from game.physics.solids.settings import tier_of
 
 
-def quality_marks(method: str, others: dict[str, float] | None = None) -> Callable[[Row], str]:
-    """For `Study.mark`: a quality's name at its substeps, on one method's rows with these other knobs."""
+def quality_marks(method: str, knob: float | None = None) -> Callable[[Row], str]:
+    """For `Study.mark`: a quality's name at its substeps, on one method's rows.
+
+    ``knob``: on those at that value alone, where substeps are what else tells points apart.
+    """
 
     def mark(row: Row) -> str:
-        if row.method != method or row.others != (others or {}):
+        if row.method != method or (bool(row.others) if knob is None else row.knob != knob):
             return ""
         return tier_of(float(row.scene.get("substeps", 0)))
 

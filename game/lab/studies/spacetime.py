@@ -110,7 +110,7 @@ budget_study = Study(
     error="mean error, of the distance",
     error_unit="",
     counter="tests",
-    knob=Knob("budget", "tests a query"),
+    knob=Knob("budget", "tests a query", parts=True),
     methods=(Method(TREES, "circle trees", None),),
     settings=_settings,
     trial=BudgetTrial,

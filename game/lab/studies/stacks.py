@@ -76,7 +76,7 @@ stack_study = Study(
     error=f"the top's distance from its place after {SECONDS:g} s",
     error_unit="m",
     counter="substeps a second",
-    knob=Knob("substeps", "substeps"),
+    knob=Knob("substeps", "substeps", parts=True),
     methods=tuple(Method(name, name.replace("-", " ")) for name in SOLVERS),
     settings=_settings,
     trial=StackTrial,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import math
 from typing import Any, Protocol
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.kernels import elementary
 from game.physics.kernels.entrances import Entrances
+from game.physics.kernels.limits import LimitError
 from game.physics.solids import memory
 from game.physics.solids.bodies import FASTEST, SolidBodies
 from game.physics.solids.effects import WIND_BIT
@@ -39,7 +41,7 @@ from game.physics.solids.shapes import (
     checked_number,
     checked_pair,
 )
-from game.physics.solids.solvers import SOLVERS, UNJOINED
+from game.physics.solids.solvers import LIMITED, SOLVERS, UNJOINED
 from game.physics.solids.state import (
     DYNAMIC,
     KEY_FRAMED,
@@ -59,6 +61,7 @@ from game.physics.solids.stepping import (
 from game.physics.solids.store import arrays_of
 
 Floats = NDArray[np.float64]
+TRIED_S = 1.0 / 60.0  # of the step that tries a solver
 
 
 class Air(Protocol):
@@ -95,19 +98,37 @@ class SolidWorld(SolidBodies):
 
     @property
     def settings(self) -> SolidSettings:
-        """What a step does; may be replaced at any time. ValueError for a solver that there is not."""
+        """What a step does; may be replaced at any time.
+
+        ValueError for a solver that there is not, LimitError for one that cannot take what touches now.
+        """
         return self._settings
 
     @settings.setter
     def settings(self, settings: SolidSettings) -> None:
         if settings.solver not in SOLVERS:
             raise ValueError(f"solver = {settings.solver!r}: expected one of {', '.join(SOLVERS)}")
+        before = getattr(self, "_settings", settings)
         self._settings = settings
+        if settings.solver != before.solver:
+            try:
+                self.check_solver()
+            except LimitError:
+                self._settings = before
+                raise
         if settings.solver != GOVERNED:
             self.bodies.stored[:] = 0.0  # no other solver knows of it
         self.bodies.flags[self.ids()] |= WAKING
         self._numbers: Any = None
         self._fitting = False
+
+    def check_solver(self) -> None:
+        """LimitError if the solver cannot take what touches now: found by a step of another such world."""
+        if self._settings.solver in LIMITED and len(self.ids()):
+            other = SolidWorld(self._settings)
+            other.restore(self.state())
+            with contextlib.suppress(NotFiniteError):  # that is another matter, said by the step itself
+                other.step(TRIED_S)
 
     def set(self, **changes: Any) -> None:
         """Change some of the settings. ValueError, naming the field, for nonsense."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.billiards.game.games import Ghost
+from game.billiards.game.games import Ghost, Practice
 from game.scenes.billiards import layout
 from game.scenes.billiards.beside import BESIDE
 from game.scenes.billiards.modes import Replay, SetUp, leave
@@ -49,8 +49,9 @@ class Buttons(Part):
         if play.model.content.solution is not None:
             rows.append(("hint", "Hint", self.hint_shown))
         if game.over:
+            own = isinstance(game, Practice) and bool(game.set_up)
             again = "Again" if len(game.players) == 1 else "New match"
-            rows.append(("rack", again if play.match_over else "Next rack", True))
+            rows.append(("rack", again if own or play.match_over else "Next rack", True))
         elif game.may_push_out():
             rows.append(("safety", "Push out", play.aiming.call.push_out))
         elif game.needs_call():

@@ -141,8 +141,10 @@ def game_of(content: BilliardsContent) -> AnyGame:
     if content.game == "eight-ball":
         game = msgspec.structs.replace(game, calling=content.calling)
     if placed:
-        own = {"rack": ""} if content.game == "practice" and numbers != tuple(range(1, 16)) else {}
         hand = content.in_hand or ("" if _has_cue_ball(content) else "anywhere")
+        own: dict[str, Any] = {}
+        if content.game == "practice" and numbers != tuple(range(1, 16)):
+            own = {"rack": "", "set_up": _places_of(content), "hand": hand}
         game = msgspec.structs.replace(game, on_table=numbers, opening=False, in_hand=hand, **own)
     return game
 
@@ -153,9 +155,8 @@ def _run_drill(content: BilliardsContent, numbers: tuple[int, ...]) -> RunDrill:
         raise ValueError("balls: a run-drill needs the cue ball (number 0) and another one")
     if content.goal is not None:
         raise ValueError("goal: a run-drill has none")
-    places = tuple(sorted((ball.number, *ball.position) for ball in content.balls))
     return RunDrill(
-        on_table=numbers, in_hand=content.in_hand, hand=content.in_hand, set_up=places,
+        on_table=numbers, in_hand=content.in_hand, hand=content.in_hand, set_up=_places_of(content),
         ordered=content.ordered, pocket=content.pocket, off_cushions=content.off_cushions,
         tries=content.tries, needed=content.needed,
     )  # fmt: skip
@@ -222,7 +223,7 @@ def layout_for(content: BilliardsContent, game: Game, table: Table, balls: BallS
     placed = {number for number in numbers if number != CUE_BALL}
     if placed != set(game.on_table):
         raise ValueError("saved.on_table: not the balls that lie on the table")
-    if CUE_BALL not in numbers and not game.in_hand and not game.over:
+    if CUE_BALL not in numbers and not (game.in_hand or game.over or game.options):
         raise ValueError("balls: expected the cue ball (number 0)")
     return layout
 
@@ -240,6 +241,11 @@ def _check_place(layout: Arrangement, table: Table, ball: PlacedBall) -> None:
         reach = 2.0 * math.sqrt(radius * float(layout.balls.radii[other]))
         if elementary.hypot(x - ox, y - oy) < reach - OVERLAP:
             raise ValueError(f"balls: number {ball.number} at {ball.position} lies in number {other}")
+
+
+def _places_of(content: BilliardsContent) -> tuple[tuple[int, float, float], ...]:
+    """Ball, x, y m of all that is placed."""
+    return tuple(sorted((ball.number, *ball.position) for ball in content.balls))
 
 
 def _has_cue_ball(content: BilliardsContent) -> bool:

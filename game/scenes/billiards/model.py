@@ -32,6 +32,7 @@ Array = NDArray[np.float64]
 
 NO_TALLIES = (Tally(), Tally())
 SETS = ("tries", "needed")  # fields of drills
+OWN = ("set_up", "hand")  # fields of practice
 LEFT_MATCH = ("What you set up is practice: nothing is forbidden.", "U, or To match, goes back to the match.")
 
 
@@ -149,12 +150,17 @@ class BilliardsModel(Part):
         self._lay_out()
 
     def rack(self, new_match: bool = False) -> None:
-        """The next rack if the game is over, else this game, or this drill, from its beginning.
+        """The next rack if the game is over, else this game, or this drill, from its beginning; a position
+        of one's own is set up again.
 
         new_match: no racks are won yet.
         """
         seed = self._next_seed()
         frame, drill = self.frame, isinstance(self.frame.game, Drill)
+        if isinstance(frame.game, Practice) and frame.game.set_up:
+            self.frame = frame.next_rack(seed).with_cue_ball().replace(earlier=_before_set_up(frame))
+            self._lay_out()
+            return
         if new_match:
             frame = frame.replace(game=msgspec.structs.replace(frame.game, won=(0,) * len(frame.game.won)))
         if frame.game.over and not drill:
@@ -185,15 +191,19 @@ class BilliardsModel(Part):
 
     def end_set_up(self) -> None:
         """What was set up is practised; if nothing was, the game goes on."""
+        self.frame = self.after_set_up
+        self._lay_out()
+
+    @property
+    def after_set_up(self) -> Frame:
+        """The frame that is played once the set-up ends: what was set up, else the one before."""
         before = self.frame.earlier
         if before is None:
-            return
+            return self.frame
         if before.layout.places == self.frame.layout.places:
-            self.frame = before
-            return
+            return before
         words = LEFT_MATCH if len(before.game.players) == 2 else ()
-        self.frame = as_practice(self.frame).replace(last=None, words=words, foul=False).with_cue_ball()
-        self._lay_out()
+        return as_practice(self.frame).replace(last=None, words=words, foul=False).with_cue_ball()
 
     def show(self, frame: Frame) -> None:
         """Another frame in play, on the table and the cloth that there are now; the balls turned as they
@@ -221,7 +231,19 @@ def as_practice(frame: Frame) -> Frame:
     """The same balls to practise with: nothing is forbidden, and nothing counted."""
     numbers = tuple(number for number in frame.layout.numbers if number != CUE_BALL)
     hand: Hand = "" if frame.cue_ball is not None else "anywhere"
-    return frame.replace(game=Practice(rack="", on_table=numbers, opening=False, in_hand=hand))
+    game = Practice(
+        rack="", on_table=numbers, opening=False, in_hand=hand, set_up=frame.layout.places, hand=hand
+    )
+    return frame.replace(game=game)
+
+
+def _before_set_up(frame: Frame) -> Frame | None:
+    """The frame that was left for a position of one's own, which undoing leads back to; None if none was."""
+    own, before = frame.game, frame.earlier
+    assert isinstance(own, Practice)
+    while before is not None and isinstance(before.game, Practice) and before.game.set_up == own.set_up:
+        before = before.earlier
+    return before
 
 
 @lru_cache(maxsize=1)
@@ -286,7 +308,8 @@ def decided_by(played: Played | None) -> Decided | None:
 def _word_of(frame: Frame) -> str:
     """A hash of all that a frame says, but for the frames before it."""
     last, game = frame.last, msgspec.to_builtins(frame.game)
-    for name in SETS:  # the word of a drill without sets stays what it was before there were any
+    # the word of a game without sets, or a position of one's own, stays what it was before there were any
+    for name in (*SETS, *(OWN if isinstance(frame.game, Practice) else ())):
         if not game.get(name, True):
             del game[name]
     said = (

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
@@ -14,9 +16,12 @@ from game.scenes.billiards.stroke.aiming import AT_THE_RACK, Aiming
 from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.guide import guide_of
 from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
-from game.scenes.shared.tables.unsteady import shaken
+from game.scenes.shared.tables.unsteady import STEADY_HAND, shaken
 from game.stage import Part
 from game.stage.messages import Messages
+
+if TYPE_CHECKING:
+    from game.billiards.search.strokes import Noise
 
 AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
 PHASE_S, REPLAY_S = range(2)
@@ -103,6 +108,11 @@ class Play(Part):
         """True if a person may aim and strike now."""
         return self.phase == AIMING and self.person_plays and self.model.frame.playable
 
+    @property
+    def asked(self) -> bool:
+        """True if a person has to choose an option."""
+        return self.phase == AIMING and self.person_plays and bool(self.model.frame.game.options)
+
     # -- phases -------------------------------------------------------------------------------------
 
     def start_phase(self, phase: str) -> None:
@@ -172,6 +182,19 @@ class Play(Part):
         radius = float(frame.layout.balls.radii[CUE_BALL])
         done = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, radius)
         self.begin_stroke(done, call, practised=False)
+        self._strayed(meant, done)
+
+    def by_own_hand(self, meant: Stroke, noise: Noise) -> Stroke:
+        """A stroke as a hand does it: the one that shakes as chosen, else one of that noise."""
+        hand = str(self.parameters.hand)
+        shakes = noise if hand == STEADY_HAND else hand
+        radius = float(self.model.frame.layout.balls.radii[CUE_BALL])
+        done = shaken(meant, shakes, self._seed, self.by_hand, radius)
+        self._strayed(meant, done)
+        return done
+
+    def _strayed(self, meant: Stroke, done: Stroke) -> None:
+        """A hand has played: what was meant, and what it did."""
         self.by_hand += 1
         self.meant, self.done = meant, done
         if done != meant:

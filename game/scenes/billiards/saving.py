@@ -9,12 +9,12 @@ import msgspec
 from game.billiards.game.arrangement import Arrangement
 from game.billiards.game.frame import BestStroke
 from game.billiards.game.games import Drill, RunDrill
-from game.billiards.game.log import Log
 from game.levels import Level
 from game.scenes.billiards.level import BestPlayed, BilliardsContent, PlacedBall
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.billiards.opponents.thinking import decision_of
-from game.scenes.billiards.play import SLOW, SLOW_AFTER_S, SLOW_BEFORE_S, Play
+from game.scenes.billiards.play import SET_UP, SLOW, SLOW_AFTER_S, SLOW_BEFORE_S, Play
+from game.scenes.billiards.practice.drill_maker import DrillMaker
 from game.scenes.billiards.practice.log_text import text_of_log
 from game.scenes.billiards.stroke.motion import stroke_motion
 from game.stage.records.excerpt import Excerpt
@@ -26,18 +26,23 @@ REST_S = 0.25  # s that the balls are shown at rest after the stroke
 WHO_PLAYS = ("game", "first_player", "second_player")  # parameters that a single stroke does not depend on
 
 
-def content_of(model: BilliardsModel, log: Log = Log()) -> BilliardsContent:  # noqa: B008  (immutable)
-    """Game, table and log as they are; in the midst of a stroke, as they were before it. A drill is kept as
-    it begins, for it is to be tried again.
+def content_of(play: Play, maker: DrillMaker) -> BilliardsContent:
+    """Game, table and log as they are; in the midst of a stroke, as they were before it.
+
+    A drill is kept as it begins, for it is to be tried again. While the balls are set up it is what will be
+    played: the drill that is made, as soon as nothing is lacking, else what is practised then.
     """
-    game = model.frame.game
+    if maker.active and not maker.lacking:
+        return maker.content
+    model = play.model
+    frame = model.after_set_up if play.phase == SET_UP else model.frame
+    game, best = frame.game, frame.best
     if isinstance(game, Drill | RunDrill):
         return model.content
-    best = model.frame.best
     return BilliardsContent(
         game=model.content.game, players=model.content.players, calling=model.content.calling,
-        balls=_placed(model.frame.layout), solution=model.content.solution,
-        saved=msgspec.to_builtins(game), tallies=model.frame.tallies, log=text_of_log(log),
+        balls=_placed(frame.layout), solution=model.content.solution,
+        saved=msgspec.to_builtins(game), tallies=frame.tallies, log=text_of_log(play.log),
         best=_told(best) if best is not None else None,
     )  # fmt: skip
 

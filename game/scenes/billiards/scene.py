@@ -243,7 +243,7 @@ class Billiards(Scene):
         return game.best, 1 + len(game.more)
 
     def save_content(self) -> BilliardsContent:
-        return saving.content_of(self.model, self.play.log)
+        return saving.content_of(self.play, self.maker)
 
     @property
     def practised(self) -> Practised | None:

@@ -47,7 +47,7 @@ class CaromHand(Part):
             course.grip = "list"
         elif course.phase != AIMING:
             return
-        elif course.model.frame.game.options:
+        elif course.model.frame.game.options and course.person_plays:
             course.grip = "option"
         elif layout.on_tip(x, y):
             course.grip = "tip"

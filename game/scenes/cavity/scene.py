@@ -46,7 +46,7 @@ class Cavity(ModelScene):
     hints = (Hint(("Drag",), "stir"),)
     strips = (
         Strip("Speeds on the centre lines", "", ("least u", "most v", "least v")),
-        Strip("Error", "%", ("error",)),
+        Strip("Error", "%", ("error",), sometimes=("error", "Nusselt error")),
         Strip("Change", "m/s²", ("change",)),
     )
     equations = (

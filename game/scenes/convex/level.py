@@ -27,7 +27,7 @@ class ShapeEntry(LevelEntry, frozen=True, kw_only=True):
 
     points: Annotated[tuple[Place, ...], msgspec.Meta(max_length=MOST_CORNERS)] = ()
     corners: Annotated[int, msgspec.Meta(ge=3, le=MOST_CORNERS)] | None = None
-    radius: Annotated[float, msgspec.Meta(gt=0.0, le=10_000.0)] = 1.0
+    radius: Annotated[float, msgspec.Meta(ge=1e-6, le=10_000.0)] = 1.0
     flat: Annotated[float, msgspec.Meta(gt=0.0, le=1.0)] = 1.0
     position: Place = (0.0, 0.0)
     turn: Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)] = 0.0

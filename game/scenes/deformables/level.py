@@ -13,7 +13,7 @@ from game.worlds.entries.entry import LevelEntry
 from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1e6, le=1e6)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=10.0)]
+Length = Annotated[float, msgspec.Meta(ge=1e-6, le=10.0)]
 Number = Annotated[int, msgspec.Meta(ge=1, le=200)]
 Point = tuple[Metre, Metre]
 GOLDEN = math.pi * (3.0 - math.sqrt(5.0))  # rad, from each copy to the next: none lies as its neighbours do

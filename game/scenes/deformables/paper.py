@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from time import process_time
 
 import numpy as np
 
 from game.lab.studies.deformables import CELLS, TABLES, pile_of
+from game.lab.timing import least_time
 from game.physics.deformables import MeshCollider, mean_edge
 from game.scenes.deformables.figure import draw_depth, draw_slots, draw_two_passes
 from game.ui.widgets.paper import Comparison, Paper, Step
@@ -15,17 +15,11 @@ from game.ui.widgets.paper import Comparison, Paper, Step
 BLOBS, RINGS = 134, 5  # 20,100 triangles
 SMALL, SMALL_RINGS = 30, 3
 TABLE = 40_009
-ROUNDS = 3
 
 
 def _milliseconds(collider: MeshCollider, points: np.ndarray) -> float:
     """The best of some detections."""
-    best = float("inf")
-    for _ in range(ROUNDS):
-        began = process_time()
-        collider.find(points)
-        best = min(best, process_time() - began)
-    return 1e3 * best
+    return 1e3 * least_time(lambda: collider.find(points))
 
 
 def _measure() -> Iterator[Comparison]:

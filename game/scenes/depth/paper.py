@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from time import process_time
 
 from game.lab.studies.narrowphase.rotation import overlapping_pairs
+from game.lab.timing import least_time
 from game.physics.narrowphase.depth import ShapePair, preset
 from game.scenes.depth.figure import draw_bound, draw_differences, draw_norm, draw_two_ways
 from game.ui.widgets.paper import Comparison, Paper, Step
@@ -22,10 +22,8 @@ def _combs() -> ShapePair:
 
 def _measure() -> Iterator[Comparison]:
     pairs = overlapping_pairs()
-    pairs[0].generalised(TOLERANCE)  # compiled, or read from the disk
-    start = process_time()
     found = [pair.generalised(TOLERANCE) for pair in pairs]
-    each = (process_time() - start) / len(pairs)
+    each = least_time(lambda: [pair.generalised(TOLERANCE) for pair in pairs], 1) / len(pairs)
     yield Comparison(
         "one query with rotation", "tens of ms, tens of thousands of triangles",
         f"{1e3 * each:.1f} ms, 1 to 6 parts in the plane",
@@ -37,10 +35,7 @@ def _measure() -> Iterator[Comparison]:
         f"the shortest of all, to {1e3 * worst:.1f} mm",
     )
     slides = [pair.translational() for pair in pairs]
-    start = process_time()
-    for pair in pairs:
-        pair.translational()
-    alone = (process_time() - start) / len(pairs)
+    alone = least_time(lambda: [pair.translational() for pair in pairs]) / len(pairs)
     yield Comparison("one query without rotation", "", f"{1e6 * alone:.0f} µs")
     saved = [100.0 * (1.0 - one.sigma / slide.sigma) for one, slide in zip(found, slides, strict=True)]
     yield Comparison(
@@ -53,9 +48,8 @@ def _measure() -> Iterator[Comparison]:
     yield Comparison(
         "two combs askew", "", f"{slide.sigma:.3f} m without, {turned.sigma:.3f} m with rotation"
     )
-    start = process_time()
     grid = combs.by_grid(31, 31)
-    spent = process_time() - start
+    spent = least_time(lambda: combs.by_grid(31, 31), 1)
     yield Comparison(
         "the combs by brute force",
         "",

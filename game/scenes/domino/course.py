@@ -6,12 +6,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Point
 from game.physics.kernels import elementary
 from game.scenes.domino.level import FloorEntry, PieceEntry, RowEntry
 
-Floats = NDArray[np.float64]
 ARC_DEGREES = 3.0  # of a chord of an arc
 
 
@@ -32,25 +31,21 @@ def floor_points(floor: FloorEntry) -> Floats:
         if not added:
             raise ValueError(f"pieces[{k}]: it goes nowhere")
         points += added
-    return np.array(points)
+    found = np.array(points)
+    if not (np.diff(found[:, 0]) > 0.0).any():  # nothing can stand on it: `height_at` asks for such a piece
+        raise ValueError("pieces: no part of the floor leads to the right")
+    return found
 
 
-def _piece(
-    start: tuple[float, float], heading: float, piece: PieceEntry
-) -> tuple[list[tuple[float, float]], float]:
+def _piece(start: Point, heading: float, piece: PieceEntry) -> tuple[list[Point], float]:
     x, y = start
     if piece.radius and piece.turn:
         turn, side = math.radians(piece.turn), math.copysign(1.0, piece.turn)
-        cx, cy = (
-            x - side * piece.radius * elementary.sin(heading),
-            y + side * piece.radius * elementary.cos(heading),
-        )
+        reach = side * piece.radius
+        cx, cy = x - reach * elementary.sin(heading), y + reach * elementary.cos(heading)
         count = max(1, math.ceil(abs(piece.turn) / ARC_DEGREES))
         angles = [heading + turn * (k + 1) / count for k in range(count)]
-        places = [
-            (cx + side * piece.radius * elementary.sin(a), cy - side * piece.radius * elementary.cos(a))
-            for a in angles
-        ]
+        places = [(cx + reach * elementary.sin(a), cy - reach * elementary.cos(a)) for a in angles]
         return places, heading + turn
     if not (piece.run or piece.rise):
         return [], heading
@@ -63,7 +58,7 @@ def _piece(
     return [(x + piece.run, y + piece.rise)], elementary.atan2(piece.rise, piece.run)
 
 
-def height_at(points: Floats, x: float) -> tuple[float, float]:
+def height_at(points: Floats, x: float) -> Point:
     """Height (m) and slope (rad) of a floor at x; beyond its ends those of the ends.
 
     Of pieces one above the other the lowest counts.

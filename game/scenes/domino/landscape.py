@@ -5,17 +5,17 @@ move with the camera.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Inks, Longs
 from game.physics.kernels.lean import lean_kernel
 from game.ui.canvas.canvas import Canvas
+from game.ui.painters.wall import is_dark
 from game.ui.raster.pixels import blend
+from game.worlds.painting.inks import channels, opaque
 
-Floats = NDArray[np.float64]
-Inks = NDArray[np.uint32]
 USUAL_SCALE = 14.0  # px to a m, at which hills are as large as they say
 GROUND = -2.0  # m, of the meadow that all stands on
 
@@ -65,7 +65,7 @@ def paint_landscape(pixels, clip, sky, crests, shades, spans):
         smooth_crest(pixels, left, top, crests[k], shades[k], height)
 
 
-def spans_of(crests: Floats, height: int) -> NDArray[np.int64]:
+def spans_of(crests: Floats, height: int) -> Longs:
     """Rows (l + 1, 2) in which the sky and each hill may be seen: from the first to before the last."""
     low = np.concatenate([[0.0], np.floor(crests.min(axis=1))])
     covered = np.ceil(crests.max(axis=1)) + 1.0
@@ -107,12 +107,6 @@ class Landscape:
         )
 
 
-def is_dark(canvas: Canvas) -> bool:
-    """Whether the theme is dark: then it is night."""
-    color = canvas.color("stage")
-    return int(color.r) + int(color.g) + int(color.b) < 384
-
-
 def warm_up_landscape() -> None:
     """Compile what paints, on a tiny picture."""
     paint_landscape(
@@ -122,20 +116,9 @@ def warm_up_landscape() -> None:
     )  # fmt: skip
 
 
-def _parts(ink: int) -> Floats:
-    return np.array([ink >> 16 & 255, ink >> 8 & 255, ink & 255], dtype=np.float64)
-
-
-def _packed(colors: Any) -> Inks:
-    """Colours (..., 3) 0 to 255 as 0xFFRRGGBB."""
-    rounded = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
-    packed: Inks = rounded[..., 0] << 16 | rounded[..., 1] << 8 | rounded[..., 2]
-    return packed | np.uint32(0xFF000000)
-
-
 def _sky(width: int, height: int, dark: bool) -> Inks:
     """Colours (h, w): a gradient, the sun or the moon with its glow, at night stars."""
-    above, horizon, light = (_parts(ink) for ink in (NIGHT if dark else DAY)[:3])
+    above, horizon, light = (channels(ink) for ink in (NIGHT if dark else DAY)[:3])
     y, x = np.mgrid[0:height, 0:width].astype(np.float64)
     down = np.clip(y / (0.8 * height), 0.0, 1.0)[..., None] ** 1.3
     colors = above + (horizon - above) * down
@@ -152,24 +135,24 @@ def _sky(width: int, height: int, dark: bool) -> Inks:
     colors += (light - colors) * np.clip(glow, 0.0, 1.0)[..., None]
     disc = np.clip((radius - away) * height + 0.5, 0.0, 1.0)
     colors += (light - colors) * disc[..., None]
-    return _packed(colors)
+    return opaque(colors)
 
 
 def _hues(dark: bool) -> Floats:
     """Colours (l, 2, 3) at the crest and at the foot of hills and meadow: haze lies at the feet."""
     _, horizon, _, hills, grass, earth = NIGHT if dark else DAY
     rows = [
-        (_parts(ink), _parts(ink) + (_parts(horizon) - _parts(ink)) * haze)
+        (channels(ink), channels(ink) + (channels(horizon) - channels(ink)) * haze)
         for ink, haze in zip(hills, HAZE, strict=True)
     ]
-    return np.array([*rows, (_parts(grass), _parts(earth))])
+    return np.array([*rows, (channels(grass), channels(earth))])
 
 
 def _shades(hues: Floats, crests: Floats, height: int) -> Inks:
     """Colours (l, h) of hills by rows, from the mean of their crests downwards."""
     down = (np.arange(height) - crests.mean(axis=1)[:, None]) / (0.34 * height)
     share = np.clip(down, 0.0, 1.0)[..., None] ** 0.8
-    return _packed(hues[:, None, 0] + (hues[:, None, 1] - hues[:, None, 0]) * share)
+    return opaque(hues[:, None, 0] + (hues[:, None, 1] - hues[:, None, 0]) * share)
 
 
 def _crests(canvas: Canvas, width: int, height: int) -> Floats:

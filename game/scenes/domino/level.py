@@ -6,16 +6,10 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.worlds.entries.entry import LevelEntry
+from game.worlds.entries.entry import Degrees, Density, Index, Length, LevelEntry, Metre, Point
 from game.worlds.expectations import Expectations
 
-Metre = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e4)]
-Density = Annotated[float, msgspec.Meta(ge=1e-3, le=1e5)]
 Grip = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
-Degrees = Annotated[float, msgspec.Meta(ge=-80.0, le=80.0)]
-Index = Annotated[int, msgspec.Meta(ge=0, le=1_000)]
-Point = tuple[Metre, Metre]
 MOST_DOMINOES = 3_000
 MOST_FLOORS, MOST_THINGS = 60, 100
 

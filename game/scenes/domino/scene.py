@@ -2,39 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import ClassVar
 
 from game.lab.studies.dominoes import domino_study
-from game.levels import Level
 from game.physics.fields import GRAVITY
 from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
 from game.scenes.domino import A01
 from game.scenes.domino.figure import draw_leaning
-from game.scenes.domino.hand import DominoHand
+from game.scenes.domino.hand import domino_hand
 from game.scenes.domino.landscape import warm_up_landscape
 from game.scenes.domino.level import DominoContent, FloorEntry, PieceEntry, RowEntry, View
-from game.scenes.domino.model import DominoModel
-from game.scenes.domino.parameters import OF_PICTURE, DominoParameters
-from game.scenes.domino.readouts import readouts
-from game.scenes.domino.saving import content_of
-from game.scenes.domino.sounds import hearing_of
-from game.scenes.domino.targets import story_targets
+from game.scenes.domino.parameters import OF_PICTURE, TOOLS, DominoParameters
+from game.scenes.domino.told import hearing, readouts, saved, targets
 from game.scenes.domino.view import DominoView
-from game.stage import (
-    Equation,
-    Hearing,
-    Hint,
-    Readout,
-    SceneAction,
-    Strip,
-    WarmUp,
-)
+from game.scenes.domino.world import DominoWorld
+from game.stage import Equation, Hint, SceneAction, Strip
+from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import BuiltScene
+from game.worlds.scene import Parts, WorldScene
 
 
-class Domino(BuiltScene):
+class Domino(WorldScene):
     """Each domino turns about the lower edge of its face, strikes the next, and leans on it from then on, so
     that many of them push the front together. After a dozen the wave runs at a steady speed, which depends
     on the gap, the thickness and the friction between two dominoes, and goes with the square root of their
@@ -52,14 +40,14 @@ class Domino(BuiltScene):
     name, task, title = A01.names
     parameters_type = DominoParameters
     parameters: DominoParameters
-    model: DominoModel
-    hand: DominoHand
+    model: DominoWorld
+    parts = Parts(DominoWorld, domino_hand, DominoView, readouts, saved, targets, hearing)
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = DominoContent
     not_of_model = OF_PICTURE
     study = domino_study
-    takes: ClassVar[frozenset[str]] = frozenset(("right",))
-    covers = True
+    tool_prefix = "tool-"
+    painters = (("polygons", warm_up_painter), ("landscape", warm_up_landscape))
     may_be_infinite = frozenset(("world.joints",))
 
     strips = (
@@ -73,13 +61,7 @@ class Domino(BuiltScene):
         Hint(("Right click",), "take one away"),
         Hint(("1", "2", "3", "4"), "push, drag, add, remove"),
     )
-    actions = (
-        SceneAction("push", "push the first", "U"),
-        SceneAction("tool-push", "tool: push", "1"),
-        SceneAction("tool-drag", "tool: drag", "2"),
-        SceneAction("tool-add", "tool: add", "3"),
-        SceneAction("tool-remove", "tool: remove", "4"),
-    )
+    actions = (SceneAction("push", "push the first", "U"), *tool_keys(TOOLS, "tool-"))
     figure = staticmethod(draw_leaning)
     equations = (
         Equation(
@@ -106,54 +88,11 @@ class Domino(BuiltScene):
         view=View(left=-2.0, right=30.0, bottom=-3.0, top=9.0),
     )
 
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        """A step, and what paints."""
-        return (
-            WarmUp("step", lambda: cls().advance(cls.dt)),
-            WarmUp("polygons", warm_up_painter),
-            WarmUp("landscape", warm_up_landscape),
-        )
-
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = DominoModel(content, self.parameters, self.active)
-        self.hand = DominoHand(self.model)
-        self.view = DominoView(self.model, self.hand)
-        self.check_content(content)
-
-    def tool_changed(self) -> None:
-        self.hand.let_go()
-
     def why_idle(self, name: str) -> str:
         if name == "spacing" and all(row.gap is not None for row in self.model.content.rows):
             return "This level says how far apart its dominoes stand."
         return super().why_idle(name)
 
-    def save_content(self) -> DominoContent:
-        return content_of(self.model)
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def action(self, name: str) -> None:
-        if name.startswith("tool-"):
-            self.parameters.tool = name.removeprefix("tool-")
-            self.hand.let_go()
-        else:
-            self.model.push_first()
-
-    # -- what there is to see -----------------------------------------------------------------------
-
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return story_targets(self.model)
-
-    def hearing(self) -> Hearing:
-        return hearing_of(self.model)
+    def do(self, name: str) -> str:
+        self.model.push_first()
+        return ""

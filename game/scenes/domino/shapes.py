@@ -6,13 +6,10 @@ import colorsys
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.scenes.domino.level import FloorEntry
-from game.scenes.domino.tables import TALL, THICK
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
 BOARD, FRONT = 0.34, 0.09  # m: of a board, of its lit upper edge
 POST, EVERY = 0.26, 6.9  # m: breadth of a post, between two
 # of a domino, in shares of its half thickness and half height: where the painted band lies, and the grain
@@ -79,11 +76,6 @@ def _height(points: Floats, x: float) -> float:
         return float(points[:, 1].min())
     (x0, y0), (x1, y1) = points[k[0]], points[k[0] + 1]
     return float(y0 + (y1 - y0) * (x - x0) / (x1 - x0))
-
-
-def half_sizes(dominoes: Floats) -> Floats:
-    """Half thickness and half height (n, 2) m."""
-    return 0.5 * dominoes[:, [THICK, TALL]]
 
 
 @lru_cache(maxsize=8)

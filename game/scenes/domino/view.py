@@ -5,14 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import pygame
-from numpy.typing import NDArray
 
-from game.physics.solids.state import DYNAMIC
-from game.scenes.domino.hand import NOBODY, DominoHand
-from game.scenes.domino.landscape import GROUND, Landscape, is_dark
+from game.arrays import Flags, Floats, Longs
+from game.scenes.domino.landscape import GROUND, Landscape
 from game.scenes.domino.marks import draw_marks
-from game.scenes.domino.model import DominoModel, ModelState
 from game.scenes.domino.shapes import (
     BAND,
     BOARD,
@@ -20,20 +16,19 @@ from game.scenes.domino.shapes import (
     GRAIN,
     LIT,
     SHADED,
-    half_sizes,
     pools_of,
     posts_of,
     rainbow,
     spans_of,
 )
-from game.scenes.domino.tables import BODY, SLIDER_BODY
+from game.scenes.domino.world import DominoState, DominoWorld
 from game.ui.canvas.canvas import Canvas
-from game.worlds.painting.boards import Shapes, boards_of, moved, placed
-from game.worlds.painting.polygons import NO_EDGE, paint
+from game.ui.painters.wall import is_dark
+from game.worlds.hands.hand import NOBODY, Hand
+from game.worlds.members.solids import bodies_between
+from game.worlds.painting.boards import WHOLE, boards_of, moved, paint_quads, paint_shapes, placed
+from game.worlds.painting.inks import color_of, lighter, scaled
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
-WHOLE = (-1.0, -1.0, 1.0, 1.0)
 GRAIN_PX = 26.0  # px to a m at which grain can be seen
 LANE_STEP = (0.12, 0.17)  # m: how much farther right and up each lane behind the first is seen
 # by day and at night: wood of dominoes, boards, their lit edge, posts, shadow
@@ -48,7 +43,7 @@ BLOCKS = (0xD65F5F, 0xE0A03C, 0x6FA84F, 0x4E8FC9, 0x9A6CC4)
 class DominoView:
     """Draws a model and its hand."""
 
-    def __init__(self, model: DominoModel, hand: DominoHand):
+    def __init__(self, model: DominoWorld, hand: Hand):
         self.model, self.hand = model, hand
         self._landscape = Landscape()
         floors, points = model.content.floors, model.floors
@@ -70,85 +65,42 @@ class DominoView:
         if not self.model.parameters.marks:
             return []
         rows = [("disc:amber", "contact", ""), ("line:chalk", "velocity", "")]
-        if len(self.model.sliders):
+        if len(self.model.content.sliders):
             rows.append(("dash:text1", "v² / (2 g (μ cos − sin))", ""))
         return rows
 
-    def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
+    def draw(self, canvas: Canvas, previous: DominoState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         self._landscape.draw(canvas)
-        places, angles = self._between(previous, alpha)
+        places, angles = bodies_between(self.model.world, previous and previous.world, alpha)
         turned = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         tones = WOOD[is_dark(canvas)]
-        self._quads(canvas, self._posts, tones[3], edge=0x000000)
+        paint_quads(canvas, self._posts, tones[3], edges=0x000000)
         self._draw_bridges(canvas, tones)
         self._draw_lanes(canvas, places, turned, tones)
         for board in self._boards:
-            self._shapes(canvas, board, tones[1])
+            paint_shapes(canvas, board, tones[1])
         self._draw_planks(canvas, places, turned, tones)
         self._draw_dominoes(canvas, places, turned, tones)
         for edge in self._edges:
-            self._shapes(canvas, edge, tones[2])
+            paint_shapes(canvas, edge, tones[2])
         self._draw_balls(canvas, places, turned)
         if canvas.teaching and self.model.parameters.marks:
             draw_marks(canvas, self.model, places)
         if self.hand.held != NOBODY and self.hand.point is not None:
             canvas.ring(self.hand.point, 9.0, "amber", 2.0)
 
-    # -- where things are -----------------------------------------------------------------------------
-
-    def _between(self, previous: ModelState | None, alpha: float) -> tuple[Floats, Floats]:
-        """Places (n, 2) m and angles (n,) rad of all slots between the last two steps."""
-        rows = self.model.world.bodies
-        if previous is None or previous.world.bodies.angles.shape != rows.angles.shape:
-            return rows.positions, rows.angles
-        before = previous.world.bodies
-        share = np.where(before.flags & DYNAMIC == rows.flags & DYNAMIC, 1.0 - alpha, 0.0)
-        places = rows.positions - share[:, None] * (rows.positions - before.positions)
-        return places, rows.angles - share * (rows.angles - before.angles)
-
-    def _seen(self, canvas: Canvas, places: Floats, bodies: Longs) -> NDArray[np.bool_]:
+    def _seen(self, canvas: Canvas, places: Floats, bodies: Longs) -> Flags:
         """Which bodies may be in the picture."""
         seen, rows = canvas.camera.visible(), self.model.world.bodies
         reach, at = rows.reaches[bodies] + 0.6, places[bodies]
-        inside: NDArray[np.bool_] = (
+        inside: Flags = (
             (at[:, 0] + reach > seen.left) & (at[:, 0] - reach < seen.right)
             & (at[:, 1] + reach > seen.bottom) & (at[:, 1] - reach < seen.top)
         )  # fmt: skip
         return inside
 
     # -- painting -------------------------------------------------------------------------------------
-
-    def _quads(
-        self,
-        canvas: Canvas,
-        corners: Floats,
-        inks: int | Longs,
-        share: float = 1.0,
-        edge: int | Longs = NO_EDGE,
-    ) -> None:
-        """Quadrangles (4 n, 2) m, those in the picture."""
-        count = len(corners) // 4
-        if not count:
-            return
-        boxes, seen = corners.reshape(count, 4, 2), canvas.camera.visible()
-        low, high = boxes.min(axis=1), boxes.max(axis=1)
-        there = (low[:, 0] < seen.right) & (high[:, 0] > seen.left) & (low[:, 1] < seen.top)
-        there &= high[:, 1] > seen.bottom
-        kept = np.ascontiguousarray(boxes[there].reshape(-1, 2))
-        number = len(kept) // 4
-        if not number:
-            return
-        own = np.full(number, inks, dtype=np.int64) if isinstance(inks, int) else inks[there]
-        edges = np.full(number, edge, dtype=np.int64) if isinstance(edge, int) else edge[there]
-        starts = np.arange(0, 4 * number + 1, 4)
-        paint(canvas, kept, starts, own, np.full(number, share), edges, np.zeros((4, 2)))
-
-    def _shapes(self, canvas: Canvas, shapes: Shapes, ink: int) -> None:
-        """Polygons of one colour."""
-        count = len(shapes.starts) - 1
-        inks, none = np.full(count, ink, dtype=np.int64), np.full(count, NO_EDGE, dtype=np.int64)
-        paint(canvas, shapes.corners, shapes.starts, inks, np.ones(count), none, np.zeros((4, 2)))
 
     def _shadows(self, canvas: Canvas, corners: Floats, ink: int) -> None:
         """Soft shadows on the floor below boxes (4 n, 2) m, towards the right."""
@@ -163,7 +115,7 @@ class DominoView:
                 [np.stack([left, foot], 1), np.stack([right, foot], 1),
                  np.stack([right - 0.06, foot - deep], 1), np.stack([left + 0.06, foot - deep], 1)], axis=1
             )  # fmt: skip
-            self._quads(canvas, quads.reshape(-1, 2), ink, share)
+            paint_quads(canvas, quads.reshape(-1, 2), ink, share)
 
     def _draw_bridges(self, canvas: Canvas, tones: tuple[int, ...]) -> None:
         """An arch below each bridge, and struts up to it; water in gaps."""
@@ -178,9 +130,9 @@ class DominoView:
             struts = arch[2:-2:3]
             heads = np.column_stack([struts[:, 0], np.full(len(struts), y - BOARD)])
             for a, b in zip(struts, heads, strict=True):
-                canvas.polygon(_beam(a, b, 0.16), fill=_color(tones[3]))
+                canvas.polygon(_beam(a, b, 0.16), fill=color_of(tones[3]))
             bow = np.concatenate([arch, arch[::-1] - np.array((0.0, 0.34))])
-            canvas.polygon(bow, fill=_color(tones[3]), outline=_color(tones[4]), width=1.0)
+            canvas.polygon(bow, fill=color_of(tones[3]), outline=color_of(tones[4]), width=1.0)
 
     def _draw_planks(self, canvas: Canvas, places: Floats, turned: Floats, tones: tuple[int, ...]) -> None:
         for entry, body in zip(self.model.content.planks, self.model.plank_ids, strict=True):
@@ -192,88 +144,75 @@ class DominoView:
                 at = np.array([[entry.at[0] + c * shift, entry.at[1] + s * shift]])
                 x, y = entry.at
                 foot = np.array([(x - 0.45, y - 0.5), (x + 0.45, y - 0.5), (x, y)])
-                canvas.polygon(foot, fill=_color(tones[3]))
-            self._quads(canvas, placed(WHOLE, sizes, at, turned[body : body + 1]), tones[2], edge=tones[4])
+                canvas.polygon(foot, fill=color_of(tones[3]))
+            paint_quads(canvas, placed(WHOLE, sizes, at, turned[body : body + 1]), tones[2], edges=tones[4])
             if entry.seesaw:
-                canvas.circle(entry.at, 0.09, _color(tones[4]))
+                canvas.circle(entry.at, 0.09, color_of(tones[4]))
 
     def _draw_dominoes(self, canvas: Canvas, places: Floats, turned: Floats, tones: tuple[int, ...]) -> None:
-        table = self.model.dominoes
-        there = np.flatnonzero(table[:, BODY] >= 0.0)
-        bodies = table[there, BODY].astype(np.int64)
+        table, there = self.model.dominoes.table, self.model.dominoes.there()
+        bodies = table.body[there]
         seen = self._seen(canvas, places, bodies)
         there, bodies = there[seen], bodies[seen]
         if not len(there):
             return
         dark = is_dark(canvas)
-        sizes, at, turn = half_sizes(table[there]), places[bodies], turned[bodies]
-        colours = rainbow(len(table), dark)[there]
+        sizes = 0.5 * np.stack([table.thick[there], table.tall[there]], axis=1)
+        at, turn = places[bodies], turned[bodies]
+        colours = rainbow(len(table.body), dark)[there]
         whole = placed(WHOLE, sizes, at, turn)
         self._shadows(canvas, whole, tones[4])
-        self._quads(canvas, whole, tones[0], edge=tones[4] if canvas.pixels_per_unit > GRAIN_PX else tones[1])
+        paint_quads(
+            canvas, whole, tones[0], edges=tones[4] if canvas.pixels_per_unit > GRAIN_PX else tones[1]
+        )
         if canvas.pixels_per_unit > GRAIN_PX:
             for box in GRAIN:
-                self._quads(canvas, placed(box, sizes, at, turn), tones[1], 0.55)
-        self._quads(canvas, placed(BAND, sizes, at, turn), colours)
+                paint_quads(canvas, placed(box, sizes, at, turn), tones[1], 0.55)
+        paint_quads(canvas, placed(BAND, sizes, at, turn), colours)
         for side, box in ((1.0, LIT), (-1.0, SHADED)):
-            self._quads(canvas, placed(box, sizes, at, turn), 0xFFFFFF if side > 0 else 0x000000, 0.2)
+            paint_quads(canvas, placed(box, sizes, at, turn), 0xFFFFFF if side > 0 else 0x000000, 0.2)
 
     def _draw_lanes(self, canvas: Canvas, places: Floats, turned: Floats, tones: tuple[int, ...]) -> None:
         """Lanes side by side from the back to the front, each with its block."""
         model = self.model
-        if not len(model.sliders):
+        if not len(model.content.sliders):
             for board in self._lanes:
-                self._shapes(canvas, board, tones[1])
+                paint_shapes(canvas, board, tones[1])
             return
-        bodies = model.sliders[:, SLIDER_BODY].astype(np.int64)
+        bodies = model.blocks.table.body
         entries = model.content.sliders
         for lane in range(len(entries) - 1, -1, -1):
             shift = np.array(LANE_STEP) * lane
             share = 0.08 * lane
             side, upper = self._ways[entries[lane].floor]
-            self._shapes(canvas, moved(side, shift), _darker(tones[1], 0.25 + share))
-            self._shapes(canvas, moved(upper, shift), _darker(tones[2], share))
+            paint_shapes(canvas, moved(side, shift), scaled(tones[1], 0.75 - share))
+            paint_shapes(canvas, moved(upper, shift), scaled(tones[2], 1.0 - share))
             body = bodies[lane : lane + 1]
             sizes = 0.5 * np.array([entries[lane].size])
             if entries[lane].speed > 0.0:
                 sizes = sizes[:, ::-1]
             at, turn = places[body] + shift, turned[body]
             whole = placed(WHOLE, sizes, at, turn)
-            self._quads(canvas, whole + np.array((0.09, -0.06)), tones[4], 0.35)
-            self._quads(canvas, whole, BLOCKS[lane % len(BLOCKS)], edge=tones[4])
-            self._quads(canvas, placed(LIT, sizes, at, turn), 0xFFFFFF, 0.25)
+            paint_quads(canvas, whole + np.array((0.09, -0.06)), tones[4], 0.35)
+            paint_quads(canvas, whole, BLOCKS[lane % len(BLOCKS)], edges=tones[4])
+            paint_quads(canvas, placed(LIT, sizes, at, turn), 0xFFFFFF, 0.25)
 
     def _draw_balls(self, canvas: Canvas, places: Floats, turned: Floats) -> None:
         """Shaded round things: a dark rim, lighter towards the light, and a ring that shows how they turn."""
         for entry, body in zip(self.model.content.balls, self.model.ball_ids, strict=True):
             x, y = places[body].tolist()
             r, (c, s), ink = entry.radius, turned[body].tolist(), BALLS[entry.made_of]
-            canvas.circle((x, y), r + canvas.px(0.9), _color(_darker(ink, 0.6)))
+            canvas.circle((x, y), r + canvas.px(0.9), color_of(scaled(ink, 0.4)))
             for k in range(9):
                 share = 1.0 - 0.1 * k
                 shift = 0.32 * (1.0 - share) * r
-                tone = _darker(ink, 0.42 - 0.075 * k) if k < 6 else _lighter(ink, 0.1 * (k - 5))
-                canvas.circle((x - shift, y + 1.1 * shift), share * r * 0.99, _color(tone))
+                tone = scaled(ink, 0.58 + 0.075 * k) if k < 6 else lighter(ink, 0.1 * (k - 5))
+                canvas.circle((x - shift, y + 1.1 * shift), share * r * 0.99, color_of(tone))
             for k in (0, 1, 2):
                 angle = math.tau * k / 3.0
                 px, py = math.cos(angle) * c - math.sin(angle) * s, math.sin(angle) * c + math.cos(angle) * s
-                canvas.circle((x + 0.6 * r * px, y + 0.6 * r * py), 0.1 * r, _color(_darker(ink, 0.5)), 0.8)
-            canvas.circle((x - 0.34 * r, y + 0.4 * r), 0.14 * r, _color(0xFFFFFF), 0.75)
-
-
-def _color(ink: int) -> pygame.Color:
-    return pygame.Color(ink >> 16 & 255, ink >> 8 & 255, ink & 255)
-
-
-def _darker(ink: int, share: float) -> int:
-    keep = 1.0 - min(max(share, 0.0), 1.0)
-    return int((ink >> 16 & 255) * keep) << 16 | int((ink >> 8 & 255) * keep) << 8 | int((ink & 255) * keep)
-
-
-def _lighter(ink: int, share: float) -> int:
-    parts = (ink >> 16 & 255, ink >> 8 & 255, ink & 255)
-    r, g, b = (int(part + share * (255 - part)) for part in parts)
-    return r << 16 | g << 8 | b
+                canvas.circle((x + 0.6 * r * px, y + 0.6 * r * py), 0.1 * r, color_of(scaled(ink, 0.5)), 0.8)
+            canvas.circle((x - 0.34 * r, y + 0.4 * r), 0.14 * r, color_of(0xFFFFFF), 0.75)
 
 
 def _beam(a: Floats, b: Floats, breadth: float) -> Floats:

@@ -60,7 +60,7 @@ class Motion(LevelEntry, frozen=True, kw_only=True):
                   Annotated[float, msgspec.Meta(ge=-3.0, le=4.0)]] = (0.42, 0.0, 0.58, 1.0)  # fmt: skip
     start: Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)] = 0.0
     box: tuple[
-        Annotated[float, msgspec.Meta(gt=0.0, le=100.0)], Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
+        Annotated[float, msgspec.Meta(ge=1e-6, le=100.0)], Annotated[float, msgspec.Meta(ge=1e-6, le=100.0)]
     ] = (
         1.1,
         0.66,

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from time import perf_counter
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.timing import least_time
 from game.physics.animation.crossings import crosses_itself
 from game.physics.animation.curves import CatmullRom
 from game.scenes.shared.marks import dot
@@ -84,12 +85,7 @@ def _measure() -> Iterator[Comparison]:
         "",
         ", ".join(f"{reach:.2f}" for reach in far),
     )
-    costs = {"uniform": float("inf"), "centripetal": float("inf")}
-    for _ in range(9):
-        for kind in costs:
-            start = perf_counter()
-            CatmullRom(points, kind)
-            costs[kind] = min(costs[kind], perf_counter() - start)
+    costs = {kind: least_time(partial(CatmullRom, points, kind), 9) for kind in ("uniform", "centripetal")}
     yield Comparison(
         "price of centripetal knots, to uniform ones",
         "",

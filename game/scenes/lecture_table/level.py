@@ -16,7 +16,7 @@ from game.scenes.shared.tables.level import BallEntry
 
 Array = NDArray[np.float64]
 
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=20.0)]  # m
+Length = Annotated[float, msgspec.Meta(ge=1e-6, le=20.0)]  # m
 
 
 class StrokeEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):

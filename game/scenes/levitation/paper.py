@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from time import perf_counter
 
 import numpy as np
 
+from game.lab.timing import least_time
 from game.physics.acoustics import Levitator, LevitatorSettings, facing_rows
 from game.physics.acoustics.levitator import POLYSTYRENE
 from game.scenes.levitation.figure import draw_focus, draw_standing_wave
@@ -85,11 +85,7 @@ def _measure() -> Iterator[Comparison]:
         yield Comparison(
             f"heaviest grain that hangs at {strength:g} Pa m", "7 g/cm³", f"{heaviest / 1000.0:.2g} g/cm³"
         )
-    still.step(DT)
-    start = perf_counter()
-    for _ in range(30):
-        still.step(DT)
-    cost = (perf_counter() - start) / (30 * 16)
+    cost = least_time(lambda: still.step(DT), 30) / 16
     yield Comparison(f"one grain, one substep, {2 * COUNT} transducers", "", f"{1e6 * cost:.1f} µs")
 
 

@@ -11,7 +11,7 @@ from game.scenes.metal.level import MOST_BALLS, MOST_TRACKS, BallEntry
 from game.scenes.metal.model import MetalModel
 from game.scenes.metal.tables import ROD
 from game.stage import Part, Pointer
-from game.worlds.entries.tracks import Point
+from game.worlds.entries.entry import Point
 from game.worlds.hands.curves import NOBODY, bent, drawn, nearest_curve
 
 NEAR = 0.02  # of the height in view

@@ -6,14 +6,10 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.worlds.entries.entry import LevelEntry
-from game.worlds.entries.tracks import Length, Metre, Point, TrackEntry
+from game.worlds.entries.entry import Degrees, Density, Index, Length, LevelEntry, Metre, Point, Share
+from game.worlds.entries.tracks import TrackEntry
 from game.worlds.expectations import Expectations
 
-Density = Annotated[float, msgspec.Meta(ge=1e-3, le=1e5)]
-Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
-Degrees = Annotated[float, msgspec.Meta(ge=-80.0, le=80.0)]
-Index = Annotated[int, msgspec.Meta(ge=0, le=1_000)]
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
 Seconds = Annotated[float, msgspec.Meta(ge=0.0, le=1e4)]
 MOST_BALLS, MOST_TRACKS, MOST_THINGS = 400, 60, 100

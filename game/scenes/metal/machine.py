@@ -77,6 +77,7 @@ class MetalMachine(Part):
         self.gauges = np.zeros((len(content.gauges), GAUGE_WIDTH))
         self.gauges[:, VALUE] = NOT_YET
         self._build()
+        self.world.check_solver()
 
     # -- building -------------------------------------------------------------------------------------
 

@@ -12,7 +12,7 @@ from game.scenes.metal.gauges import VALUE, exact_of
 from game.scenes.metal.model import MetalModel
 from game.scenes.metal.tables import FREED, NOT_YET
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
-from game.worlds.members.touching import contact_places
+from game.worlds.members.solids import contact_places
 
 Floats = NDArray[np.float64]
 SECONDS = 0.12  # s: a velocity is drawn as the way of this time

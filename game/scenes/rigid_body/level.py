@@ -13,7 +13,7 @@ from game.worlds.expectations import Expectations
 
 Array = NDArray[np.float64]
 Metre = Annotated[float, msgspec.Meta(ge=-10_000_000.0, le=10_000_000.0)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=10_000.0)]
+Length = Annotated[float, msgspec.Meta(ge=1e-6, le=10_000.0)]
 FARTHEST = 1e15  # m, m/s, rad/s: what a level keeps of a body that a method has let run away
 Far = Annotated[float, msgspec.Meta(ge=-FARTHEST, le=FARTHEST)]
 Vector = tuple[Metre, Metre, Metre]
@@ -31,7 +31,7 @@ class SphereEntry(LevelEntry, frozen=True, kw_only=True):
 
     position: Annotated[tuple[Metre, ...], msgspec.Meta(min_length=2, max_length=3)]
     radius: Length
-    density: Annotated[float, msgspec.Meta(gt=0.0, le=1e6)] = 1.0
+    density: Annotated[float, msgspec.Meta(ge=1e-6, le=1e6)] = 1.0
     color: ColorName = "ivory"
 
 

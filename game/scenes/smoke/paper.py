@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from time import process_time
+from functools import partial
 
 import numpy as np
 
 from game.lab.studies.gases.whirl import METHODS, whirl_after
+from game.lab.timing import least_time
 from game.physics.stable_fluids import PrintedFluid
 from game.scenes.smoke.figure import draw_projection, draw_trace
 from game.ui.canvas.pen import Pen
@@ -45,9 +46,9 @@ def _draw_dye(pen: Pen) -> None:
 def _measure() -> Iterator[Comparison]:
     divergence, energy, cost = {}, {}, {}
     for method in METHODS:
-        start = process_time()
         found = whirl_after(method, CELLS, TURNS)
-        cost[method] = 1e9 * (process_time() - start) / (found.steps * CELLS * CELLS // 2)
+        spent = least_time(partial(whirl_after, method, CELLS, TURNS))
+        cost[method] = 1e9 * spent / (found.steps * CELLS * CELLS // 2)
         divergence[method], energy[method] = found.divergence, found.energy
     for method, words in NAMES.items():
         yield Comparison(f"divergence that is left, {words}", "", f"{divergence[method]:.1e} /s")

@@ -147,8 +147,10 @@ class SnookerModel(Part):
 
     def choose(self, row: int) -> None:
         """The player at turn chooses one of the options, counted from 0."""
-        following = self.frame.choose(self.game.options[row].name).with_cue_ball()
-        self.frame = self._as_snooker(following)
+        before = self.frame
+        following = before.choose(self.game.options[row].name).with_cue_ball()
+        words = (*following.words, *before.words[:-1])  # what was said of the stroke stays in sight
+        self.frame = self._as_snooker(following.replace(words=words, foul=before.foul))
         self._lay_out()
 
     def rule(self, verdict: Verdict) -> None:

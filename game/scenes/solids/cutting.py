@@ -57,7 +57,7 @@ def _passes_through(model: SolidModel, body: int, start: Point, end: Point) -> b
 def _cut(model: SolidModel, body: int, start: Point, end: Point) -> int:
     """Two bodies for one; joints go to the piece that has their point. 0 if a piece would be too small."""
     world = model.world
-    entry = entry_of(world, body, int(model.tints[body]))
+    entry = entry_of(world, body, int(model.tints.rows[body]))
     a, b = np.array(world.local(body, start)), np.array(world.local(body, end))
     pieces: list[BodyEntry] = []
     for side in (1.0, -1.0):

@@ -3,29 +3,30 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
 from game.physics.solids import SolidWorld
 from game.physics.solids.joints.layout import BROKEN, JOINT_NAMES, NO_JOINT
 from game.physics.solids.state import DYNAMIC
 from game.scenes.solids.level import GaugeEntry
-from game.stage import Part
+from game.worlds.world import Member
 
-Floats = NDArray[np.float64]
 NOTHING = 0  # what a gauge is of whose body is gone: it stays as it is
 OF_JOINTS = ("force", "moment")
 OF_ALL = ("passed", "fallen", "highest", "broken", "fastest", "gap")
 ANGLE, SINCE, PASSES = range(3)  # of a mark: angle (rad) after the last step; s when last passed; how often
 
 
-class Gauges(Part):
+class Gauges(Member):
     """values (g,): what they show; marks (g, 3): what those of periods remember. ValueError: of nothing."""
 
     def __init__(self, world: SolidWorld, entries: tuple[GaugeEntry, ...], ids: list[int], joints: list[int]):
-        self.entries = entries
+        self.entries, self.world = entries, world
         self.values: Floats = np.zeros(len(entries))
         self.marks: Floats = np.zeros((len(entries), 3))
         self._of = [_found(entry, entry.of, ids, joints) for entry in entries]
@@ -33,7 +34,7 @@ class Gauges(Part):
         self._starts = [_pose(world, of) for of in self._of]
         self._other_starts = [_pose(world, of) for of in self._others]
         self.marks[:, ANGLE] = [angle for _, _, angle in self._starts]
-        self.measure(world, 0.0, 0.0)
+        self.step(0.0)
 
     def forget(self, body: int) -> None:
         """A body goes: its gauges stay as they are."""
@@ -42,16 +43,18 @@ class Gauges(Part):
                 if ids[k] == body and entry.measure not in OF_JOINTS:
                     ids[k] = NOTHING
 
-    def measure(self, world: SolidWorld, time: float, dt: float) -> None:
-        """All of them, at a time (s) that a step of dt (s) has come to."""
+    def step(self, dt: float) -> None:
+        """All of them, as the world is after a step of dt (s)."""
         for k, entry in enumerate(self.entries):
-            if entry.until == 0.0 or time <= entry.until + 0.25 * dt:
-                self.values[k] = self._measured(world, k, time, dt)
+            if entry.until == 0.0 or self.world.time <= entry.until + 0.25 * dt:
+                self.values[k] = self._measured(self.world, k, self.world.time, dt)
 
-    def restore(self, values: Floats, marks: Floats) -> None:
-        """As they were."""
-        np.copyto(self.values, values)
-        np.copyto(self.marks, marks)
+    def state(self) -> tuple[Any, ...]:
+        return self.values, self.marks
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        np.copyto(self.values, next(fields))
+        np.copyto(self.marks, next(fields))
 
     def _measured(self, world: SolidWorld, k: int, time: float, dt: float) -> float:
         entry, of, before = self.entries[k], self._of[k], float(self.values[k])

@@ -65,10 +65,10 @@ class SolidHand(Part):
             self._move(point)
             return self._finish()
         elif event.kind == "cancel":
-            self.begin_again()
+            self.let_go()
         return ""
 
-    def begin_again(self) -> None:
+    def let_go(self) -> None:
         """Let go, and forget what was begun."""
         if self.holding:
             self.model.world.remove_joint(self.grip)
@@ -83,7 +83,7 @@ class SolidHand(Part):
     # -- a drag ---------------------------------------------------------------------------------------
 
     def _press(self, point: Point, tool: str) -> str:
-        self.begin_again()
+        self.let_go()
         self.start = self.point = point
         self.verb, self.path = tool, [point]
         body = self.at(point)
@@ -115,7 +115,7 @@ class SolidHand(Part):
 
     def _finish(self) -> str:
         start, point, verb, held, path = self.start, self.point, self.verb, self.held, self.path
-        self.begin_again()
+        self.let_go()
         assert start is not None and point is not None
         try:
             if verb in MAKERS:
@@ -231,7 +231,7 @@ class SolidHand(Part):
         return ""
 
     def _copy(self, body: int, start: Point, point: Point) -> str:
-        entry = entry_of(self.model.world, body, int(self.model.tints[body]))
+        entry = entry_of(self.model.world, body, int(self.model.tints.rows[body]))
         x, y = entry.position
         place = x + point[0] - start[0], y + point[1] - start[1]
         if elementary.dist(start, point) < self.reach:
@@ -252,7 +252,7 @@ class SolidHand(Part):
 
     def delete_chosen(self) -> str:
         """Take away what was touched last."""
-        self.begin_again()
+        self.let_go()
         if self.chosen in self.model.movable():
             self.model.remove(self.chosen)
             self.chosen = NOBODY

@@ -10,7 +10,7 @@ from game.worlds.entries.entry import LevelEntry
 from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1e6, le=1e6)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e5)]
+Length = Annotated[float, msgspec.Meta(ge=1e-6, le=1e5)]
 Rate = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
 Amount = Annotated[float, msgspec.Meta(ge=0.0, le=1e12)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
@@ -47,7 +47,7 @@ class ShapeEntry(LevelEntry, frozen=True, kw_only=True):
 class MaterialEntry(LevelEntry, frozen=True, kw_only=True):
     """density kg/m²; friction and restitution: None, as the parameters say."""
 
-    density: Annotated[float, msgspec.Meta(gt=0.0, le=1e9)] = 1.0
+    density: Annotated[float, msgspec.Meta(ge=1e-6, le=1e9)] = 1.0
     friction: Annotated[float, msgspec.Meta(ge=0.0, le=1e9)] | None = None
     restitution: Share | None = None
     colour: Colour = "plain"

@@ -6,28 +6,15 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids import SolidWorld
+from game.physics.solids import state as s
 from game.physics.solids.joints.layout import BROKEN, DISTANCE, HERTZ, JOINT_NAMES, LENGTH, NO_JOINT
-from game.physics.solids.state import (
-    DYNAMIC,
-    FIRST_POINT,
-    GAP,
-    IN_B_X,
-    NORMAL_IMPULSE,
-    NORMAL_X,
-    POINT_WIDTH,
-    POINTS,
-    TANGENT_IMPULSE,
-    TOUCHING,
-    USED,
-)
 from game.scenes.solids.bodies import place_of
-from game.worlds.hearing import REMEMBERED_S
+from game.worlds.hearing import HEARD_WIDTH, impacts
 
-Floats = NDArray[np.float64]
 SPRING = JOINT_NAMES.index("spring")
 
 
@@ -49,7 +36,7 @@ class Energies(NamedTuple):
 def energies(world: SolidWorld) -> Energies:
     """Of all dynamic bodies; heights above y = 0."""
     rows = world.bodies
-    there = np.flatnonzero(rows.flags & DYNAMIC)
+    there = np.flatnonzero(rows.flags & s.DYNAMIC)
     mass, inertia = 1.0 / rows.inverse_masses[there], 1.0 / rows.inverse_inertias[there]
     velocities, places = rows.velocities[there], rows.positions[there]
     gx, gy = world.settings.gravity if "gravity" in world.settings.effects.names else (0.0, 0.0)
@@ -99,72 +86,56 @@ class ContactPoints(NamedTuple):
 def contact_points(world: SolidWorld) -> ContactPoints:
     """All of the last step."""
     contacts, rows = world.contacts, world.bodies
-    touching = contacts.marks[:, TOUCHING] == 1
+    touching = contacts.marks[:, s.TOUCHING] == 1
     marks, manifolds = contacts.marks[touching], contacts.manifolds[touching]
     a = contacts.bodies[touching, 0]
-    c, s = rows.rotations[a, 0], rows.rotations[a, 1]
-    nx, ny = manifolds[:, NORMAL_X], manifolds[:, NORMAL_X + 1]
-    normals = np.stack([c * nx - s * ny, s * nx + c * ny], axis=1)
+    c, sine = rows.rotations[a, 0], rows.rotations[a, 1]
+    nx, ny = manifolds[:, s.NORMAL_X], manifolds[:, s.NORMAL_X + 1]
+    normals = np.stack([c * nx - sine * ny, sine * nx + c * ny], axis=1)
     found: list[tuple[Floats, ...]] = []
     for k in range(2):
-        here, at = marks[:, POINTS] > k, FIRST_POINT + k * POINT_WIDTH
+        here, at = marks[:, s.POINTS] > k, s.FIRST_POINT + k * s.POINT_WIDTH
         x, y = manifolds[here, at], manifolds[here, at + 1]
-        cos, sin = c[here], s[here]
+        cos, sin = c[here], sine[here]
         places = np.stack([cos * x - sin * y, sin * x + cos * y], axis=1) + rows.positions[a[here]]
         own, b = manifolds[here], contacts.bodies[touching, 1][here]
         cos_b, sin_b = rows.rotations[b, 0], rows.rotations[b, 1]
-        bx, by = own[:, at + IN_B_X], own[:, at + IN_B_X + 1]
+        bx, by = own[:, at + s.IN_B_X], own[:, at + s.IN_B_X + 1]
         others = np.stack([cos_b * bx - sin_b * by, sin_b * bx + cos_b * by], axis=1) + rows.positions[b]
-        gaps = own[:, at + GAP] + ((others - places) * normals[here]).sum(axis=1)
-        found.append(
-            (
-                places,
-                normals[here],
-                own[:, at + NORMAL_IMPULSE],
-                own[:, at + TANGENT_IMPULSE],
-                -gaps,
-            )
-        )
+        gaps = own[:, at + s.GAP] + ((others - places) * normals[here]).sum(axis=1)
+        pushes, rubs = own[:, at + s.NORMAL_IMPULSE], own[:, at + s.TANGENT_IMPULSE]
+        found.append((places, normals[here], pushes, rubs, -gaps))
     return ContactPoints(*(np.concatenate([part[i] for part in found]) for i in range(5)))
 
 
-HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X, HEARD_WIDTH = range(5)  # columns of what is heard: s, m/s, m
 THUD, WOOD, STONE, STEEL, SNAP = range(5)  # sounds, of impacts from the softest; and of a joint that breaks
 SNAP_SPEED = 3.0  # m/s: as loud as an impact at that
 LEAST_HEARD = 0.3  # m/s of approach; what leans and slides is silent
-MOST_HEARD = 24  # the latest
 USUAL_MASS = 0.5  # kg that meet; what is heavier sounds as if it were faster, by the cube root
 
 
-def heard_now(world: SolidWorld, heard: Floats, began: float, kinds: NDArray[np.int64]) -> Floats:
-    """Impacts (k, HEARD_WIDTH) of the last moments, those of a step that began at ``began`` (s) among them.
+def sounds_now(world: SolidWorld, began: float, kinds: Longs) -> Floats:
+    """Impacts and snaps (k, HEARD_WIDTH) of a step that began at ``began`` (s).
 
     kinds: of the sound of each body; of two, the lower one is heard: the softer body says how long they meet.
     """
-    shapes, places = world.contacts_begun()
-    if len(heard):
-        heard = heard[heard[:, HEARD_TIME] > began - REMEMBERED_S]
-    loud, broken = np.flatnonzero(places[:, 3] > LEAST_HEARD), world.joints_broken().tolist()
-    if not (len(loud) or broken):
-        return heard
-    rows = places[loud]
-    pairs = world.shapes.bodies[shapes[loud]]
-    found = kinds[pairs].min(axis=1).astype(np.float64)
+    found = impacts(world, LEAST_HEARD)
     # speed times the mass that meets: the impulse of the step in which a contact begins is only a part of it
-    lightness = world.bodies.inverse_masses[pairs].sum(axis=1)
-    speeds = rows[:, 3] * np.clip(elementwise.cbrt(1.0 / np.maximum(USUAL_MASS * lightness, 1e-12)), 0.3, 3.0)
-    hits = np.stack([began + rows[:, 4], found, speeds, rows[:, 0]], axis=1)
+    lightness = world.bodies.inverse_masses[found.bodies].sum(axis=1)
+    heavier = elementwise.cbrt(1.0 / np.maximum(USUAL_MASS * lightness, 1e-12))
+    speeds = found.rows[:, 3] * np.clip(heavier, 0.3, 3.0)
+    hits = found.heard(began, kinds[found.bodies].min(axis=1), speeds)
+    broken = world.joints_broken().tolist()
     snaps = [(began, SNAP, SNAP_SPEED, place_of(world, joint, 0)[0]) for joint in broken]
-    added = np.concatenate([hits, np.array(snaps).reshape(-1, HEARD_WIDTH)])
-    return np.concatenate([heard, added[np.lexsort((added[:, 3], added[:, 0]))]])[-MOST_HEARD:]
+    return np.concatenate([hits, np.array(snaps).reshape(-1, HEARD_WIDTH)])
 
 
-def islands(world: SolidWorld) -> NDArray[np.int64]:
+def islands(world: SolidWorld) -> Longs:
     """Least id of the island of each body (n,); -1 for what is not dynamic."""
     flags, contacts, joints = world.bodies.flags, world.contacts, world.joints
-    dynamic = flags & (USED | DYNAMIC) == USED | DYNAMIC
+    dynamic = flags & (s.USED | s.DYNAMIC) == s.USED | s.DYNAMIC
     held = (joints.kinds != NO_JOINT) & (joints.flags & BROKEN == 0)
-    pairs = np.concatenate([contacts.bodies[contacts.marks[:, TOUCHING] == 1], joints.bodies[held]])
+    pairs = np.concatenate([contacts.bodies[contacts.marks[:, s.TOUCHING] == 1], joints.bodies[held]])
     pairs = pairs[dynamic[pairs].all(axis=1)]
     names = np.where(dynamic, np.arange(len(flags)), -1)
     while True:

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from game.lab.studies.stacks import stack_study
-from game.levels import Level
 from game.physics.solids.effects import USUAL
 from game.scenes.solids import SOLIDS as ROW
 from game.scenes.solids.figure import draw_contact
@@ -14,24 +13,15 @@ from game.scenes.solids.hand import SolidHand
 from game.scenes.solids.level import ArchEntry, SolidContent, View
 from game.scenes.solids.model import SolidModel
 from game.scenes.solids.parameters import OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
-from game.scenes.solids.readouts import readouts
-from game.scenes.solids.saving import content_of
-from game.scenes.solids.sounds import hearing_of
-from game.scenes.solids.view import WHAT_NEXT, SolidView
-from game.stage import (
-    Equation,
-    Hearing,
-    Hint,
-    Readout,
-    SceneAction,
-    Strip,
-    WarmUp,
-)
+from game.scenes.solids.told import hearing, readouts, saved
+from game.scenes.solids.view import SolidView
+from game.stage import Equation, Hint, SceneAction, Strip
+from game.worlds.hands.hand import next_of, tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import BuiltScene
+from game.worlds.scene import Parts, WorldScene
 
 
-class Solids(BuiltScene):
+class Solids(WorldScene):
     """Rigid bodies that touch: a contact pushes only, never pulls, and rubs with at most μ times its push. A
     step is cut into substeps; in each, impulses go round over all contacts and joints, and what overlaps is
     driven apart gently: contacts are soft, like stiff damped springs. So a tall stack sinks a little, and
@@ -49,10 +39,14 @@ class Solids(BuiltScene):
     parameters: SolidParameters
     model: SolidModel
     hand: SolidHand
+    parts = Parts(SolidModel, SolidHand, SolidView, readouts, saved, hearing=hearing)
+    tool_prefix = ""
+    painters = (("polygons", warm_up_painter),)
+    covers = False
+    not_of_model = (*OF_PICTURE, *OF_TOOLS)
     effects = USUAL
     content_type = SolidContent
     study = stack_study
-    takes: ClassVar[frozenset[str]] = frozenset(("right",))
     may_be_infinite = frozenset(("world.joints",))
 
     hints = (
@@ -60,12 +54,7 @@ class Solids(BuiltScene):
         Hint(("Right drag",), "cut"),
         Hint(("1", "…", "9"), "tools"),
     )
-    actions = (
-        *(SceneAction(tool, tool, str(k + 1)) for k, tool in enumerate(TOOLS[:7])),
-        SceneAction("pin", "pin", "8"),
-        SceneAction("cut", "cut", "9"),
-        SceneAction("delete", "delete what is chosen", "delete"),
-    )
+    actions = (*tool_keys(TOOLS), SceneAction("delete", "delete what is chosen", "delete"))
     strips = (
         Strip("Energy", "J", ("moving", "turning", "height", "sum")),
         Strip("Deepest overlap", "m", ("deepest",)),
@@ -99,55 +88,15 @@ class Solids(BuiltScene):
         view=View(left=-6.0, bottom=-0.8, right=6.0, top=5.6),
     )
 
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        """A step, and what paints polygons."""
-        return (WarmUp("step", lambda: cls().advance(cls.dt)), WarmUp("polygons", warm_up_painter))
-
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = SolidModel(content, self.parameters, self.active, self.seed)
-        self.hand = SolidHand(self.model)
-        self.view = SolidView(self.model, self.hand)
-        self.check_content(content)
-
-    def parameter_changed(self, name: str) -> None:
-        if name == "tool":
-            self.hand.begin_again()
-        elif name not in OF_PICTURE and name not in OF_TOOLS:
-            self.model.change_parameter(name)
-
-    def save_content(self) -> SolidContent:
-        return content_of(self.model)
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        if self.model.advance(dt):
-            self.said.say("A joint is broken.")
-
     def action(self, name: str) -> None:
+        """A tool; but delete takes away what was touched last."""
         if name == "delete":
             self.said.say(self.hand.delete_chosen())
         else:
-            self.parameters.tool = name
-            self.hand.begin_again()
-
-    def hearing(self) -> Hearing:
-        """Impacts of the last moments, by their materials."""
-        return hearing_of(self.model)
-
-    # -- what there is to see -----------------------------------------------------------------------
+            super().action(name)
 
     def hints_now(self) -> Sequence[Hint]:
         """What the tool in the hand does."""
         tool = self.parameters.tool
-        if tool not in WHAT_NEXT:
-            return self.hints
-        words = WHAT_NEXT[tool]
-        return (Hint((tool.capitalize(),), words), *self.hints[1:])
-
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
+        words = next_of(TOOLS, tool)
+        return (Hint((tool.capitalize(),), words), *self.hints[1:]) if words else self.hints

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
-from game.physics.solids.joints.layout import JOINT_NAMES, LENGTH
+from game.arrays import Floats, Longs
+from game.physics.solids.joints.layout import HERTZ, JOINT_NAMES, LENGTH
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.solids.bodies import COLOURS, place_of, whole_joints
 from game.scenes.solids.hand import LINKERS, NOBODY, SolidHand
@@ -17,24 +17,18 @@ from game.scenes.solids.level import Point
 from game.scenes.solids.measures import contact_points, islands
 from game.scenes.solids.model import ModelState, SolidModel
 from game.scenes.solids.outlines import Outlines, outlines_of
+from game.scenes.solids.parameters import TOOLS
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
+from game.worlds.hands.hand import legend_of
+from game.worlds.members.solids import bodies_between
+from game.worlds.painting.inks import mixed, shaded
 from game.worlds.painting.polygons import NO_EDGE, paint
 
-Floats = NDArray[np.float64]
 SOLID = {"wood": "B98955", "stone": "A3A29B", "steel": "8096A6", "brass": "BFA15A"}  # the same in both themes
 LIGHT = np.array([-0.45, 0.89])  # where light comes from
 MOST_BEVELLED = 700  # polygons; more are too small to show it
 ASLEEP_SHARE = 0.5
 FORCE_LENGTH = 0.12  # of the height in view, for the largest force
-WHAT_NEXT = {
-    "throw": "drag a body back and let go", "disc": "drag from the middle to the rim",
-    "box": "drag from corner to corner", "polygon": "drag from the middle to a corner",
-    "capsule": "drag from end to end", "outline": "draw all around a body",
-    "pin": "click a body, or where two overlap", "weld": "click where two overlap",
-    "motor": "click a body, or where two overlap", "rope": "drag from body to body",
-    "spring": "drag from body to body", "cut": "draw a line through bodies or joints",
-    "duplicate": "drag a copy away", "delete": "click a body or a joint",
-}  # fmt: skip
 
 
 class SolidView:
@@ -56,9 +50,7 @@ class SolidView:
             rows.append(("line:vermilion", "force of a joint", ""))
         if parameters.islands:
             rows.append(("dash:green", "island", ""))
-        if parameters.tool in WHAT_NEXT:
-            rows.append(("ring:accent", WHAT_NEXT[parameters.tool], ""))
-        return rows
+        return [*rows, *legend_of(TOOLS, parameters.tool)]
 
     def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
@@ -73,7 +65,7 @@ class SolidView:
         self, canvas: Canvas, previous: ModelState | None, alpha: float, offset: Point = (0.0, 0.0)
     ) -> None:
         """Bodies alone, moved by an offset m."""
-        places, angles = self._between(previous, alpha)
+        places, angles = bodies_between(self.model.world, previous and previous.world, alpha)
         places = places + np.array(offset)
         outlines = self._shapes()
         turned = np.stack([np.cos(angles), np.sin(angles)], axis=1)
@@ -82,17 +74,6 @@ class SolidView:
         self._draw_segments(canvas, outlines, places, turned)
 
     # -- bodies ---------------------------------------------------------------------------------------
-
-    def _between(self, previous: ModelState | None, alpha: float) -> tuple[Floats, Floats]:
-        """Places (n, 2) m and angles (n,) rad of all slots between the last two steps."""
-        rows = self.model.world.bodies
-        if previous is None or previous.world.bodies.angles.shape != rows.angles.shape:
-            return rows.positions, rows.angles
-        before = previous.world.bodies
-        same = before.flags & DYNAMIC == rows.flags & DYNAMIC
-        share = np.where(same, 1.0 - alpha, 0.0)
-        places = rows.positions - share[:, None] * (rows.positions - before.positions)
-        return places, rows.angles - share * (rows.angles - before.angles)
 
     def _shapes(self) -> Outlines:
         """Made again when shapes have come or gone."""
@@ -104,11 +85,11 @@ class SolidView:
             self._outlines, self._of = outlines_of(shapes._replace(kinds=kinds), self.model.world.pool), now
         return self._outlines
 
-    def _inks(self, canvas: Canvas) -> tuple[NDArray[np.int64], Floats]:
+    def _inks(self, canvas: Canvas) -> tuple[Longs, Floats]:
         """Colour and opacity of each body's fill."""
         table = np.array([canvas.ink(_fill(canvas, name)) for name in COLOURS], dtype=np.int64)
         flags = self.model.world.bodies.flags
-        inks = table[np.minimum(self.model.tints[: len(flags)] & 255, len(COLOURS) - 1)]
+        inks = table[np.minimum(self.model.tints.rows[: len(flags)] & 255, len(COLOURS) - 1)]
         fixed = flags & DYNAMIC == 0
         inks[fixed & (inks == table[0])] = canvas.ink("body")
         shares = np.where(flags & ASLEEP != 0, ASLEEP_SHARE, 1.0)
@@ -122,7 +103,7 @@ class SolidView:
         owners = shapes.owners[shapes.starts[:-1]]
         corners = _moved(shapes.corners, shapes.owners, places, turned)
         own, opacity = inks[owners], shares[owners]
-        edges = np.where(opacity < 1.0, NO_EDGE, _shaded(own, np.full(count, -0.42)))
+        edges = np.where(opacity < 1.0, NO_EDGE, shaded(own, -0.42))
         paint(canvas, corners, shapes.starts, own, opacity, edges, np.zeros((len(corners), 2)))
         if count > MOST_BEVELLED:
             return
@@ -137,7 +118,7 @@ class SolidView:
         quads = np.stack([corners, corners[after], inside[after], inside], axis=1).reshape(-1, 2)
         starts = np.arange(0, len(quads) + 1, 4)
         none = np.full(len(corners), NO_EDGE, dtype=np.int64)
-        tones = _shaded(inks[shapes.owners], 0.24 * facing)
+        tones = shaded(inks[shapes.owners], 0.24 * facing)
         paint(canvas, quads, starts, tones, shares[shapes.owners], none, np.zeros((4, 2)))
 
     def _draw_discs(self, canvas: Canvas, shapes: Outlines, places: Floats, turned: Floats) -> None:
@@ -148,17 +129,17 @@ class SolidView:
         owners, radii = shapes.disc_owners, shapes.radii
         centres = _moved(shapes.centres, owners, places, turned)
         flat = canvas.ink("stage")
-        own = _mixed(inks[owners], flat, 1.0 - shares[owners])
+        own = mixed(inks[owners], flat, 1.0 - shares[owners])
         rim = canvas.px(0.9)
-        canvas.discs(centres, radii + rim, _shaded(own, np.full(len(own), -0.42)).astype(np.uint32))
+        canvas.discs(centres, radii + rim, shaded(own, -0.42).astype(np.uint32))
         canvas.discs(centres, radii, own.astype(np.uint32))
         canvas.discs(centres + 0.12 * radii[:, None] * LIGHT, 0.8 * radii,
-                     _shaded(own, np.full(len(own), 0.10)).astype(np.uint32))  # fmt: skip
+                     shaded(own, 0.10).astype(np.uint32))  # fmt: skip
         seen = radii * canvas.pixels_per_unit > 4.0
         rims = centres + radii[:, None] * turned[owners]
         dynamic = seen & (self.model.world.bodies.flags[owners] & DYNAMIC != 0)
         if dynamic.any():
-            dark = _shaded(own[dynamic], np.full(int(dynamic.sum()), -0.5)).astype(np.uint32)
+            dark = shaded(own[dynamic], -0.5).astype(np.uint32)
             canvas.segments(centres[dynamic], rims[dynamic], dark, 1.4)
 
     def _draw_segments(self, canvas: Canvas, shapes: Outlines, places: Floats, turned: Floats) -> None:
@@ -190,7 +171,7 @@ class SolidView:
         for joint in whole_joints(world):
             kind = JOINT_NAMES[int(world.joints.kinds[joint])]
             a, b = place_of(world, joint, 0), place_of(world, joint, 1)
-            if kind == "spring" or (kind == "distance" and world.joints.parameters[joint, 6] > 0.0):
+            if kind == "spring" or (kind == "distance" and world.joints.parameters[joint, HERTZ] > 0.0):
                 canvas.polyline(_coil(a, b, canvas.px(5.0)), "text2", 1.5)
             elif kind == "rope":
                 rest = float(world.joints.parameters[joint, LENGTH])
@@ -228,16 +209,8 @@ class SolidView:
         if len(joints) <= 12:
             for joint, load in zip(joints, loads, strict=True):
                 words = canvas.figure(("load", joint), f"{load:.3g} N")
-                canvas.label(
-                    place_of(world, joint, 0),
-                    words,
-                    "vermilion",
-                    12,
-                    "semibold",
-                    "left",
-                    (18.0, -8.0),
-                    clear=True,
-                )
+                at = place_of(world, joint, 0)
+                canvas.label(at, words, "vermilion", 12, "semibold", "left", (18.0, -8.0), clear=True)
 
     # -- what teaches -----------------------------------------------------------------------------------
 
@@ -305,31 +278,11 @@ def _fill(canvas: Canvas, name: str) -> Any:
     return canvas.color(name).lerp(canvas.color("body"), 0.3)
 
 
-def _moved(points: Floats, owners: NDArray[np.int64], places: Floats, turned: Floats) -> Floats:
+def _moved(points: Floats, owners: Longs, places: Floats, turned: Floats) -> Floats:
     """Points (v, 2) in the frames of their bodies, in the world."""
     c, s = turned[owners, 0], turned[owners, 1]
     x, y = points[:, 0], points[:, 1]
     return np.stack([c * x - s * y, s * x + c * y], axis=1) + places[owners]
-
-
-def _shaded(inks: NDArray[np.int64], shares: Floats) -> NDArray[np.int64]:
-    """Colours made lighter (share above 0) or darker."""
-    white = np.where(shares > 0.0, 255.0, 0.0)
-    amount = np.abs(shares)
-    found = np.zeros(len(inks), dtype=np.int64)
-    for shift in (0, 8, 16):
-        part = (inks >> shift & 255).astype(np.float64)
-        found |= (part + amount * (white - part) + 0.5).astype(np.int64) << shift
-    return found
-
-
-def _mixed(inks: NDArray[np.int64], other: int, shares: Floats) -> NDArray[np.int64]:
-    """Colours with a share of another one."""
-    found = np.zeros(len(inks), dtype=np.int64)
-    for shift in (0, 8, 16):
-        part = (inks >> shift & 255).astype(np.float64)
-        found |= (part + shares * ((other >> shift & 255) - part) + 0.5).astype(np.int64) << shift
-    return found
 
 
 def _coil(a: Point, b: Point, breadth: float, turns: int = 10) -> Floats:

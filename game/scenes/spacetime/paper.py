@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from time import process_time
 
 import numpy as np
 
 from game.lab.studies.spacetime import PosePairs, answers, pose_pairs, relative_errors
+from game.lab.timing import least_time
 from game.physics.effects import EffectSet
 from game.physics.spacetime.effects import SPACE_TIME, TIMED
 from game.physics.spacetime.motion import Grip
@@ -21,18 +21,13 @@ from game.ui.widgets.paper import Comparison, Paper, Step
 BUDGETS_US = (1, 2, 5, 10, 20, 50, 100, 1000)
 TESTS = tuple(round(2.0 ** (0.5 * k)) for k in range(25))  # 1 to 4096
 SEED = 101  # not the study's poses, by which the estimate was chosen
-REPEATS, STEPS, DT = 3, 240, 1.0 / 240.0
+STEPS, DT = 240, 1.0 / 240.0
 HANDLESS = Grip(-1, 0.0, 0.0, 1.0)
 
 
 def _cost_us(pairs: PosePairs, tests: int) -> float:
     """Mean CPU time (us) of a query with so many tests: the least of some runs."""
-    found = []
-    for _ in range(REPEATS):
-        start = process_time()
-        answers(pairs, tests)
-        found.append((process_time() - start) / len(pairs.poses))
-    return 1e6 * min(found)
+    return 1e6 * least_time(lambda: answers(pairs, tests)) / len(pairs.poses)
 
 
 def _costs(pairs: PosePairs) -> list[tuple[int, float]]:
@@ -90,10 +85,7 @@ def _measure() -> Iterator[Comparison]:
     yield Comparison("tests a step, with space-time bounds and without", "",
                      f"{with_bounds[1]:.3g} and {without[1]:.3g}")  # fmt: skip
     pairs = pose_pairs("coast", "coast", SEED)
-    start = process_time()
-    for _ in pairs.poses:
-        pairs.world.exact(0, 1)
-    exact = 1e6 * (process_time() - start) / len(pairs.poses)
+    exact = 1e6 * least_time(lambda: pairs.world.exact(0, 1), len(pairs.poses))
     tree = _cost_us(pairs, TESTS[-1])
     yield Comparison("two coast lines to the end, and every edge against every edge", "",
                      f"{tree:.3g} µs and {exact:.3g} µs")  # fmt: skip

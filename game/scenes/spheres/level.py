@@ -14,7 +14,7 @@ from game.worlds.expectations import Expectations
 Metre = Annotated[float, msgspec.Meta(ge=-1_000.0, le=1_000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-100_000.0, le=100_000.0)]
 Radius = Annotated[float, msgspec.Meta(ge=1e-6, le=1_000.0)]
-Mass = Annotated[float, msgspec.Meta(gt=0.0, le=1e12)]
+Mass = Annotated[float, msgspec.Meta(ge=1e-12, le=1e12)]
 Count = Annotated[int, msgspec.Meta(ge=1, le=400)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Friction = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]

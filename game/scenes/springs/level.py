@@ -11,8 +11,8 @@ from game.worlds.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 Length = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
-Step = Annotated[float, msgspec.Meta(gt=0.0, le=1_000.0)]
-Mass = Annotated[float, msgspec.Meta(gt=0.0, le=1e12)]
+Step = Annotated[float, msgspec.Meta(ge=1e-9, le=1_000.0)]
+Mass = Annotated[float, msgspec.Meta(ge=1e-12, le=1e12)]
 Count = Annotated[int, msgspec.Meta(ge=2, le=400)]
 Index = Annotated[int, msgspec.Meta(ge=0, le=1_000_000)]
 Point = tuple[Metre, Metre]

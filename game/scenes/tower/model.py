@@ -86,6 +86,7 @@ class TowerModel(Part):
         self.ground, self.parts = build(self.world, content, parameters.friction, parameters.joints)
         self.storeys = np.full((content.storeys, STOREY_WIDTH), NOT_YET)
         self.dust, self.heard = none_of(DUST_WIDTH), none_of(HEARD_WIDTH)
+        self.world.check_solver()
         self.built_mass = float(self.parts[:, MASS].sum())
         self.air = TowerAir(content)
 

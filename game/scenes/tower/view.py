@@ -33,7 +33,7 @@ from game.scenes.tower.tables import (
 )
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
-from game.worlds.members.touching import contact_places
+from game.worlds.members.solids import contact_places
 from game.worlds.painting.polygons import NO_EDGE, paint
 
 Longs = NDArray[np.int64]

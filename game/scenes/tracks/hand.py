@@ -8,7 +8,7 @@ from game.physics.solids.tracks.motion import RADIUS, X, Y
 from game.scenes.tracks.level import BallEntry
 from game.scenes.tracks.model import COLOURS, REACH, TracksModel
 from game.stage import Part, Pointer
-from game.worlds.entries.tracks import Point
+from game.worlds.entries.entry import Point
 from game.worlds.hands.curves import NOBODY, bent, drawn, nearest_curve
 
 NEAR = 0.03  # of the height in view

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.worlds.entries.entry import LevelEntry
-from game.worlds.entries.tracks import Length, Metre, Point, TrackEntry
+from game.worlds.entries.entry import Length, LevelEntry, Metre, Point
+from game.worlds.entries.tracks import TrackEntry
 from game.worlds.expectations import Expectations
 
 Colour = Literal["chalk", "green", "vermilion", "pink", "violet", "yellow", "amber"]
@@ -25,7 +25,7 @@ class BallEntry(LevelEntry, frozen=True, kw_only=True):
     velocity: Point = (0.0, 0.0)
     spin: Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)] = 0.0
     share: Annotated[float, msgspec.Meta(gt=0.0, le=1.0)] = 0.5
-    mass: Annotated[float, msgspec.Meta(gt=0.0, le=1e9)] = 1.0
+    mass: Annotated[float, msgspec.Meta(ge=1e-12, le=1e9)] = 1.0
     friction: Annotated[float, msgspec.Meta(ge=0.0, le=1e9)] | None = None
     restitution: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] | None = None
     colour: Colour = "chalk"

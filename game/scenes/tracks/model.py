@@ -30,8 +30,8 @@ from game.physics.solids.tracks.motion import (
 from game.scenes.tracks.level import BallEntry, GaugeEntry, TrackContent
 from game.scenes.tracks.parameters import TrackParameters
 from game.stage import Part
+from game.worlds.entries.entry import Point
 from game.worlds.entries.track_forms import curve_of
-from game.worlds.entries.tracks import Point
 from game.worlds.stopwatch import Stopwatch
 
 Floats = NDArray[np.float64]
@@ -72,7 +72,7 @@ class TracksModel(Part):
         for entry in content.balls:
             self.add(entry)
         for gauge in content.gauges:
-            if gauge.of >= max(len(content.balls), 1):
+            if gauge.of >= len(content.balls):
                 raise ValueError(
                     f"gauges: {gauge.name!r} is of ball {gauge.of}; there are {len(content.balls)}"
                 )

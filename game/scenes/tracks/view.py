@@ -13,7 +13,7 @@ from game.scenes.tracks.hand import TrackHand
 from game.scenes.tracks.model import COLOURS, SHOWN_BALLS, TRAIL, TracksModel, TracksState
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.worlds.hands.curves import NOBODY
-from game.worlds.painting.track_lines import lines_of
+from game.worlds.painting.rails import lines_of
 
 Floats = NDArray[np.float64]
 WHAT_NEXT = {

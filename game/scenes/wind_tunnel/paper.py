@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from time import process_time
+from time import thread_time
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.flow.wind_tunnel import CHANNEL_DRAG, channel
+from game.lab.timing import least_time
 from game.physics.kernels import elementary, elementwise
 from game.physics.plates import Plate
 from game.physics.tunnel import (
@@ -72,12 +73,12 @@ def measured_plate() -> tuple[SeriesFit, Floats, Floats]:
 def _measure() -> Iterator[Comparison]:
     tunnel, average = Tunnel(shape_named("disc"), channel(8.0, 0.8, 9.0)), Average(14.0, 1.0)
     tunnel.step()
-    steps, start = 0, process_time()
+    steps, start = 0, thread_time()
     while not average.done:
         tunnel.step()
         average.take(tunnel.reading, tunnel.step_length)
         steps += 1
-    cost, mean = (process_time() - start) / steps, average.mean()
+    cost, mean = (thread_time() - start) / steps, average.mean()
     yield Comparison(
         f"drag of a cylinder on 8 cells where it is {CHANNEL_DRAG:.2f} (Schäfer and Turek 1996), by the "
         "momentum book and along the wall", "", f"{mean.book[0]:.2f}, {mean.wall[0]:.2f}",
@@ -89,11 +90,7 @@ def _measure() -> Iterator[Comparison]:
     )  # fmt: skip
     yield Comparison("the plates' law, fitted to the same, by", "", f"{by_law[0]:.2f}, {by_law[1]:.2f}")
     flight = DataFlight(Plate(0.05, 1.4, 0.1), series)
-    flight.step(1.0 / 60.0)
-    start = process_time()
-    for _ in range(200):
-        flight.step(1.0 / 60.0)
-    each = (process_time() - start) / 200.0
+    each = least_time(lambda: flight.step(1.0 / 60.0), 200)
     yield Comparison(
         "a frame of flight by the series, and a step of the air around it", "",
         f"{1e6 * each:.0f} µs, {1e6 * cost:.0f} µs",

@@ -7,18 +7,18 @@ from typing import Any, Protocol
 
 from game.levels import Level, LevelError
 from game.physics.effects import EffectSet
+from game.stage.checks.validation import checked_event
 from game.stage.clock import FixedStep
 from game.stage.declarations import Readout
 from game.stage.events import StageEvent
 from game.stage.fault import Fault
-from game.stage.records.keeping import recording_of
-from game.stage.records.recipe import Recipe, checked_seed
 from game.stage.records.recording import Recording
+from game.stage.replays.keeping import recording_of
+from game.stage.replays.recipe import Recipe, checked_seed
 from game.stage.sampling import Sampling
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
 from game.stage.session import Session
-from game.stage.validation import checked_event
 
 
 class Cue(Protocol):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from game.stage.playing.paced import PacedStage
-from game.stage.records.rerun import Kept
+from game.stage.replays.rerun import Kept
 
 
 class RememberingStage(PacedStage):

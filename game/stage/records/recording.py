@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 import msgspec
 
@@ -20,6 +20,8 @@ MAX_BYTES = 256 << 20
 MAX_EVENTS = 1_000_000
 MAX_STEPS = 10**9
 CHECK_INTERVAL = 120  # steps between digests
+
+Struct = TypeVar("Struct", bound=msgspec.Struct)
 
 
 class RecordingError(ValueError):
@@ -49,7 +51,7 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
     level: Annotated[str, msgspec.Meta(max_length=1 << 20)] | None = None  # text of the level's file
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**63 - 1)]
     dt: Annotated[float, msgspec.Meta(gt=0.0)]  # s
-    parameters: dict[str, float | bool | str]
+    parameters: Annotated[dict[str, float | bool | str], msgspec.Meta(max_length=1000)]
     effects_off: Annotated[list[str], msgspec.Meta(max_length=63)]
     events: Annotated[list[Stamped], msgspec.Meta(max_length=MAX_EVENTS)]
     checks: Annotated[list[Check], msgspec.Meta(max_length=MAX_STEPS // CHECK_INTERVAL)] = []
@@ -74,15 +76,9 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
         return cls.read(text, path)
 
     @classmethod
-    def read(cls, text: str, path: Path | str) -> Recording:
+    def read(cls, text: str | bytes, path: Path | str) -> Recording:
         """The recording that a JSON text says; ``path`` is only named in a RecordingError."""
-        try:
-            recording = msgspec.json.decode(text, type=cls)
-        except msgspec.ValidationError as error:
-            reason, _, where = str(error).partition(" - at `$")
-            raise RecordingError(path, where.strip("`.") or "content", reason.replace("`", "")) from None
-        except (msgspec.DecodeError, RecursionError) as error:
-            raise RecordingError(path, "", f"not JSON: {error}") from None
+        recording = decoded(text, cls, path)
         recording._check(path)
         return recording
 
@@ -105,3 +101,14 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
                 raise RecordingError(path, f"events[{index}]", "expected a finite number")
         if not math.isfinite(self.dt):
             raise RecordingError(path, "dt", "expected a finite number")
+
+
+def decoded(text: str | bytes, kind: type[Struct], path: Path | str) -> Struct:
+    """What a JSON text says, as a struct of that type; ``path`` is only named in a RecordingError."""
+    try:
+        return msgspec.json.decode(text, type=kind)
+    except msgspec.ValidationError as error:
+        reason, _, where = str(error).partition(" - at `$")
+        raise RecordingError(path, where.strip("`.") or "content", reason.replace("`", "")) from None
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
+        raise RecordingError(path, "", f"not JSON: {error}") from None

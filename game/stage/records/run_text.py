@@ -13,18 +13,20 @@ adds them, is passed over. WORDS belongs to the format: another dictionary would
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Annotated, Any
 
 import msgspec
 
 from game.packed_text import pack, unpack
-from game.stage.records.recording import Recording, RecordingError
+from game.stage.events import Stamped
+from game.stage.records.recording import Recording, RecordingError, decoded
 
 NAME = "text of a run"  # in errors, in place of a file
 FORMAT = 1
 PREFIX = "carom"
 MOST_LETTERS = 4 << 20  # of a text that is read
-MOST_BYTES = 32 << 20  # of the JSON in it, however small it is packed
+MOST_BYTES = 8 << 20  # of the JSON in it, however small it is packed
+MOST_EVENTS = 60_000  # in a text: a quarter of an hour of a hand that never rests
 
 # What many recordings say, the most frequent last (RFC 1950 lets a stream refer to it). Part of format 1.
 WORDS = (
@@ -49,8 +51,25 @@ WORDS = (
 )
 
 
+class _Packed(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What a payload holds, of the fields of `Recording`: read at once as these types, so that whatever else
+    is packed costs no memory."""
+
+    version: str
+    level: str | None = None
+    seed: int
+    dt: float
+    parameters: Annotated[dict[str, float | bool | str], msgspec.Meta(max_length=1000)] = {}
+    effects_off: list[str] = []
+    events: Annotated[list[Stamped], msgspec.Meta(max_length=MOST_EVENTS)]
+    steps: int
+
+
 def text_of(recording: Recording) -> str:
-    """The recording as a text of one line; RecordingError for a scene's name that a text cannot hold."""
+    """The recording as a text of one line; RecordingError for a scene's name that a text cannot hold, and
+    for more than any text may hold."""
+    if len(recording.events) > MOST_EVENTS:
+        raise RecordingError(NAME, "events", f"{len(recording.events)}, and a text holds {MOST_EVENTS}")
     if not re.fullmatch(r"[a-z0-9-]+", recording.scene):
         raise RecordingError(NAME, "scene", f"{recording.scene!r} is no name of a scene")
     document = msgspec.to_builtins(recording)
@@ -60,7 +79,10 @@ def text_of(recording: Recording) -> str:
         if document[name] == default:
             del document[name]
     document["events"] = [_brief(stamped) for stamped in document["events"]]
-    payload = pack(msgspec.json.encode(document), WORDS)
+    data = msgspec.json.encode(document)
+    if len(data) > MOST_BYTES:
+        raise RecordingError(NAME, "", f"{len(data)} bytes of a session, and a text holds {MOST_BYTES}")
+    payload = pack(data, WORDS)
     return f"{PREFIX}{FORMAT}.{recording.scene}.{recording.digest}.{payload}"
 
 
@@ -76,12 +98,8 @@ def recording_in(text: str) -> Recording:
     no recording may.
     """
     scene, digest, payload = _parts(text)
-    document = _document(_unpacked(payload))
-    doubled = {"scene", "digest", "checks", "format"} & document.keys()
-    if doubled:
-        raise RecordingError(NAME, min(doubled), "does not belong into the packed part")
-    whole = {**_DEFAULTS, **document, "scene": scene, "digest": digest}
-    return Recording.read(msgspec.json.encode(whole).decode("utf-8"), NAME)
+    document = msgspec.to_builtins(decoded(_unpacked(payload), _Packed, NAME))
+    return Recording.read(msgspec.json.encode({**document, "scene": scene, "digest": digest}), NAME)
 
 
 _DEFAULTS: dict[str, Any] = {"level": None, "effects_off": [], "parameters": {}}
@@ -124,14 +142,3 @@ def _unpacked(payload: str) -> bytes:
         return unpack(payload, MOST_BYTES, WORDS)
     except ValueError as error:
         raise RecordingError(NAME, "", str(error)) from None
-
-
-def _document(data: bytes) -> dict[str, Any]:
-    """The fields that are packed."""
-    try:
-        document = msgspec.json.decode(data)
-    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
-        raise RecordingError(NAME, "", f"not JSON: {error}") from None
-    if not isinstance(document, dict):
-        raise RecordingError(NAME, "", "expected an object of fields")
-    return document

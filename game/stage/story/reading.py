@@ -34,13 +34,13 @@ import msgspec
 from game.files import FileProblem, read_text
 from game.level_checks import LevelError, check_sizes, check_text, convert
 from game.levels import MAX_BYTES, level_files, level_of, load_level, story_files
+from game.stage.checks.validation import checked_event
 from game.stage.parameters import ParameterError
 from game.stage.scene import Scene
-from game.stage.story.deeds import events_of
-from game.stage.story.lines import VERBS, WHOLE, Do, Expect, Follow, HandOver, Line, Look, Moment, Say, Story
-from game.stage.story.lines import StoryLine as AnyLine
-from game.stage.story.readouts import named_in, parse_condition
-from game.stage.validation import checked_event
+from game.stage.script.deeds import events_of
+from game.stage.script.lines import VERBS, WHOLE, Do, Expect, Follow, HandOver, Line, Look, Moment, Say, Story
+from game.stage.script.lines import StoryLine as AnyLine
+from game.stage.script.readouts import named_in, parse_condition
 
 MOST_LINES = 500
 MOST_CONDITIONS = 8

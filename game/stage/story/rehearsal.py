@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from game.stage.story.lines import Expect, Moment, Story
+from game.stage.script.lines import Expect, Moment, Story
 from game.stage.story.runner import Runner
 
 if TYPE_CHECKING:

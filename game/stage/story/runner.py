@@ -13,12 +13,12 @@ from game.physics.kernels import elementary
 from game.stage.declarations import Readout
 from game.stage.events import StageEvent
 from game.stage.parameters import ParameterError
-from game.stage.story.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
-from game.stage.story.course import SLACK_S, Begun, Course, Ended, Found, Reached
-from game.stage.story.deeds import RATE_HZ, begin_of, end_of, on_the_way
-from game.stage.story.lines import WHOLE, Do, Expect, Follow, HandOver, Look, Moment, Say, Story
+from game.stage.script.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
+from game.stage.script.course import SLACK_S, Begun, Course, Ended, Found, Reached
+from game.stage.script.deeds import RATE_HZ, begin_of, end_of, on_the_way
+from game.stage.script.lines import WHOLE, Do, Expect, Follow, HandOver, Look, Moment, Say, Story
+from game.stage.script.readouts import filled, parse_condition
 from game.stage.story.reading import check_names
-from game.stage.story.readouts import filled, parse_condition
 
 if TYPE_CHECKING:
     from game.stage.stage import Stage

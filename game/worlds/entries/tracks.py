@@ -6,11 +6,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from game.worlds.entries.entry import LevelEntry
-
-Metre = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e4)]
-Point = tuple[Metre, Metre]
+from game.worlds.entries.entry import Length, LevelEntry, Point
 
 
 class TrackEntry(LevelEntry, frozen=True, kw_only=True):

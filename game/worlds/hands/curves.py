@@ -8,7 +8,7 @@ import numpy as np
 
 from game.physics.kernels import elementwise
 from game.physics.solids.tracks import Curve
-from game.worlds.entries.tracks import Point
+from game.worlds.entries.entry import Point
 from game.worlds.hands.simplify import simplified
 
 CORNER = 50.0  # degrees: a drawn track has a corner where it turns by more

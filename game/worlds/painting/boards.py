@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.kernels import elementwise
+from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.polygons import NO_EDGE, paint
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
+WHOLE = (-1.0, -1.0, 1.0, 1.0)  # of a box, in shares of its half sizes
 SMOOTH = 0.5  # rad: where a floor turns by more, its board ends
 
 
@@ -61,3 +62,31 @@ def placed(box: tuple[float, float, float, float], sizes: Floats, places: Floats
     x, y = own[..., 0], own[..., 1]
     corners = np.stack([c * x - s * y, s * x + c * y], axis=2) + places[:, None, :]
     return corners.reshape(-1, 2)
+
+
+def paint_quads(
+    canvas: Canvas, corners: Floats, inks: Any, shares: Any = 1.0,
+    edges: Any = NO_EDGE,
+) -> None:  # fmt: skip
+    """Quadrangles (4 n, 2) m, those in the picture; colours, opacities and edges of all or of each."""
+    if not len(corners):
+        return
+    boxes, seen = corners.reshape(-1, 4, 2), canvas.camera.visible()
+    low, high = boxes.min(axis=1), boxes.max(axis=1)
+    there = (low[:, 0] < seen.right) & (high[:, 0] > seen.left)
+    there &= (low[:, 1] < seen.top) & (high[:, 1] > seen.bottom)
+    kept = np.ascontiguousarray(boxes[there].reshape(-1, 2))
+    count = len(kept) // 4
+    if count:
+        own, veils, rims = (
+            np.full(count, one, dtype=kind) if np.ndim(one) == 0 else np.ascontiguousarray(one[there])
+            for one, kind in ((inks, np.int64), (shares, np.float64), (edges, np.int64))
+        )  # type: Any, Any, Any
+        paint(canvas, kept, np.arange(0, 4 * count + 1, 4), own, veils, rims, np.zeros((4, 2)))
+
+
+def paint_shapes(canvas: Canvas, shapes: Shapes, ink: int, share: float = 1.0) -> None:
+    """Polygons of one colour."""
+    count = len(shapes.starts) - 1
+    inks, none = np.full(count, ink, dtype=np.int64), np.full(count, NO_EDGE, dtype=np.int64)
+    paint(canvas, shapes.corners, shapes.starts, inks, np.full(count, share), none, np.zeros((4, 2)))

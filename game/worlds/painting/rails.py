@@ -6,14 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
-from game.physics.solids.tracks import Curve
-from game.physics.solids.tracks.curves import Pieces
+from game.arrays import Floats
+from game.physics.solids.tracks import curves as c
 from game.ui.canvas.canvas import Canvas
-from game.worlds.painting.track_lines import lines_of
+from game.worlds.painting.inks import color_of
 
-Floats = NDArray[np.float64]
+PARTS = 4  # chords that a piece is drawn by
 BREADTH = 0.06  # m, of a rail
 PEG, EVERY = 0.05, 1.3  # m: radius of a peg, between two
 FINE = 0.0012  # m: so far a drawn line may be off
@@ -31,7 +30,24 @@ class Rail(NamedTuple):
     high: Floats
 
 
-def rails_of(pieces: Pieces, curves: list[Curve]) -> list[Rail]:
+def lines_of(pieces: c.Pieces, curves: list[c.Curve], parts: int = PARTS) -> list[Floats]:
+    """Each track as points (n, 2) m along its smooth curve."""
+    found = []
+    t = np.linspace(0.0, 1.0, parts, endpoint=False)[:, None]
+    for number, curve in enumerate(curves):
+        own = pieces.rows[(pieces.rows[:, c.TRACK] == number) & (pieces.rows[:, c.KIND] != c.VERTEX)]
+        own = own[: len(own) // 2]  # the left side; the right one is the same curve
+        axes = [
+            own[:, at] + t * (own[:, at + 1] + t * (own[:, at + 2] + t * own[:, at + 3]))
+            for at in (c.CX, c.CY)
+        ]
+        line = np.stack([axis.T.ravel() for axis in axes], axis=1)
+        end = [[own[-1, at : at + 4].sum() for at in (c.CX, c.CY)]]
+        found.append(np.concatenate([line, line[:1] if curve.closed else end]))
+    return found
+
+
+def rails_of(pieces: c.Pieces, curves: list[c.Curve]) -> list[Rail]:
     """All tracks, with no more points than can be seen."""
     found = []
     for line in lines_of(pieces, curves):
@@ -68,7 +84,7 @@ def draw_rail_shadows(canvas: Canvas, rails: list[Rail], by: Floats, strength: f
 
 def draw_rails(canvas: Canvas, rails: list[Rail], dark: bool) -> None:
     """Rails, and the pegs on which they lie."""
-    edge, steel, light = (_color(ink) for ink in TONES[dark])
+    edge, steel, light = (color_of(ink) for ink in TONES[dark])
     width = _width(canvas)
     for rail in _seen(canvas, rails):
         if len(rail.pegs):
@@ -90,7 +106,3 @@ def _seen(canvas: Canvas, rails: list[Rail]) -> list[Rail]:
 def _width(canvas: Canvas) -> float:
     """Design px of a rail."""
     return max(BREADTH * canvas.pixels_per_unit / canvas.k, 1.4)
-
-
-def _color(ink: int) -> pygame.Color:
-    return pygame.Color(ink >> 16 & 255, ink >> 8 & 255, ink & 255)

@@ -36,7 +36,7 @@ from game.billiards.shot.physics import Physics
 from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
 from game.stage import Sound
-from game.stage.story.lines import Say
+from game.stage.script.lines import Say
 from game.stage.story.rehearsal import rehearse, stage_of
 from game.stage.story.runner import Runner, last_words
 from game.ui.sound import RATE, sample_of

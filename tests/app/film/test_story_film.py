@@ -9,7 +9,7 @@ import pygame
 import pytest
 
 from game.app.film.story_film import Excerpt, StoryFilm, chapters_of, srt_of, write_story_film
-from game.stage.story.course import Caption
+from game.stage.script.course import Caption
 from game.stage.story.rehearsal import rehearse
 from tests.stage.story.bouncing import StoryBall, story
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from game.app.menu import deck, flow
 from game.app.menu import thumbnails as thumbnails_module
 from game.app.menu.screen import MenuScreen
+from game.app.scene.loader import Loader
 from game.app.scene.screen import SceneScreen
 from game.app.window.settings import load_settings
 from tests.app.menu.eighty import NUMBERS, eighty
@@ -263,20 +265,46 @@ def test_one_that_loses_its_star_leaves_the_view_where_it_is(start):
     assert menu.scroll.target == 0 and driver.app.settings.favourites == ["papers-1", "papers-3"]
 
 
-def test_what_was_opened_comes_first_and_leads_back_to_its_card(many: Driver):
-    many.click(*many.top.bar.spots.find("Stories").rect.center)
+def opened(driver: Driver, wait: bool) -> SceneScreen:
+    """The scene that was opened: once it is there, or while it is still loading."""
+    screen = driver.top
+    assert isinstance(screen, SceneScreen) and screen.loader is not None
+    if wait:
+        screen.loader.wait()
+        driver.frames(2)
+        assert screen.play is not None
+    return screen
+
+
+@pytest.mark.parametrize("wait", [True, False])
+def test_what_was_opened_comes_first_and_leads_back_to_its_card(many: Driver, wait: bool, monkeypatch):
+    """However fast it loads: the scene is waited for, or held up until its screen has been left.
+
+    Not one of the stories: these scenes have none, so that the menu comes back as soon as that is known.
+    """
+    left, work = threading.Event(), Loader._work
+
+    def held_up(loader: Loader) -> None:
+        left.wait(60.0)
+        work(loader)
+
+    if not wait:
+        monkeypatch.setattr(Loader, "_work", held_up)
+    many.click(*many.top.bar.spots.find("Papers").rect.center)
     rest(many)
     many.key(pygame.K_RIGHT)
     many.key(pygame.K_RETURN)
-    assert isinstance(many.top, SceneScreen)
+    opened(many, wait)
     many.key(pygame.K_ESCAPE)
     menu = many.top
-    assert (menu.focused.category, menu.focused.entry.name) == ("Stories", "stories-1")
+    assert (menu.focused.category, menu.focused.entry.name) == ("Papers", "papers-1")
     assert menu.view.contains(place_of(menu, menu.focus))
-    assert menu.bar.names[0] == "Recent" and menu.items[0].entry.name == "stories-1"
+    assert menu.bar.names[0] == "Recent" and menu.items[0].entry.name == "papers-1"
     many.key(pygame.K_HOME)
     many.key(pygame.K_RETURN)
+    opened(many, wait)
     many.key(pygame.K_ESCAPE)
+    left.set()
     assert many.top.focused.category == "Recent"
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from game.app.scene.film import writers
 from game.app.scene.film.again import FilmAgain
-from game.stage.records.rerun import Rerun
+from game.stage.replays.rerun import Rerun
 from tests.app.tests_app import Driver
 from tests.stage.example_scene import KICK
 

@@ -9,8 +9,8 @@ from game.app.menu.screen import MenuScreen
 from game.app.scene.screen import SceneScreen
 from game.app.window import clipboard
 from game.stage import Pointer, SetEffect, SetParameter
-from game.stage.records.replaying import replay_scene
 from game.stage.records.run_text import recording_in
+from game.stage.replaying import replay_scene
 from tests.app.tests_app import Driver
 from tests.stage.example_scene import KICK
 

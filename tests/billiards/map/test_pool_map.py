@@ -6,6 +6,7 @@ import pytest
 from game.billiards.game.arrangement import arrange
 from game.billiards.game.summary import summarize
 from game.billiards.map.pool import cue_ball_heat, pool_map, pot_keys
+from game.billiards.search.legality import Legality
 from game.billiards.search.strokes import Board, Noise
 from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
@@ -53,9 +54,13 @@ def test_pots_are_told_apart_by_chain_and_cushions(board, drawn):
 
 def test_only_allowed_balls_may_be_hit_first(board, drawn):
     assert len({pot.chain[1] for pot in drawn.pots}) > 1
-    only = pool_map(board, Noise(), first=(1,), draws=8)
+    only = pool_map(board, Noise(), legality=Legality((1,)), draws=8)
     assert only.pots and {pot.chain[1] for pot in only.pots} == {1}
-    assert (pot_keys(board, drawn.outcomes, (1,)) > 0).sum() == (only.keys > 0).sum() < (drawn.keys > 0).sum()
+    assert (
+        (pot_keys(board, drawn.outcomes, Legality((1,))) > 0).sum()
+        == (only.keys > 0).sum()
+        < (drawn.keys > 0).sum()
+    )
 
 
 def test_where_the_cue_ball_may_end(board, drawn):

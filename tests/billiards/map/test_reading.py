@@ -21,6 +21,7 @@ from game.billiards.laws.state import (
 from game.billiards.map.pool import pot_keys
 from game.billiards.map.routes import CUSHIONS, FIRST, INTO, KISSES, Routes, read_routes
 from game.billiards.search import outcomes
+from game.billiards.search.legality import Legality
 
 LEFT, RIGHT, LOWER, UPPER = range(4)
 CUE, OTHER, RED = range(3)
@@ -77,7 +78,7 @@ def test_pots_have_one_key_by_ball_pocket_cushions_and_chain():
     assert len(np.unique(keys)) == len(cases) and keys.min() > 0
     assert [(key - 1) % 16 for key in keys.tolist()] == [row for row, _, _, _ in cases]
     assert [(key - 1) // 16 % 8 for key in keys.tolist()] == [pocket for _, pocket, _, _ in cases]
-    only = pot_keys(board, given, (2,))
+    only = pot_keys(board, given, Legality((2,)))
     assert np.array_equal(only > 0, [row == 2 for row, _, _, _ in cases])
     for foul in (outcomes.SCRATCH, outcomes.GIVEN_UP):
         facts[:, foul] = 1

@@ -11,6 +11,7 @@ from game.scenes.billiards import layout
 from game.scenes.billiards.scene import Billiards
 from game.stage import Action, Decision, ParameterError, Pointer, SetEffect, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import check_balls, open_level
+from tests.scenes.test_saved_at_any_moment import opened_again
 
 LEVELS = ("default", "nine-ball", "combination", "practice", "called-pockets")
 KINDS = ("move", "move", "move", "down", "up", "wheel", "cancel")
@@ -82,6 +83,8 @@ def test_random_sequences_lose_no_ball(seed):
         assert stage.fault is None, (number, stage.fault)
         if stage.scene.play.phase in ("aiming", "replay"):
             check_balls(stage)
+        if number % 6 == 5:
+            opened_again(stage)
         if number % 20 == 19:
             for _ in range(3):
                 stage.step_back()

@@ -20,9 +20,9 @@ from tests.scenes.billiards.billiards_stages import (
 )
 
 
-def foul_in(scene, first):
+def foul_in(scene, first, short=False):
     """Why it would be a foul to meet that ball first."""
-    return foul_of(scene.model.frame.game, scene.aiming.call, first)
+    return foul_of(scene.model.frame.game, scene.aiming.call, first, short)
 
 
 def test_a_ball_that_must_not_be_hit_first_is_named():
@@ -31,8 +31,9 @@ def test_a_ball_that_must_not_be_hit_first_is_named():
     game = scene.model.frame.game
     assert game.legal_first() == (1,)
     assert foul_in(scene, 1) == foul_in(scene, None) == "" and foul_in(scene, 4) == "foul: the 1 first"
+    assert foul_in(scene, 1, short=True) == "foul: behind the line"
     scene.aiming.call = Call(push_out=True)
-    assert foul_in(scene, 4) == ""
+    assert foul_in(scene, 4) == foul_in(scene, 1, short=True) == ""
     stage = open_level("called-pockets")
     groups = msgspec.structs.replace(
         stage.scene.model.frame.game, opening=False, groups=("solids", "stripes")

@@ -1,9 +1,10 @@
 """Drills of one's own: made by hand, saved as a level, opened, counted in sets."""
 
+import msgspec
 import pytest
 
 from game.app.stagehand.files import present_level
-from game.billiards.game.games import Drill, RunDrill
+from game.billiards.game.games import Drill, Practice, RunDrill
 from game.billiards.game.goals import Pot, Zone
 from game.levels import format_level, level_files, load_level, parse_level
 from game.scenes.billiards import layout
@@ -22,6 +23,7 @@ from tests.scenes.billiards.billiards_stages import (
     straight_pot,
     until_aiming,
 )
+from tests.scenes.test_saved_at_any_moment import opened_again
 
 TWO_BALLS = "balls = [{number=0,position=[0.3,0.3]},{number=2,position=[0.6,0.9]}]"
 NO_CALL = (-1.0, -1.0, 0.0, 0.0)
@@ -90,6 +92,47 @@ def test_it_is_saved_as_a_level_that_begins_anew(making):
     assert again.scene.model.frame.layout.places == stage.scene.model.frame.layout.places
     assert again.scene.practised.key == stage.scene.practised.key
     assert again.scene.practised.title == level.title
+
+
+def test_what_is_saved_before_it_is_played_is_the_drill_and_opens(making):
+    press_button(making, "drill")
+    press_button(making, "clear")
+    drag(making, layout.tray_place(6), (0.4, 1.0))
+    drag(making, layout.tray_place(2), (0.8, 1.6))
+    press_button(making, "drill")
+    again = opened_again(making)
+    game = again.scene.model.frame.game
+    assert isinstance(game, Practice) and game.on_table == (2, 6) and game.in_hand == ""
+    click(making, 0.4, 1.0)
+    opened_again(making)  # a ball without a pocket: still practice
+    px, py = making.scene.model.frame.table.pockets[3, :2].tolist()
+    click(making, px, py)
+    drag(making, (0.45, 0.5), (0.45, 0.8))
+    again = opened_again(making)
+    game = again.scene.model.frame.game
+    assert isinstance(game, Drill) and game.goal.pots == (Pot(6, 3),)
+    assert game.goal.zones == (Zone(0, 0.45, 0.5, 0.3),)
+    assert again.scene.model.frame.layout.places == making.scene.model.frame.layout.places
+
+
+@pytest.mark.parametrize(
+    "name", ["default", "set-01-stop-ladder-1", "set-07-line-up", "ghost-09", "trick-02-plant"]
+)
+def test_a_set_up_is_saved_as_what_would_be_played(name):
+    stage = open_level(name)
+    stage.post(Action("set-up"))
+    untouched = opened_again(stage).scene.model.frame
+    assert msgspec.to_builtins(untouched.game) == msgspec.to_builtins(stage.scene.model.frame.game)
+    place = stage.scene.model.frame.cue_ball or layout.tray_place(0)
+    point(stage, "down", *place, button=1)
+    point(stage, "move", 0.7, 1.2)
+    again = opened_again(stage).scene.model.frame  # in the midst of the drag
+    assert again.cue_ball == stage.scene.model.frame.cue_ball != untouched.cue_ball
+    assert isinstance(again.game, Practice)
+    point(stage, "move", -0.3, 1.2)
+    point(stage, "up", -0.3, 1.2, button=1)  # the cue ball put aside
+    assert stage.scene.model.frame.cue_ball is None
+    assert opened_again(stage).scene.model.frame.game.in_hand == "anywhere"
 
 
 def test_ten_tries_and_the_set_is_over(making):

@@ -1,14 +1,22 @@
 """The map beside the pool table: what a click shows and plays, and that it follows the balls."""
 
+import math
+
 import numpy as np
 import pytest
 
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.rules import Call
 from game.scenes.billiards.beside import MAP, NONE
 from game.scenes.billiards.practice import columns
 from game.scenes.billiards.practice.columns import WIDE_FRAME, frame_with
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.view.beside.on_cloth import COLUMNS, ROWS, heat_of, heat_picture
 from game.scenes.billiards.view.beside.pot_list import heading, row_of
+from game.scenes.billiards.view.instruments import odds_numbers
+from game.scenes.billiards.view.words import foul_of
+from game.scenes.shared.tables.odds import OddsMeter
+from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight
 from game.stage import Action, Decision, ParameterError, replay_scene
 from tests.scenes.billiards.billiards_stages import click, level_of, point, straight_pot, until_aiming
 
@@ -86,7 +94,76 @@ def test_called_shots_are_called_by_the_click():
     )
     stage.scene.advisor.now()
     click_row(stage, 0)
-    assert stage.scene.aiming.call[:2] == (3, 0)
+    aiming = stage.scene.aiming
+    assert aiming.call[:2] == (3, 0)
+    clicked = aiming.cue.aim
+    stage.post(Action("left"))
+    assert aiming.cue.aim != clicked and aiming.call == Call()  # another aim is another pot
+    click_row(stage, 0)
+    click_row(stage, 0)
+    assert aiming.call[:2] == (3, 0) and stage.scene.play.phase == "striking"
+
+
+MATCH = (
+    'game = "nine-ball"\nballs = [{ number = 0, position = [0.8, 1.2] },'
+    " { number = 3, position = [0.35, 0.4] }, { number = 5, position = [0.9, 2.2] }]"
+)
+
+
+def test_in_a_match_it_is_the_hand_that_plays_a_pot_whose_chance_the_map_tells():
+    made, chance, hits = [], 0.0, 24
+    for number in range(hits):
+        stage = level_of(MATCH, beside=MAP)
+        stage.scene.play.by_hand = number  # so many strokes have been played before
+        pots = stage.scene.advisor.now().map.pots
+        row = next(k for k, pot in enumerate(pots) if 0.2 < pot.chance < 0.8)
+        chance = pots[row].chance
+        click_row(stage, row)
+        click_row(stage, row)
+        assert stage.scene.play.pending != pytest.approx(pots[row].stroke, abs=1e-6)
+        until_aiming(stage)
+        struck = stage.scene.model.played
+        made.append(pots[row].ball in struck.summary.balls_down and struck.verdict.legal)
+        assert stage.scene.play.own[-1][0] == pytest.approx(pots[row].stroke)
+        if number == 0:  # as it was opened
+            assert replay_scene(stage.recording, Billiards).digest() == stage.digest()
+    spread = (chance * (1.0 - chance) / hits) ** 0.5
+    assert abs(sum(made) / hits - chance) < 3.0 * spread + 0.5 / hits
+
+
+def test_the_figure_of_the_map_is_the_one_beside_the_aim():
+    stage = level_of(MATCH, beside=MAP)
+    view = stage.scene.view
+    compared = 0
+    for row, pot in enumerate(stage.scene.advisor.now().map.pots):
+        click_row(stage, row)
+        assert stage.scene.advisor.aimed is pot
+        meter = OddsMeter(lambda: 0.0)
+        odds = meter.of(stage.scene.model.frame, stage.scene.aiming.stroke, view._asked(pot.chain[1]))
+        assert odds.ball == pot.ball and odds.chance == pytest.approx(pot.chance, abs=1e-12)
+        compared += 1
+    assert compared > 5
+
+
+BEHIND = (
+    'game = "nine-ball"\nin_hand = "behind the line"\nballs = [{ number = 0, position = [0.45, 0.45] },'
+    " { number = 6, position = [0.2, 0.2] }, { number = 9, position = [0.9, 2.2] }]"
+)
+
+
+def test_from_behind_the_line_a_ball_there_is_a_foul_for_map_aim_and_referee():
+    stage = level_of(BEHIND, beside=MAP)
+    scene = stage.scene
+    straight = Stroke(1.5, math.atan2(-1.0, -1.0), tip_up=-0.4)
+    assert all(len(pot.chain) > 2 or pot.stroke.azimuth > 0 for pot in scene.advisor.now().map.pots)
+    scene.aiming.aim_as(straight)
+    frame = scene.model.frame
+    sight = Foresight().of(frame, scene.aiming.stroke, FIRST_BALL)
+    assert sight.target == 6 and sight.short
+    assert foul_of(frame.game, scene.aiming.call, 6, sight.short) == "foul: behind the line"
+    odds = OddsMeter(lambda: 0.0).of(frame, scene.aiming.stroke, scene.view._asked(6))
+    assert odds.foul and odds_numbers(odds)[1].words == "foul"
+    assert [foul.kind for foul in frame.play(straight).verdict.fouls] == ["behind the line"]
 
 
 @pytest.mark.parametrize("values", [(), (1.0,) * 6, (1.0, 0.0, 0.0, 2.0, 0.0, 3.0, 0.0)])

@@ -5,8 +5,8 @@ import pytest
 
 from game.scenes.billiards.scene import Billiards
 from game.stage import Decision, SetParameter, replay_scene
-from game.stage.records.replaying import recording_of_excerpt
 from game.stage.records.run_text import recording_in, text_of
+from game.stage.replaying import recording_of_excerpt
 from tests.scenes.billiards.billiards_stages import (
     AT_THE_CORNER,
     open_level,

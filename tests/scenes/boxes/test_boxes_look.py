@@ -7,8 +7,8 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.scenes.boxes.hierarchical_grids import HierarchicalGridScene
+from game.scenes.boxes.model.names import apart_on, listed_names, name_of, outcomes, result_of
 from game.scenes.boxes.model.sweep_and_prune import MOST_KEPT
-from game.scenes.boxes.names import apart_on, listed_names, name_of, outcomes, result_of
 from game.scenes.boxes.sheets import sheet_at, sheets_of
 from game.scenes.boxes.sweep_and_prune import SweepAndPruneScene
 from game.scenes.boxes.uniform_grid import UniformGridScene

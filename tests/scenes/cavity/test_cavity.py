@@ -87,3 +87,15 @@ def test_the_study_has_the_orders_that_it_names():
     trial.reset()
     trial.run()
     assert trial.outcome().error < 0.1
+
+
+def test_the_error_is_that_of_what_is_published_of_the_flow():
+    """Of the Nusselt number between a hot and a cold wall; none where nothing is published."""
+    stage = Stage(Cavity, parameters={"flow": "heated", "rayleigh": 1_000.0, "cells": 16})
+    stage.run(60)
+    shown = {readout.name: readout.value for readout in stage.scene.readouts()}
+    assert shown["Nusselt error"] == pytest.approx(100.0 * (shown["Nusselt"] / 1.1177897 - 1.0))
+    assert shown["error"] == abs(shown["Nusselt error"]) > 0.0
+    for changed in ({"flow": "heated", "rayleigh": 2_000.0}, {"number": 500.0}, {"lid": -1.0}):
+        scene = Stage(Cavity, parameters={"cells": 16, **changed}).scene
+        assert "error" not in [readout.name for readout in scene.readouts()]

@@ -12,10 +12,9 @@ import pytest
 from game.levels import format_level, level_files, load_level, parse_level
 from game.physics.effects import EffectSet
 from game.scenes.domino.course import Standing
+from game.scenes.domino.dominoes import STRUCK_ANGLE
 from game.scenes.domino.level import DominoContent
-from game.scenes.domino.model import BODY, STRUCK, STRUCK_ANGLE
 from game.scenes.domino.scene import Domino
-from game.scenes.domino.tables import TALL
 from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, Stage
 from tests.scenes.listening import heard_in
 
@@ -58,11 +57,11 @@ def test_a_domino_that_turns_evenly_has_left_its_place_at_the_angle_over_the_rat
     stage = row_of(2, "")
     model = stage.scene.model
     model.world.set(effects=EffectSet([]))
-    model.world.set_velocity(int(model.dominoes[1, BODY]), (0.0, 0.0), spin)
+    model.world.set_velocity(int(model.dominoes.table.body[1]), (0.0, 0.0), spin)
     for _ in range(8):
         model.advance(0.01)
-    assert model.dominoes[1, STRUCK] == pytest.approx(STRUCK_ANGLE / abs(spin), rel=1e-6)
-    assert model.dominoes[0, STRUCK] < 0.0
+    assert model.dominoes.table.struck[1] == pytest.approx(STRUCK_ANGLE / abs(spin), rel=1e-6)
+    assert model.dominoes.table.struck[0] < 0.0
 
 
 def drag(stage: Stage, start: tuple[float, float], end: tuple[float, float]) -> None:
@@ -136,7 +135,7 @@ def test_a_click_pushes_and_shift_pushes_back() -> None:
         stage.run(60)
         click(stage, 2.0 + 0.46 * 10, 18.5, shift=shift)
         stage.run(180)
-        times = stage.scene.model.dominoes[:, 9]
+        times = stage.scene.model.dominoes.table.struck
         order = [times[k] for k in struck]
         assert all(a < b for a, b in itertools.pairwise(order[:7]))
         assert min(order[:6]) > 0.0
@@ -166,7 +165,7 @@ def test_a_drag_stands_one_elsewhere_and_up_again() -> None:
     stage.run(400)
     stage.post(SetParameter("tool", "drag"))
     model = stage.scene.model
-    body = int(model.dominoes[7, 0])
+    body = int(model.dominoes.table.body[7])
     drag(stage, tuple(model.world.bodies.positions[body].tolist()), (20.0, 0.4))
     stage.run(60)
     assert model.world.bodies.positions[body].tolist() == pytest.approx([20.0, 0.5], abs=1e-2)
@@ -193,9 +192,9 @@ def test_what_a_hand_has_changed_is_saved() -> None:
     level = stage.level.__class__(scene="a01", title="mine", content=stage.scene.save_content())
     again = Stage(Domino, level=parse_level(format_level(level), "a01", DominoContent))
     assert read(again)["dominoes"] == 20
-    places = again.scene.model.dominoes[:, 4]
+    places = again.scene.model.dominoes.table.x
     assert np.sort(places) == pytest.approx(
-        np.sort(stage.scene.model.dominoes[[*range(8), *range(9, 21)], 4])
+        np.sort(stage.scene.model.dominoes.table.x[[*range(8), *range(9, 21)]])
     )
 
 
@@ -283,15 +282,15 @@ def test_a_domino_that_is_added_is_like_its_nearest_neighbour():
     more = ROW.format(count=3, more="") + "[[content.rows]]\nx = 20.0\ncount = 2\nsize = [0.3, 2.0]\n"
     stage = Stage(Domino, level=parse_level(more, "a01", DominoContent))
     for x, tall in ((22.0, 2.0), (1.5, 1.0)):
-        assert stage.scene.model.add(Standing(x, 0.0, 0.0, 1.0))
-        assert stage.scene.model.dominoes[-1, TALL] == tall
+        assert stage.scene.model.dominoes.add(Standing(x, 0.0, 0.0, 1.0))
+        assert stage.scene.model.dominoes.table.tall[-1] == tall
 
 
 def test_the_first_domino_is_pushed_at_its_time_and_once() -> None:
     stage = row_of(3)
     model, pushes = stage.scene.model, []
-    push = model.push
-    model.push = lambda number: (pushes.append((number, model.time)), push(number))
+    push = model.dominoes.push
+    model.dominoes.push = lambda number: (pushes.append((number, model.time)), push(number))
     stage.run(round(0.3 / stage.dt))
     assert [number for number, _ in pushes] == [0]
     assert pushes[0][1] == pytest.approx(0.1, abs=0.5 * stage.dt)

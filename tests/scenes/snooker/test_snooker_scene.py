@@ -280,3 +280,35 @@ def test_while_it_plays_itself_it_goes_on_and_a_press_takes_the_cue():
     assert stage.scene.model.frame.strokes >= 1
     click(stage, 0.9, 1.0)
     assert not stage.scene.course.plays_itself
+
+
+def test_a_computers_choice_takes_no_buttons_and_leaves_what_was_said_in_sight():
+    """A miss: the computer has it played again; that it was one, and what it cost, is still told."""
+    stage = open_level("default", second_player="club")
+    course = stage.scene.course
+    stage.post(Decision("stroke", (1.0, -0.5 * math.pi, 0.0, 0.0, 0.0, -1.0)))  # away from all balls
+    until_aiming(stage)
+    game = course.model.game
+    assert game.turn == 1 and [option.name for option in game.options][-1] == "replay"
+    assert line_of(course).lead.startswith("Foul and a miss: ") and line_of(course).foul
+    assert not any(stage.scene.hand._button_at(*layout.option_box(k, 3).middle) for k in range(3))
+    for _ in range(40):
+        seconds(stage, 0.25)
+        stage.listen(at_once=True)
+        if not course.model.game.options:
+            break
+    line = line_of(course)
+    assert not course.model.game.options
+    assert "Foul and a miss: " in f"{line.lead} {line.more}" and "chooses" not in f"{line.lead} {line.more}"
+
+
+def test_there_is_time_to_read_before_a_computer_chooses():
+    stage = open_level("default", second_player="club")
+    course = stage.scene.course
+    stage.post(Decision("stroke", (1.0, -0.5 * math.pi, 0.0, 0.0, 0.0, -1.0)))
+    until_aiming(stage)
+    began = stage.time_s
+    while course.model.game.options and stage.time_s < began + 20.0:
+        seconds(stage, 0.1)
+        stage.listen(at_once=True)
+    assert not course.model.game.options and 2.5 < stage.time_s - began < 20.0

@@ -13,8 +13,8 @@ from game.levels import Level
 from game.stage import Pointer, RecordingError, SetParameter, Stage, replay, replay_scene
 from game.stage.records import run_text
 from game.stage.records.excerpt import Excerpt
-from game.stage.records.replaying import recording_of_excerpt
 from game.stage.records.run_text import WORDS, looks_like_a_run, recording_in, text_of
+from game.stage.replaying import recording_of_excerpt
 from tests.stage.example_scene import KICK, BouncingBall
 from tests.stage.odd_scenes import BURST, Cloud, CloudContent, Fragile
 from tests.stage.records.test_recordings import CATALOGUE, played
@@ -146,6 +146,36 @@ class TestHostileTexts:
         assert tracemalloc.get_traced_memory()[1] < 8 << 20
         tracemalloc.stop()
 
+    @pytest.mark.parametrize("filling", ["events", "values", "parameters", "lists", "text"])
+    def test_what_unpacks_into_very_much_is_refused_before_it_costs_much(self, filling: str) -> None:
+        """Each of them is a text of some 50 kB, and fills what may be unpacked to the last."""
+        text = text_of(played().recording)
+        document = unpacked(text)
+        event, room = {"step": 0, "event": {"type": "action", "name": "kick"}}, run_text.MOST_BYTES - 2000
+        document.update({
+            "events": {"events": [event] * (room // 60)},
+            "values": {"events": [{"step": 0, "event": {**event["event"], "values": [1.0] * (room // 5)}}]},
+            "parameters": {"parameters": {str(i): 1.0 for i in range(room // 18)}},
+            "lists": {"more": [[]] * (room // 4)}, "text": {"level": "x" * room},
+        }[filling])  # fmt: skip
+        bomb = with_payload(text, packed(document))
+        tracemalloc.start()
+        said = self.refused(bomb)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        assert most < 16 * run_text.MOST_BYTES
+        assert filling != "events" or f"length <= {run_text.MOST_EVENTS}" in said
+
+    def test_no_text_is_made_that_is_not_read(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        recording = played().recording
+        monkeypatch.setattr(run_text, "MOST_EVENTS", len(recording.events) - 1)
+        with pytest.raises(RecordingError, match=r"events: \d+, and a text holds \d+"):
+            text_of(recording)
+        monkeypatch.undo()
+        monkeypatch.setattr(run_text, "MOST_BYTES", 100)
+        with pytest.raises(RecordingError, match="and a text holds 100"):
+            text_of(recording)
+
     def test_one_that_is_too_long(self) -> None:
         assert "longer than" in self.refused("carom1." + "a" * run_text.MOST_LETTERS)
 
@@ -153,9 +183,10 @@ class TestHostileTexts:
         text = text_of(played().recording)
         document = unpacked(text)
         for wrong, reason in (
-            (b"\xff\xfe", "not JSON"), (b"[" * 200_000, "not JSON"), ([1], "expected an object"),
-            ({}, "Object missing required field"), ({**document, "more": 1}, "unknown field"),
-            ({**document, "digest": "0" * 32}, "does not belong into the packed part"),
+            (b"\xff\xfe", "not JSON"), (b"[" * 200_000, "Expected object, got array"),
+            ([1], "Expected object, got array"), ({}, "Object missing required field"),
+            ({**document, "more": 1}, "unknown field"),
+            ({**document, "digest": "0" * 32}, "unknown field digest"),
             ({**document, "steps": 10}, "is out of order"), ({**document, "seed": -1}, "seed"),
             ({**document, "dt": 0.0}, "dt"),
             ({**document, "events": [{"step": 0, "event": {"type": "no"}}]}, "events"),

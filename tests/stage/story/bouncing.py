@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from game.stage import Choice, Hearing, Readout, Sound
-from game.stage.story.lines import Story
+from game.stage.script.lines import Story
 from game.stage.story.reading import parse_story
 from tests.stage.example_scene import BouncingBall
 

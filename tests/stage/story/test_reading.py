@@ -8,7 +8,7 @@ import pytest
 
 from game.levels import LevelError
 from game.stage import Stage
-from game.stage.story.lines import Deed, Do, Expect, Follow, HandOver, Look, Moment, Say, Slow, Title
+from game.stage.script.lines import Deed, Do, Expect, Follow, HandOver, Look, Moment, Say, Slow, Title
 from game.stage.story.reading import parse_story, written_story
 from game.stage.story.rehearsal import rehearse
 from game.stage.story.runner import Runner

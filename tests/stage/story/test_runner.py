@@ -10,9 +10,9 @@ import pytest
 
 from game.stage import Pointer, Stage, replay_scene
 from game.stage.declarations import Readout
-from game.stage.story.camera import Aim, CameraPath, View, kept_inside
-from game.stage.story.course import READING, reading_s
-from game.stage.story.readouts import filled, parse_condition
+from game.stage.script.camera import Aim, CameraPath, View, kept_inside
+from game.stage.script.course import READING, reading_s
+from game.stage.script.readouts import filled, parse_condition
 from game.stage.story.rehearsal import rehearse, stage_of
 from game.stage.story.runner import Runner
 from tests.stage.story.bouncing import TEXT, StoryBall, story

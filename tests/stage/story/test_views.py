@@ -7,7 +7,7 @@ import math
 import pytest
 
 from game.stage import Frame
-from game.stage.story.camera import ASPECT, MIDDLE, View, kept_inside, view_of
+from game.stage.script.camera import ASPECT, MIDDLE, View, kept_inside, view_of
 
 
 @pytest.mark.parametrize(

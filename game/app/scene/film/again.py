@@ -9,7 +9,7 @@ from game.app.scene.film.live import QUIET
 from game.app.scene.film.writers import Writer
 from game.app.stagehand.view import StageView
 from game.stage import Scene
-from game.stage.records.rerun import Rerun
+from game.stage.replays.rerun import Rerun
 from game.ui.canvas.camera import Camera
 from game.ui.look.layout import auto_scale
 from game.ui.look.look import Look

@@ -17,7 +17,7 @@ from game.app.screens.host import Host
 from game.app.stagehand.view import StageView
 from game.folders import pictures_folder
 from game.stage import Scene
-from game.stage.records.rerun import Rerun
+from game.stage.replays.rerun import Rerun
 from game.ui.widgets.list_row import ListRow
 
 LAST_S = 10.0

@@ -8,7 +8,7 @@ import time
 
 from game.app.stagehand.stories import kept_rehearsal, rehearsal_of
 from game.stage import Scene
-from game.stage.story.lines import Story
+from game.stage.script.lines import Story
 from game.stage.story.rehearsal import Rehearsal
 
 REST = 1.0  # times what a part of the run took: so long the window has the processor for itself

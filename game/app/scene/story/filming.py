@@ -9,8 +9,9 @@ from pathlib import Path
 
 from game.app.compile.second_process import with_this_game
 from game.app.screens.host import Host
+from game.app.window.children import start
 from game.folders import pictures_folder
-from game.stage.story.lines import Story
+from game.stage.script.lines import Story
 from game.ui.widgets.list_row import ListRow
 
 LAST_S = 10.0
@@ -52,9 +53,7 @@ class Filming:
             "--theme", self._host.settings.theme, *part, *small,
         ]  # fmt: skip
         quiet, pipe = subprocess.DEVNULL, subprocess.PIPE
-        self.process = subprocess.Popen(
-            command, env=with_this_game(), stdin=quiet, stdout=quiet, stderr=pipe, text=True
-        )
+        self.process = start(command, env=with_this_game(), stdin=quiet, stdout=quiet, stderr=pipe, text=True)
         self._host.tell("Filming", f"{self._path}")
 
     def update(self) -> None:

@@ -14,8 +14,8 @@ from game.app.stagehand.view import StageView
 from game.app.window.commands import Actions
 from game.stage import Pointer, StageEvent
 from game.stage.playing.paced import FASTEST, SLOWEST
-from game.stage.story.deeds import events_of
-from game.stage.story.lines import Do, Story
+from game.stage.script.deeds import events_of
+from game.stage.script.lines import Do, Story
 from game.stage.story.rehearsal import moments_of
 from game.stage.story.runner import Runner
 from game.ui.widgets.timebar import TimeBar, TimeBarState

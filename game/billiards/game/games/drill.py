@@ -40,6 +40,11 @@ class Drill(Game, frozen=True, kw_only=True, tag="drill"):
         """True if all tries of a set have been made."""
         return 0 < self.tries <= self.attempts
 
+    @property
+    def from_behind(self) -> bool:
+        """False: nothing is forbidden."""
+        return False
+
     def stars(self, shot: ShotSummary) -> int:
         """Stars of a stroke: none if the goal is missed, one more for each further goal, in their order."""
         stars = 0

@@ -63,6 +63,10 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
         own = self.balls_of(self.turn)
         return own + self._eight_if_on()
 
+    def barred(self) -> tuple[int, ...]:
+        """The 8 before its turn (3.8); at the break it does not lose."""
+        return (EIGHT,) if not self.opening and not self._eight_if_on() else ()
+
     def targets(self) -> tuple[int, ...]:
         """The balls that may be hit first are those that count."""
         return self.legal_first()

@@ -79,6 +79,11 @@ class Ghost(Game, frozen=True, kw_only=True, tag="ghost"):
         own = self._own()
         return own or (EIGHT,)
 
+    def barred(self) -> tuple[int, ...]:
+        """At eight-ball the 8 before its turn."""
+        early = self.discipline == "eight-ball" and not self.opening and self.legal_first() != (EIGHT,)
+        return (EIGHT,) if early else ()
+
     def targets(self) -> tuple[int, ...]:
         """What may be potted; all balls, where any combination counts."""
         return self.legal_first() if self.discipline == "eight-ball" else self.on_table

@@ -8,13 +8,16 @@ import msgspec
 
 from game.billiards.game.rules import CUE_BALL, Call, Foul, Game, Hand, ShotSummary, Verdict, remaining
 
+Place = tuple[int, float, float]
 RACKS = {"eight-ball": tuple(range(1, 16)), "nine-ball": tuple(range(1, 10)), "": ()}
 
 
 class Practice(Game, frozen=True, kw_only=True, tag="practice"):
     """Practice. rack: what is racked when the table is empty; "": nothing, the game is then over.
 
-    strokes, potted, run: all strokes, all balls, and balls since the last stroke that potted none.
+    set_up: ball, x, y m of a position of one's own, which is set up again instead; hand: where the cue ball
+    may then be put. strokes, potted, run: all strokes, all balls, and balls since the last stroke that potted
+    none.
     """
 
     players: tuple[str, ...] = ("Player",)
@@ -27,6 +30,13 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
     strokes: int = 0
     potted: int = 0
     run: int = 0
+    set_up: tuple[Place, ...] = ()
+    hand: Hand = ""
+
+    @property
+    def from_behind(self) -> bool:
+        """False: nothing is forbidden."""
+        return False
 
     def judge(self, shot: ShotSummary, call: Call = Call()) -> Verdict:  # noqa: B008  (immutable)
         """What follows from a stroke: a cue ball that went down is in hand."""
@@ -60,7 +70,7 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
         """All balls back in the rack; the counts go on."""
         racked = msgspec.structs.replace(
             state,
-            on_table=RACKS[self.rack],
+            on_table=RACKS[self.rack or "eight-ball"],
             in_hand="behind the line",
             opening=True,
             winner=None,
@@ -68,7 +78,13 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
         return Verdict(racked, fouls, down, words, rack=True)
 
     def next_rack(self) -> Verdict:
-        """The balls racked again; ValueError if this table has no rack."""
-        if not self.rack:
-            raise ValueError("practice: this table has no rack; set it up again")
-        return self._racked(self, (), (), ("Racked again.",))
+        """The position of one's own set up again, if there is one; else all balls racked."""
+        if not self.set_up:
+            return self._racked(self, (), (), ("Racked again.",))
+        numbers = tuple(sorted(ball for ball, _, _ in self.set_up if ball != CUE_BALL))
+        here = len(numbers) < len(self.set_up)
+        again = msgspec.structs.replace(
+            self, on_table=numbers, in_hand=self.hand if here else self.hand or "anywhere", opening=False,
+            winner=None,
+        )  # fmt: skip
+        return Verdict(again, words=("Set up again.",), places=self.set_up)

@@ -57,6 +57,11 @@ class RunDrill(Game, frozen=True, kw_only=True, tag="run-drill"):
         """True if all tries of a set have been made."""
         return 0 < self.tries <= self.attempts
 
+    @property
+    def from_behind(self) -> bool:
+        """False: nothing is forbidden."""
+        return False
+
     def legal_first(self) -> tuple[int, ...]:
         """The lowest ball, if they are potted in order."""
         return self.on_table[:1] if self.ordered else self.on_table

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Literal
 
 from game.billiards.game.rules import ShotSummary
-from game.billiards.game.snooker.sight import any_path, full_path
+from game.billiards.game.snooker.sight import any_path
 from game.billiards.game.snooker.stroke import Seen, Target, fails_to_hit
 from game.billiards.table.snooker import BALL_RADIUS
 
@@ -24,15 +24,15 @@ MOST_SIX_RED = 5  # misses in a row at six-red snooker (six-red rule 1)
 
 
 def is_miss(
-    rule: MissRule, target: Target, shot: ShotSummary, seen: Seen, excused: bool, full_before: int
+    rule: MissRule, target: Target, shot: ShotSummary, seen: Seen, excused: bool, full_again: bool
 ) -> bool:
-    """True if a stroke is a miss. excused: a player needs penalty points, see above. full_before: misses in a
-    row from this position while a full ball could be hit.
+    """True if a stroke is a miss. excused: a player needs penalty points, see above. full_again: a full ball
+    could be hit, and a miss was called from this position before (3.14(c)(i)).
     """
     if rule == "off" or not seen.places or not fails_to_hit(target, shot, seen):
         return False
     if excused:
-        return full_before > 0 and full_path(seen.places, target.first)
+        return full_again
     if rule == "professional" or any_path(seen.places, target.first):
         return True
     return seen.near > CLUB_NEAR

@@ -159,10 +159,12 @@ class Snooker(SnookerStanding, frozen=True, kw_only=True, tag="snooker"):
         if was.stage == "order" and was.on_table == (BLACK,):
             ended = after._frame_ends(fouls, (), (f"Foul: {points} to {after.shooter}.", *why))
             return ended._replace(spot=ended.spot or spot)
+        open_to_all = full_path(seen.places, was.legal_first())  # also of what could have been on
         missed = is_miss(
-            was.miss_rule, target, shot, seen, was.excused or after.excused, was.full_misses
+            was.miss_rule, target, shot, seen, was.excused or after.excused,
+            was.full_misses > 0 and open_to_all,
         )  # fmt: skip
-        full = missed and full_path(seen.places, target.first)
+        full = missed and open_to_all
         after = msgspec.structs.replace(
             after, misses=was.misses + 1 if missed else 0, full_misses=was.full_misses + 1 if full else 0,
             before=Before(was.stage, was.free_ball, was.on_table, was.in_hand) if missed else None,
@@ -171,8 +173,9 @@ class Snooker(SnookerStanding, frozen=True, kw_only=True, tag="snooker"):
         if full and after.full_misses >= MOST_FULL:
             return after._awarded(fouls, (*why, "A third miss, with a full ball to be hit."), spot)
         after = msgspec.structs.replace(after, options=after._options(missed))
-        lead = f"Foul{' and a miss' * missed}: {points} to {after.shooter}, who chooses."
-        return Verdict(after, fouls, (), (lead, *why, *after._warnings()), spot)
+        lead = f"Foul{' and a miss' * missed}: {points} to {after.shooter}."
+        words = (lead, *after._warnings(), *why, f"{after.shooter} chooses.")
+        return Verdict(after, fouls, (), words, spot)
 
     def _options(self, missed: bool) -> tuple[Option, ...]:
         """What the player who comes to the table after a foul may choose (3.12, 3.13, 3.14(a))."""

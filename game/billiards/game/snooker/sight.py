@@ -13,6 +13,7 @@ from game.billiards.table.snooker import (
     D_RADIUS,
     FROZEN,
     MIDDLE,
+    RED_NUMBERS,
     Point,
     in_the_d,
     touching,
@@ -59,8 +60,12 @@ def _ghost(start: Point, ball: Point, aside: float) -> Point:
 
 
 def full_path(places: Places, on: tuple[int, ...]) -> bool:
-    """True if a ball on can be hit full, centre to centre (3.14(c))."""
-    return _reachable(places, on, (0.0,))
+    """True if a ball on can be hit full, centre to centre. Reds do not hide reds: a red counts if no ball not
+    on obstructs it (3.14(c)).
+    """
+    reds = tuple(ball for ball in on if ball in RED_NUMBERS)
+    others = tuple(ball for ball in on if ball not in reds)
+    return _reachable(places, reds, (0.0,), reds) or _reachable(places, others, (0.0,))
 
 
 def any_path(places: Places, on: tuple[int, ...]) -> bool:
@@ -68,12 +73,15 @@ def any_path(places: Places, on: tuple[int, ...]) -> bool:
     return _reachable(places, on, tuple(-1.0 + 2.0 * k / (FAN - 1) for k in range(FAN)))
 
 
-def _reachable(places: Places, on: tuple[int, ...], asides: tuple[float, ...]) -> bool:
+def _reachable(
+    places: Places, on: tuple[int, ...], asides: tuple[float, ...], through: tuple[int, ...] = ()
+) -> bool:
+    """True if some ball on can be hit, so far to its side. through: balls that hide nothing."""
     start = places.get(0)
     if start is None:
         return True
     return any(
-        not _blocking(places, start, _ghost(start, places[ball], aside), (0, ball))
+        not _blocking(places, start, _ghost(start, places[ball], aside), (0, ball, *through))
         for ball in on if ball in places for aside in asides
     )  # fmt: skip
 

@@ -108,10 +108,15 @@ class SnookerStanding(Game, frozen=True, kw_only=True):
 
     @property
     def points_left(self) -> int:
-        """Points on the table: eight for each red with its black, and the colours (27 of them)."""
+        """The most points that the table still gives: eight for each red with its black, and the colours (27
+        of them). A free ball is worth a red with its black, in the order of the colours the one that is on.
+        """
         if self.stage == "order":
-            return sum(value_of(ball) for ball in self.on_table)
+            free = value_of(self.colours_left[0]) if self.free_ball and self.colours_left else 0
+            return free + sum(value_of(ball) for ball in self.on_table)
         after_red = value_of(BLACK) if self.stage == "colour" else 0
+        if self.free_ball and self.stage == "red":
+            after_red = 1 + value_of(BLACK)
         return len(self.reds_left) * (1 + value_of(BLACK)) + SUM_OF_COLOURS + after_red
 
     def snookers_needed(self, player: int) -> int:

@@ -68,8 +68,7 @@ def penalties(target: Target, shot: ShotSummary, seen: Seen) -> list[Penalty]:
     for ball in shot.off_table:
         value = target.value if ball == CUE_BALL else max(target.value, value_of(ball))
         found.append(Penalty(Foul("off the table", f"The {name_of(ball)} left the table."), value))
-    found += _push(target, shot, seen)
-    found += _first_contact(target, shot, seen)
+    found += contact_penalties(target, shot, seen)
     for ball in shot.balls_down:
         if ball not in target.score:
             words = f"The {name_of(ball)} went down, which was not on."
@@ -77,6 +76,11 @@ def penalties(target: Target, shot: ShotSummary, seen: Seen) -> list[Penalty]:
     if not target.nominated and found:
         found.append(Penalty(Foul("no nomination", "No colour had been nominated."), MOST))
     return found
+
+
+def contact_penalties(target: Target, shot: ShotSummary, seen: Seen) -> list[Penalty]:
+    """What is wrong with the first contact of a stroke: a push stroke, no ball, or the wrong one."""
+    return _push(target, shot, seen) + _first_contact(target, shot, seen)
 
 
 def _push(target: Target, shot: ShotSummary, seen: Seen) -> list[Penalty]:

@@ -116,7 +116,7 @@ def key_study(
         error="error of exp(sin 2πt), the largest",
         error_unit="m",
         counter="key-frames",
-        knob=Knob("keys", "key-frames"),
+        knob=Knob("keys", "key-frames", parts=True),
         methods=tuple(
             Method(key, label, second if uneven else first)
             for key, (label, first, second) in ((key, METHODS[key]) for key in names)

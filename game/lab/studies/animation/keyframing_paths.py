@@ -142,7 +142,7 @@ spread_study = Study(
     error="distance along the path from equal spacing",
     error_unit="m",
     counter="chords in the table",
-    knob=Knob("chords", "chords in the table"),
+    knob=Knob("chords", "chords in the table", parts=True),
     methods=(
         Method("even", "uniform parameter"),
         Method("table", "table of chords", 2.0),

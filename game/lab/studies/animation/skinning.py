@@ -229,7 +229,7 @@ joints_study = Study(
     error="share lost at a bend of 150°",
     error_unit="",
     counter="joints",
-    knob=Knob("joints", "joints that share the bend"),
+    knob=Knob("joints", "joints that share the bend", parts=True),
     methods=loss_methods(2.0),
     settings=lambda: loss_settings((1, 3, 5, 7, 9, 13, 17, 25, 33)),
     trial=lambda setting: bent_trial(setting.method, BEND, int(setting.knob)),
@@ -249,7 +249,7 @@ skinning_study = Study(
     error="farthest point from where all twelve bones take it",
     error_unit="m",
     counter="influences blended",
-    knob=Knob("influences", "influences"),
+    knob=Knob("influences", "influences", parts=True),
     methods=tuple(
         Method(name, label)
         for name, label in (("linear", "matrices"), ("rotor", "rotors"), ("numpy", "matrices by NumPy"))

@@ -94,7 +94,7 @@ chances_study = Study(
     error="share of strokes that score, off that of 60 000 on the exact table",
     error_unit="",
     counter="strokes",
-    knob=Knob("samples", "samples"),
+    knob=Knob("samples", "samples", parts=True),
     methods=(
         Method("exact", "exact table"),
         Method("stepped", "stepped table"),

@@ -169,7 +169,7 @@ rack_study = Study(
     error="deepest overlap left, of two radii",
     error_unit="",
     counter="pair tests",
-    knob=Knob("passes", "passes"),
+    knob=Knob("passes", "passes", parts=True),
     order_over="counter",
     methods=(
         Method("pairwise", "pair by pair", None),

@@ -94,7 +94,7 @@ long_pot_study = Study(
     error="share of strokes that pot, off that of 40 000",
     error_unit="",
     counter="strokes",
-    knob=Knob("samples", "samples"),
+    knob=Knob("samples", "samples", parts=True),
     methods=(
         Method("steady", "steady hand"),
         Method("average", "average hand"),

@@ -97,7 +97,7 @@ RHYTHM_STUDY = Study(
     error="cost: error of the impacts, and 20 ms for each off the beat",
     error_unit="s",
     counter="steps, or layouts",
-    knob=Knob("rounds", "Rounds"),
+    knob=Knob("rounds", "Rounds", parts=True),
     methods=(
         Method("laying", "a ball laid for each beat", note="then varied, so many rounds"),
         Method("random", "layouts at random", note="as many as the rounds play"),

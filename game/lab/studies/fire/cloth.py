@@ -113,7 +113,7 @@ front_study = Study(
     error_unit="1",
     counter="patches",
     order_over="counter",
-    knob=Knob("meshes", "meshes along 0.8 m"),
+    knob=Knob("meshes", "meshes along 0.8 m", parts=True),
     methods=(
         Method("ignition", "from a temperature on", 1.0),
         Method("fisher", "Fisher's law", None),

@@ -111,7 +111,7 @@ def law_study(law: Law, most: int = MOST_TURNS, related: tuple[Study, ...] = ())
         error=law.error,
         error_unit=law.unit,
         counter="sweeps",
-        knob=Knob("turns", "substeps or sweeps a frame"),
+        knob=Knob("turns", "substeps or sweeps a frame", parts=True),
         methods=tuple(
             Method(name, use.label, None)
             for name, use in USES.items()

@@ -39,7 +39,6 @@ from game.physics.kernels.lean import inner_kernel
 FULL_LEAF = 10  # references; a leaf with more is split
 FEW = 5  # references of two leaves that are merged
 EVEN = 0.65  # the share of the larger side up to which a node owes nothing
-REBUILD = 2.0  # what cutting anew costs, for each reference and level, in references that are too many
 USEFUL = 0.8  # of a leaf's references the larger side of a cut has at most, or the cut is not made
 GROWN = 1.5  # a leaf that could not be cut is tried again when it has grown by that
 
@@ -127,14 +126,17 @@ def split_below(tree, boxes, node, stack, scratch):
 
 
 @inner_kernel
-def _owes(tree, node, total, larger):
-    """Add to a node's debt; whether it has become larger than what cutting anew costs."""
+def _owes(tree, node, total, larger, price):
+    """Add to a node's debt; whether it has become larger than what cutting anew costs.
+
+    ``price``: of that, for each reference and level, in references that are too many.
+    """
     too_many = larger - EVEN * total
     if total <= 2 * FULL_LEAF or too_many <= 0.0:
         tree.cuts[node, DEBT] = 0.0
         return False
     tree.cuts[node, DEBT] += too_many
-    return tree.cuts[node, DEBT] > REBUILD * total * elementary.log2(1.0 * total)
+    return tree.cuts[node, DEBT] > price * total * elementary.log2(1.0 * total)
 
 
 @inner_kernel
@@ -154,11 +156,11 @@ def _cut_anew(tree, boxes, node, stack, scratch, ids):
 
 
 @kernel(_nrt=False)
-def adjust(tree: Any, boxes, stack, scratch, ids):
+def adjust(tree: Any, boxes, stack, scratch, ids, price):
     """Split what is too full, merge what is nearly empty, cut anew what has owed too much.
 
-    ``stack``: (3, DEEPEST), ``scratch`` and ``ids``: (capacity,) to work in. False if room ran out: with more
-    of it, calling again goes on.
+    ``price``: of cutting anew, see `_owes`. ``stack``: (3, DEEPEST), ``scratch`` and ``ids``: (capacity,) to
+    work in. False if room ran out: with more of it, calling again goes on.
     """
     way, begun = stack[0], stack[1]
     height = 1
@@ -191,7 +193,7 @@ def adjust(tree: Any, boxes, stack, scratch, ids):
             tree.numbers[MERGES] += 1
             tree.nodes[node, TOTAL] = tree.nodes[node, COUNT]
             continue
-        owing = _owes(tree, node, total, max(tree.nodes[left, TOTAL], tree.nodes[right, TOTAL]))
+        owing = _owes(tree, node, total, max(tree.nodes[left, TOTAL], tree.nodes[right, TOTAL]), price)
         if owing and not _cut_anew(tree, boxes, node, stack[2], scratch, ids):
             return False
     return True

@@ -108,13 +108,15 @@ def find_pairs(tree: Any, boxes, keys, stack, parts, ids, near):
             end = _end_of_row(lefts, rights[i], i + 1, count)
             tests += end - i - 1
             left, low, right, high = lefts[i], lows[i], rights[i], highs[i]
-            for j in range(i + 1, end):
-                if (lefts[j] <= right) & (left <= rights[j]) & (lows[j] <= high) & (low <= highs[j]):
-                    x, y = max(left, lefts[j]), max(low, lows[j])
-                    if (x0 <= x) & (x < x1) & (y0 <= y) & (y < y1):
-                        a, b = ids[i], ids[j]
-                        keys[found] = (min(a, b) << 32) | max(a, b)
-                        found += 1
+            a = ids[i]
+            for j in range(i + 1, end):  # a key is always written and seldom kept: no branch to foretell
+                b = ids[j]
+                meet = (lefts[j] <= right) & (left <= rights[j]) & (lows[j] <= high) & (low <= highs[j])
+                # the greater of two is within a part if both are below its end and one not below its begin
+                here = (left < x1) & (lefts[j] < x1) & ((x0 <= left) | (x0 <= lefts[j]))
+                here &= (low < y1) & (lows[j] < y1) & ((y0 <= low) | (y0 <= lows[j]))
+                keys[found] = (min(a, b) << 32) | max(a, b)
+                found += meet & here
     tree.numbers[TESTS] = tests
     return found
 

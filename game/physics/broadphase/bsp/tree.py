@@ -47,6 +47,7 @@ from game.physics.broadphase.bsp.nodes import (
 from game.physics.broadphase.bsp.search import find_in_box, find_pairs
 from game.physics.broadphase.validation import Ids, Pairs, grown
 
+PRICE = 2.0  # of cutting a part anew, for each reference and level, in references that are too many
 ORDERED_EVERY = 0.1  # changes for each box after which references are put in order again
 
 
@@ -60,10 +61,17 @@ class TreeWork(NamedTuple):
 
 
 class BspTree(BroadPhase):
-    """Cuts parallel to the axes; each leaf refers to the boxes that reach into it."""
+    """Cuts parallel to the axes; each leaf refers to the boxes that reach into it.
 
-    def __init__(self) -> None:
+    ``price``: of cutting a part anew, in references that are too many, for each reference and level. With 0 a
+    part is cut anew as soon as it leans, with inf it never is. ValueError unless it is 0 or more.
+    """
+
+    def __init__(self, price: float = PRICE) -> None:
         super().__init__()
+        if not price >= 0.0:
+            raise ValueError(f"price = {price!r}: expected 0 or more")
+        self._price = float(price)
         self._tree = Tree(
             np.zeros((64, 8), np.int32), np.zeros((64, 2)), np.zeros((64, 5), np.int32),
             np.full(self.capacity, NOBODY, np.int32), np.zeros((self.capacity, 8)),
@@ -156,7 +164,7 @@ class BspTree(BroadPhase):
         if not self._changed:
             return
         scratch = self._near.reshape(-1)
-        while not adjust(self._tree, self.boxes, self._stack, scratch, self._ids):
+        while not adjust(self._tree, self.boxes, self._stack, scratch, self._ids, self._price):
             self._room()
         self._changed = False
         done = int(self._tree.numbers[[REPAIRS, SPLITS, MOVED]].sum())

@@ -60,6 +60,7 @@ SOLVERS: dict[str, Callable[..., Any]] = {
 }
 # in the place of these, where nothing is joined: the same to the bit, and compiled in less time
 UNJOINED: dict[str, Callable[..., Any]] = {"soft-step": solve_unjoined_soft_step}
+LIMITED = frozenset({"complementarity"})  # solvers that raise LimitError where too much touches
 # how a solver is meant to be used, where that is not four substeps of one sweep
 SUGGESTED: dict[str, dict[str, int]] = {
     "sequential-impulses": {"substeps": 1, "iterations": 10},

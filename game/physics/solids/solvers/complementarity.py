@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from game.physics.kernels import linear
 from game.physics.kernels.lean import lean_kernel
+from game.physics.kernels.limits import LimitError
 from game.physics.solids.joints.layout import (
     DRIVE,
     DRIVING,
@@ -269,11 +270,11 @@ def give_back(to: list[tuple[Any, tuple[int, int], float]], impulses: Floats) ->
 def solve_by_complementarity(
     bodies: Any, contacts: Any, rows: Any, joints: Any, scratch: Any, numbers: Any
 ) -> None:
-    """All substeps of one step. See the package. ValueError for more than MOST_POINTS contact points."""
+    """All substeps of one step. See the package. LimitError for more than MOST_POINTS contact points."""
     count = int(rows.count[0])
     points = int(rows.ends[:count, END_POINTS].sum())
     if points > MOST_POINTS:
-        raise ValueError(f"contact points = {points}: the complementarity solver takes at most {MOST_POINTS}")
+        raise LimitError(f"contact points = {points}: the complementarity solver takes at most {MOST_POINTS}")
     begin(bodies, joints, numbers)
     for _ in range(numbers.substeps):
         begin_substep(rows, joints, scratch, numbers)

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.billiards.map.pool import PoolMap, Pot, pool_map
+from game.billiards.search.legality import Legality, board_of, legality_of
 from game.billiards.search.strokes import Board
 from game.scenes.billiards.beside import MAP
 from game.scenes.billiards.play import AIMING, SET_UP, Play
@@ -54,20 +55,20 @@ class PoolAdvisor:
     def key(self) -> object:
         """Equal for equal positions, rules, cloths and hands."""
         frame = self.play.model.frame
-        return frame.layout.places, frame.conditions, self._first, hand_of(self.play).noise
+        return frame.layout.places, frame.conditions, self._legality, hand_of(self.play).noise
 
     @property
-    def _first(self) -> tuple[int, ...]:
-        """Balls that may be touched first; any while the balls are set up."""
-        return () if self.play.phase == SET_UP else self.play.model.frame.game.legal_first()
+    def _legality(self) -> Legality | None:
+        """What the rules ask of the stroke; nothing while the balls are set up."""
+        return None if self.play.phase == SET_UP else legality_of(self.play.model.frame)
 
     def _work(self) -> Callable[[], Drawn]:
         """What answers the question of the position on the table."""
-        frame, first, noise = self.play.model.frame, self._first, hand_of(self.play).noise
+        frame, legality, noise = self.play.model.frame, self._legality, hand_of(self.play).noise
 
         def draw() -> Drawn:
-            board = Board(frame.layout, frame.table, frame.physics)
-            return Drawn(board, pool_map(board, noise, first, groups=ROWS))
+            board = Board(frame.layout, frame.table, frame.physics) if legality is None else board_of(frame)
+            return Drawn(board, pool_map(board, noise, legality, groups=ROWS))
 
         return draw
 
@@ -96,6 +97,14 @@ class PoolAdvisor:
             return None
         return self._chosen[1]
 
+    @property
+    def aimed(self) -> Pot | None:
+        """The pot that was clicked, while its stroke is the one that is set."""
+        pot = self.chosen
+        if pot is None or not np.allclose(self.play.aiming.stroke, pot.stroke, rtol=0.0, atol=SAME):
+            return None
+        return pot
+
     def click(self, row: int) -> None:
         """A row is clicked: its stroke is aimed and its map shown, at the second click, or while the balls
         are set up, it is played.
@@ -104,7 +113,7 @@ class PoolAdvisor:
         if not self.fresh or latest is None or not 0 <= row < len(latest.value.map.pots):
             return
         pot = latest.value.map.pots[row]
-        again = self.chosen is pot and np.allclose(self.play.aiming.stroke, pot.stroke, rtol=0.0, atol=SAME)
+        again = self.aimed is pot
         at_once = again or self.play.phase == SET_UP
         self._chosen = (self.key, pot)
         self._clicked = (self.key, PLAY if at_once else SHOW, pot)

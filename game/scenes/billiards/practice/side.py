@@ -14,6 +14,7 @@ from game.scenes.billiards.model import as_practice
 from game.scenes.billiards.play import AIMING, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PLAY, SHOW, PoolAdvisor
 from game.scenes.billiards.practice.columns import COLUMN, ROWS, row_at
+from game.scenes.billiards.practice.hands import hand_of
 from game.stage import Decision, Part, Pointer
 
 GRIP = "column"
@@ -128,7 +129,9 @@ class Side(Part):
         play.start_phase(AIMING)
 
     def decide(self, event: Decision) -> None:
-        """A pot of the map: aimed, or played. ValueError for what cannot be."""
+        """A pot of the map: aimed, or played. Where strokes count it is the hand that plays it, whose chance
+        the map tells. ValueError for what cannot be.
+        """
         play = self.play
         if len(event.values) != 7:
             raise ValueError(f"{event.name}: expected seven numbers")
@@ -141,7 +144,10 @@ class Side(Part):
             raise ValueError(f"{event.name}: none may be played now")
         call = Call(int(ball), int(pocket))
         if event.name == PLAY:
+            counts = len(play.model.frame.game.players) == 2 or play.model.frame.game.final
+            if counts:
+                stroke = play.by_own_hand(stroke, hand_of(play).noise)
             play.begin_stroke(stroke, call, practised=True)
         else:
             play.aiming.aim_as(stroke)
-            play.aiming.call = call if play.model.frame.game.needs_call() else Call()
+            play.aiming.call_this(call if play.model.frame.game.needs_call() else Call())

@@ -28,7 +28,8 @@ Point = tuple[float, float]
 class Aiming(Part):
     """The cue and its instruments. The cue's array belongs to the state.
 
-    call: what the player has announced by hand. locked: the cue does not follow the pointer; follows: the
+    announced: what the player has announced by hand; announced_along: the only direction of the cue, rad, for
+    which it holds, nan if for any. locked: the cue does not follow the pointer; follows: the
     pointer is where the cue would follow it. rested: the last aim that a hand let stand, or set by key or
     wheel, rad, nan if none; away_s: how long the cue has followed the pointer since. fine_at: direction of
     the pointer at which the aim was made finely, rad. power_before: what was set before the cue was drawn
@@ -38,7 +39,8 @@ class Aiming(Part):
     def __init__(self, parameters: BilliardsParameters) -> None:
         self.parameters = parameters
         self.cue = CueControl(AT_THE_RACK)
-        self.call = Call()
+        self.announced = Call()
+        self.announced_along = math.nan
         self.locked = False
         self.follows = False
         self.rested = math.nan
@@ -57,6 +59,20 @@ class Aiming(Part):
             cue_speed_of(chosen.power), self.cue.aim, math.radians(chosen.elevation), chosen.tip_left,
             chosen.tip_up,
         )  # fmt: skip
+
+    @property
+    def call(self) -> Call:
+        """What is announced for the stroke that is set."""
+        along = self.announced_along
+        return self.announced if math.isnan(along) or along == self.cue.aim else Call()
+
+    @call.setter
+    def call(self, call: Call) -> None:
+        self.announced, self.announced_along = call, math.nan
+
+    def call_this(self, call: Call) -> None:
+        """Announce a ball and a pocket for the aim that is set, and no other."""
+        self.announced, self.announced_along = call, self.cue.aim
 
     @property
     def pulling(self) -> bool:

@@ -14,12 +14,12 @@ from game.billiards.game.table_lengths import table_lengths
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
-from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, STRIKING, Play
+from game.scenes.billiards.play import REPLAY, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.motion import power_of
 from game.scenes.billiards.view.words import aim_words
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.cue import MAX_SPEED
-from game.scenes.shared.tables.odds import HAND, OFFSETS, Odds
+from game.scenes.shared.tables.odds import OFFSETS, Odds
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.numerals import NOTHING
@@ -54,7 +54,7 @@ class Instruments:
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
-        if play.phase == AIMING and play.model.frame.game.options:
+        if play.asked:
             _draw_options(canvas, look, play.model.frame, play.grip)
         if play.phase == SET_UP:
             words = MAKING if self.buttons.maker.active else PLACING
@@ -102,13 +102,13 @@ def _draw_offsets(
 
 class Number(NamedTuple):
     """A figure right of the table: its title, what it says; lit: the title stands out; under: a caption;
-    short: what it says where there is less room."""
+    small: what it says is long."""
 
     title: str
     words: str
     lit: bool = False
     under: str = ""
-    short: str = ""
+    small: bool = False
 
 
 def odds_numbers(odds: Odds | None) -> tuple[Number, ...]:
@@ -120,7 +120,9 @@ def odds_numbers(odds: Odds | None) -> tuple[Number, ...]:
     else:
         margin = margin_number(*odds.margin)
     chance = UNKNOWN if odds.chance is None else f"{100.0 * odds.chance:.0f} %"
-    hand = f"hand ±{math.degrees(HAND.azimuth):.2f}°"
+    if odds.foul:
+        chance = "foul"
+    hand = f"hand ±{math.degrees(odds.noise.azimuth):.2f}°"
     return margin, Number(f"Pot {odds.ball}", chance, under=hand)
 
 
@@ -134,7 +136,7 @@ def margin_number(more: float, less: float) -> Number:
         ("≥" if side >= OFFSETS[-1] else sign) + f"{math.degrees(side):.2f}"
         for sign, side in (("+", more), ("\N{MINUS SIGN}", less))
     )
-    return Number("Margin", f"{above} {below}°", short=sign + nearer)
+    return Number("Margin", f"{above} {below}°", small=True)
 
 
 def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> None:
@@ -145,9 +147,9 @@ def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> No
         y, color = top + row * pitch, "accent" if number.lit else "text2"
         look.text(canvas.surface, number.title, (x, y), 13, "medium", color, "center")
         roomy = look.k >= ROOM_FOR_CAPTIONS
-        words = number.short if number.short and not roomy else number.words
-        letters = 11 if number.short and roomy else 13
-        look.text(canvas.surface, words, (x, y + look.px(19)), letters, "semibold", "text1", "center")
+        letters = 11 if number.small else 13
+        at = (x, y + look.px(19))
+        look.text(canvas.surface, number.words, at, letters, "semibold", "text1", "center")
         if number.under and roomy:
             look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
 

@@ -7,12 +7,14 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import CUE_BALL
+from game.billiards.search.legality import legality_of
 from game.levels import Level
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.practice.hands import hand_of
 from game.scenes.billiards.practice.sets import drill_title
 from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.view.balls import balls_at_rest
@@ -26,7 +28,7 @@ from game.scenes.billiards.view.score_board import draw_board, draw_line, key_ro
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables import boxes
-from game.scenes.shared.tables.odds import Odds, OddsMeter
+from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
@@ -93,7 +95,7 @@ class BilliardsView:
         draw_balls(canvas, self.balls_at(time), frame.table)
         self.on_cloth.draw_cloud_words(canvas, landing)
         if sight is not None:
-            foul = foul_of(frame.game, play.aiming.call, sight.target)
+            foul = foul_of(frame.game, play.aiming.call, sight.target, sight.short)
             radius = float(frame.layout.balls.radii[CUE_BALL])
             draw_label(canvas, sight, frame.layout.places, frame.table, radius, foul)
         if play.parameters.considered and play.phase == STRIKING and not play.person_plays:
@@ -107,7 +109,18 @@ class BilliardsView:
         frame = self.play.model.frame
         if sight is None or sight.target is None or frame.game.opening:
             return None
-        return self._odds.of(frame, self.play.aiming.stroke, sight.target)
+        return self._odds.of(frame, self.play.aiming.stroke, self._asked(sight.target))
+
+    def _asked(self, ball: int) -> Asked:
+        """The pot that was chosen on the map, while its stroke is set; else that of the ball aimed at."""
+        play = self.play
+        pot = self.on_cloth.advisor.aimed
+        free = play.aiming.call.push_out
+        legality = None if free else legality_of(play.model.frame)
+        noise = hand_of(play).noise
+        if pot is not None:
+            return Asked(pot.ball, pot.pocket, legality, noise)
+        return Asked(ball, None, legality, noise)
 
     @property
     def hint(self) -> Stroke | None:
@@ -142,7 +155,7 @@ class BilliardsView:
         radii = frame.layout.balls.radii.tolist()
         draw_fan(canvas, sight, SURE * spread_of(stroke, str(play.parameters.hand), radii[CUE_BALL]))
         target = radii[sight.target] if sight.target is not None else 0.0
-        foul = foul_of(frame.game, play.aiming.call, sight.target)
+        foul = foul_of(frame.game, play.aiming.call, sight.target, sight.short)
         draw_sight(canvas, sight, radii[CUE_BALL], target, bool(foul))
         return sight
 
@@ -163,7 +176,7 @@ class BilliardsView:
         if play.phase not in (SET_UP, REPLAY):
             line = line_of(play, self.hint)
             shaky = play.parameters.hand != "none"
-            if not (play.phase == AIMING and play.model.frame.game.options):  # these stand there then
+            if not play.asked:  # the options stand there then
                 draw_line(canvas, look, line, key_rows(play.guide, shaky) if play.may_aim else ())
         self.instruments.draw(canvas, look, odds)
         if is_shown(play):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill, RunDrill
 from game.billiards.game.goals import described
-from game.billiards.game.rules import Call, Game, listed
+from game.billiards.game.rules import Call, Game, contact_fouls, listed
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, ROLLING, STRIKING, Play
 from game.scenes.billiards.stroke.calling import call_for
@@ -37,11 +37,18 @@ def stroke_words(stroke: Stroke) -> tuple[str, ...]:
     return power, f"aim {aim_words(stroke.azimuth)}{raised}"
 
 
-def foul_of(game: Game, call: Call, first: int | None) -> str:
-    """Why a stroke is a foul whose cue ball meets that ball first, empty if it is none."""
+def foul_of(game: Game, call: Call, first: int | None, short: bool) -> str:
+    """Why the first contact of a stroke is a foul, empty if it is none. first: the ball that the cue ball
+    meets; short: it lies behind the line, which the cue ball has not crossed.
+    """
     allowed = game.legal_first()
-    if first is None or first in allowed or call.push_out:
+    if first is None or call.push_out:
         return ""
+    kinds = [foul.kind for foul in contact_fouls(game, (first,), short, allowed)]
+    if not kinds:
+        return ""
+    if kinds == ["behind the line"]:
+        return "foul: behind the line"
     return f"foul: {listed(allowed)} first" if len(allowed) == 1 else f"foul: not the {first}"
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from game.physics.broadphase.walks.swap import ALIKE, APART, BEGINS, Swap, walk_swaps
 from game.scenes.boxes.model.arrays import BoxArrays
-from game.scenes.boxes.names import AXES, apart_on, name_of
+from game.scenes.boxes.model.names import AXES, apart_on, name_of
 
 
 def swap_sentences(boxes: BoxArrays, orders: list[tuple[Any, Any]], pairs_before: Any) -> list[str]:

@@ -15,8 +15,8 @@ from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.arrays import Array
 from game.scenes.boxes.model.compared import ComparedModel
 from game.scenes.boxes.model.managers import MOST_IN_MATRIX, manager_for
+from game.scenes.boxes.model.names import named
 from game.scenes.boxes.model.swap_story import swap_sentences
-from game.scenes.boxes.names import named
 from game.scenes.boxes.parameters import SweepParameters
 
 MOST_TICKS = 1_500  # boxes whose end points are drawn

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from time import process_time
+from collections.abc import Callable, Iterator, Mapping
+from time import thread_time
 
 import numpy as np
 
@@ -16,10 +16,14 @@ from game.physics.broadphase import (
     SweepAndPrune,
     UniformGrid,
 )
+from game.physics.broadphase.validation import Corners
 from game.physics.broadphase.workloads import WORKLOADS, MovingBoxes, make_boxes
+from game.physics.kernels import elementwise
 
 EXTENT = (11.2, 8.0)  # m
 FILL = 0.375
+LEVEL = 1.1  # times that differ by less are level
+HEAPS, SPREAD = 8, 0.06  # heaps that travel, and the deviation of their boxes, in heights of the world
 OLDER: dict[str, Callable[[float], BroadPhase]] = {
     "grid": lambda size: UniformGrid((0.0, 0.0), EXTENT, 1.25 * size),
     "hierarchy": lambda size: HierarchicalGrid(),
@@ -45,32 +49,75 @@ def steps_of(phase: BroadPhase, boxes: MovingBoxes, leap: bool, steps: int) -> I
         if leap:
             shift = rng.random(boxes.centers.shape) * EXTENT - boxes.centers
         low, high = boxes.lowers + shift, boxes.uppers + shift
-        start = process_time()
+        start = thread_time()
         phase.update_boxes(ids, low, high)
         phase.pairs()
-        yield process_time() - start
+        yield thread_time() - start
+
+
+def travelling(count: int, way: float) -> Callable[[int], tuple[Corners, Corners]]:
+    """Boxes in heaps that each travel as one, ``way`` sizes a step, and turn back at the rim of the world.
+
+    What it returns gives the lower and upper corners (count, 2) m at a step.
+    """
+    rng = np.random.default_rng(3)
+    size = some_boxes("equal", count, 0.0)[1]
+    world = np.array(EXTENT)
+    home, angles = rng.random((HEAPS, 2)) * world, 2.0 * np.pi * rng.random(HEAPS)
+    ways = way * size * np.stack([elementwise.cos(angles), elementwise.sin(angles)], axis=1)
+    heap = rng.integers(0, HEAPS, count)
+    places = SPREAD * EXTENT[1] * rng.standard_normal((count, 2))
+
+    def at(step: int) -> tuple[Corners, Corners]:
+        middles = world - np.abs(np.mod(home + step * ways, 2.0 * world) - world)
+        low = middles[heap] + places - 0.5 * size
+        return low, low + size
+
+    return at
+
+
+def mean_milliseconds(times: Iterator[float], before: int) -> float:
+    """Mean of times in s, but for so many at the beginning, ms."""
+    return 1e3 * float(np.mean(list(times)[before:]))
 
 
 def milliseconds(method: str, kind: str, count: int, way: float) -> float:
-    """Mean CPU time of a step once boxes have been in motion for long, ms.
+    """Mean CPU time of a step once boxes have been in motion for some time, ms.
 
     ``way``: sizes in a step; 0: they leap.
     """
     boxes, size = some_boxes(kind, count, way)
     before, steps = (3, 6) if way == 0.0 else (40, 20)
-    times = list(steps_of(METHODS[method](size), boxes, way == 0.0, before + steps))
-    return 1e3 * float(np.mean(times[before:]))
+    if count > 10_000:
+        before, steps = (1, 2) if way == 0.0 else (12, 8)
+    return mean_milliseconds(steps_of(METHODS[method](size), boxes, way == 0.0, before + steps), before)
 
 
-def beside_others(method: str, kind: str, count: int, way: float) -> str:
-    """Its time beside those of the older broad phases, in words; the naive up to 2000 boxes."""
-    names = [method, *OLDER]
-    times = [f"{name} {milliseconds(name, kind, count, way):.2g}" for name in names]
+def beside_others(method: str, kind: str, count: int, way: float) -> dict[str, float]:
+    """Its time of a step (ms) beside those of the older broad phases; the naive up to 2000 boxes."""
+    times = {name: milliseconds(name, kind, count, way) for name in (method, *OLDER)}
     if count <= 2000:
         boxes, _ = some_boxes(kind, count, way)
-        naive = 1e3 * float(np.median(list(steps_of(NaiveBroadPhase(), boxes, way == 0.0, 4))))
-        times.append(f"naive {naive:.2g}")
-    return ", ".join(times) + " ms"
+        times["naive"] = 1e3 * float(np.median(list(steps_of(NaiveBroadPhase(), boxes, way == 0.0, 4))))
+    return times
+
+
+def in_words(times: Mapping[str, float], whose: str) -> str:
+    """Times in ms from the least on, and where one of them stands: ``whose``, the name of one."""
+    order = sorted(times, key=lambda name: times[name])
+    place, others = order.index(whose), [name for name in order if name != whose]
+    listed = ", ".join(f"{name} {_short(times[name])}" for name in order)
+    rival = others[0]
+    factor = max(times[whose], times[rival]) / min(times[whose], times[rival])
+    if factor < LEVEL:
+        return f"{listed} ms: {whose} is level with {rival}"
+    verdict, of = ("the fastest", "speed") if place == 0 else (f"number {place + 1} of {len(order)}", "time")
+    return f"{listed} ms: {whose} is {verdict}, {factor:.2g} × the {of} of {rival}"
+
+
+def _short(number: float) -> str:
+    """Two digits, and no power of ten."""
+    return f"{number:.0f}" if number >= 10.0 else f"{number:.2g}"
 
 
 def differing_answers(make: Callable[[], BroadPhase]) -> tuple[int, int]:

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs
+from game.scenes.boxes.model.names import listed_names, name_of, outcomes, result_of
 from game.scenes.boxes.model.uniform_grid import UniformGridModel
-from game.scenes.boxes.names import listed_names, name_of, outcomes, result_of
 from game.scenes.boxes.view import look
 from game.scenes.boxes.view.column import Column
 from game.scenes.boxes.view.world import Places

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from game.physics.broadphase.hash_levels import MASK, TOP
 from game.physics.broadphase.walks.hash import DOWN, OWN, LevelVisit
 from game.scenes.boxes.model.hierarchical_grids import HierarchicalGridModel
-from game.scenes.boxes.names import listed_names, name_of, outcomes, result_of
+from game.scenes.boxes.model.names import listed_names, name_of, outcomes, result_of
 from game.scenes.boxes.view import look
 from game.scenes.boxes.view.column import Column
 from game.scenes.boxes.view.world import Places

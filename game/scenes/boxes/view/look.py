@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from game.scenes.boxes.model.arrays import BoxArrays
-from game.scenes.boxes.names import LETTERS, apart_on, named, outcomes
+from game.scenes.boxes.model.names import LETTERS, apart_on, named, outcomes
 from game.scenes.boxes.view.world import Places
 from game.ui.canvas.canvas import Canvas
 

@@ -11,7 +11,7 @@ from game.physics.broadphase.hash_levels import MASK
 from game.physics.broadphase.walks.hash import Tables
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.hierarchical_grids import HierarchicalGridModel
-from game.scenes.boxes.names import LETTERS, named
+from game.scenes.boxes.model.names import LETTERS, named
 from game.scenes.boxes.sheets import LEFT, Sheet
 from game.scenes.boxes.view.levels_look import Look
 from game.scenes.boxes.view.look import outline

@@ -8,7 +8,7 @@ import numpy as np
 
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.arrays import BoxArrays
-from game.scenes.boxes.names import AXES, LETTERS, listed_names, name_of
+from game.scenes.boxes.model.names import AXES, LETTERS, listed_names, name_of
 from game.scenes.boxes.view.column import Column
 from game.scenes.boxes.view.look import FEW_TESTS, draw_tests
 from game.scenes.boxes.view.world import Places

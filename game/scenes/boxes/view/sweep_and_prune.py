@@ -6,8 +6,8 @@ import numpy as np
 
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.arrays import BoxesState
+from game.scenes.boxes.model.names import named
 from game.scenes.boxes.model.sweep_and_prune import SweepAndPruneModel
-from game.scenes.boxes.names import named
 from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.view.column import TALL, Column
 from game.scenes.boxes.view.comparison import draw_comparison

@@ -92,7 +92,7 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -
         look.text(canvas.surface, words, (rect.x + look.px(4), y), 13, "semibold",
                   "vermilion" if frame.foul else "text1")  # fmt: skip
         y += look.px(20)
-    if frame.game.options:
+    if frame.game.options and course.person_plays:
         _draw_options(canvas, look, course)
     elif course.parameters.explain and drawn is not None and drawn.map.fine:
         _draw_choices(canvas, look, drawn, (rect.x + look.px(4), y, rect.right, rect.bottom))

@@ -67,7 +67,7 @@ def _take(board: Board, point: Point, rules: Rules, reach: float, corners: bool,
         return _hold(board, chosen, "turn", point)
     index = outline_at(board, point, reach)
     if index == NOBODY:
-        return msgspec.structs.replace(board, chosen=NOBODY, corner=NOBODY)
+        return msgspec.structs.replace(board, chosen=NOBODY, corner=NOBODY, held="")
     if corners and not turning:
         return _take_corner(board, index, point, rules, reach)
     return _hold(board, index, "turn" if turning else "body", point)

@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke, arrange
 from game.billiards.game.frame import Frame
-from game.billiards.search.outcomes import GIVEN_UP, POCKET
-from game.billiards.search.strokes import AZIMUTH, Board, Noise, draw_noise, with_noise
+from game.billiards.search.chances import DRAWS, as_hand_does, pocket_of
+from game.billiards.search.legality import Legality
+from game.billiards.search.outcomes import NO_LINE, POCKET
+from game.billiards.search.strokes import AZIMUTH, Board, Noise
 from game.billiards.table.table import Table
 from game.physics.kernels import elementwise
 
@@ -29,53 +31,72 @@ BATCH = 4  # strokes between two looks at the clock
 # rad; how far off the aim is tried, from the middle out, and how often the last gap is halved then
 OFFSETS: Array = math.radians(0.01) * elementwise.power(1.35, np.arange(20.0))
 HALVINGS = 5
-SAMPLES, FIRST_SAMPLES = 128, 32  # of the hand's strokes: all of them, and those of the first figure
-SEED = 84
+FIRST_SAMPLES = 32  # of the hand's strokes, for the first figure
 
 
 class Odds(NamedTuple):
     """What is known of a stroke so far; None: not yet, or there is none.
 
-    ball: number of the ball that is met first. missed: the stroke as it is set does not pot it. margin: rad
-    that the azimuth may be more, and less; at most the last of OFFSETS is tried. chance: share of the hand's
-    strokes that pot it.
+    ball: its number. missed: the stroke as it is set does not pot it. foul: it does, and is a foul. margin:
+    rad that the azimuth may be more, and less; at most the last of OFFSETS is tried. chance: share of the
+    hand's strokes that pot it. noise: of the hand.
     """
 
     ball: int
     missed: bool = False
+    foul: bool = False
     margin: tuple[float, float] | None = None
     chance: float | None = None
+    noise: Noise = HAND
 
 
-def measure(board: Board, stroke: Stroke, ball: int) -> Iterator[Odds]:
-    """What is known after each few strokes, and at last all of it. ball: number."""
-    row = board.layout.numbers.index(ball)
+class Asked(NamedTuple):
+    """Which pot is asked about: ball, its number; pocket: row, None for the one it falls into, or any. What
+    the rules ask, None for nothing; noise: of the hand.
+    """
 
-    def pocket_of(strokes: Array) -> NDArray[np.int64]:
-        """The pocket (m,) that the ball falls into with each stroke (m, 5), -1 for none."""
-        outcomes = board.play(np.ascontiguousarray(strokes))
-        return np.where(outcomes.facts[:, GIVEN_UP] == 1, -1, outcomes.histories[:, row, POCKET])
+    ball: int
+    pocket: int | None = None
+    legality: Legality | None = None
+    noise: Noise = HAND
+
+
+def measure(board: Board, stroke: Stroke, asked: Asked) -> Iterator[Odds]:
+    """What is known after each few strokes, and at last all of it."""
+    row = board.layout.numbers.index(asked.ball)
+    legality = Legality.free(board) if asked.legality is None else asked.legality
+
+    def pockets(strokes: Array) -> NDArray[np.int64]:
+        """The pocket (m,) that the ball falls into with each stroke (m, 5), -1 for none, or with a foul."""
+        return pocket_of(board, board.play(np.ascontiguousarray(strokes)), legality, row)
 
     meant = np.array([stroke], dtype=np.float64)
-    pocket = int(pocket_of(meant)[0])
-    odds = Odds(ball, missed=pocket < 0)
+    outcome = board.play(meant)
+    pocket = int(pocket_of(board, outcome, legality, row)[0])
+    if asked.pocket is not None and pocket != asked.pocket:
+        pocket = -1
+    foul = pocket < 0 <= int(outcome.histories[0, row, POCKET]) and bool(legality.fouls(board, outcome)[0])
+    odds = Odds(asked.ball, missed=pocket < 0, foul=foul, noise=asked.noise)
     yield odds
+    if foul:
+        return
+    wanted = pocket if asked.pocket is None else asked.pocket
     if pocket >= 0:
         sides = []
         for sign in (1.0, -1.0):
             sides.append(0.0)
-            for reach in _reach(lambda turned: pocket_of(turned) == pocket, meant, sign):
+            for reach in _reach(lambda turned: pockets(turned) == pocket, meant, sign):
                 sides[-1] = reach
                 yield odds
         odds = odds._replace(margin=(sides[0], sides[1]))
         yield odds
-    noisy = with_noise(meant, draw_noise(SEED, SAMPLES), HAND, board.radius)
+    noisy = as_hand_does(meant, asked.noise, board.radius)
     down = 0
-    for begin in range(0, SAMPLES, BATCH):
-        fell = pocket_of(noisy[begin : begin + BATCH])
-        down += int((fell == pocket if pocket >= 0 else fell >= 0).sum())
+    for begin in range(0, DRAWS, BATCH):
+        fell = pockets(noisy[begin : begin + BATCH])
+        down += int((fell == wanted if wanted >= 0 else fell >= 0).sum())
         count = begin + BATCH
-        if count in (FIRST_SAMPLES, SAMPLES):
+        if count in (FIRST_SAMPLES, DRAWS):
             odds = odds._replace(chance=down / count)
         yield odds
 
@@ -118,12 +139,12 @@ class OddsMeter:
         self._work: Iterator[Odds] | None = None
         self._odds: Odds | None = None
 
-    def of(self, frame: Frame, stroke: Stroke, ball: int) -> Odds | None:
-        """What is known now of a stroke that meets a ball first; None if it cannot be played."""
-        key = (frame.layout.places, frame.conditions, stroke, ball)
+    def of(self, frame: Frame, stroke: Stroke, asked: Asked) -> Odds | None:
+        """What is known now of a stroke; None if it cannot be played."""
+        key = (frame.layout.places, frame.conditions, stroke, asked)
         if key != self._key:
-            self._key, self._odds = key, Odds(ball)
-            self._work = measure(self._board_of(frame), stroke, ball)
+            self._key, self._odds = key, Odds(asked.ball, noise=asked.noise)
+            self._work = measure(self._board_of(frame, asked.legality), stroke, asked)
         began = self._now()
         while self._work is not None and self._now() - began < SLICE_S:
             try:
@@ -134,16 +155,17 @@ class OddsMeter:
                 self._work = self._odds = None
         return self._odds
 
-    def _board_of(self, frame: Frame) -> Board:
-        key = (frame.layout.places, frame.conditions)
+    def _board_of(self, frame: Frame, legality: Legality | None) -> Board:
+        line = NO_LINE if legality is None else legality.line
+        key = (frame.layout.places, frame.conditions, line)
         if self._board is None or key != self._board_key:
             self._board_key = key
-            self._board = Board(frame.layout, frame.table, frame.physics)
+            self._board = Board(frame.layout, frame.table, frame.physics, line)
         return self._board
 
 
 def warm_up() -> None:
     """Compile what the odds need."""
     board = Board(arrange({0: (0.5, 0.5), 1: (0.3, 0.3)}), Table.pool())
-    for _ in measure(board, Stroke(1.0, 0.0), 1):
+    for _ in measure(board, Stroke(1.0, 0.0), Asked(1)):
         pass

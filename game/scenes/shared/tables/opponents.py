@@ -10,6 +10,7 @@ from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.stage import Decision
 
 NEXT_STROKE_S = 0.7  # s of rest before the next stroke of a computer player, or of the table itself
+CHOICE_S = 3.0  # s of rest before it chooses: so long a person reads why there is something to be chosen
 
 
 class Course(Protocol):
@@ -87,7 +88,7 @@ class TableOpponents:
         if not computer or course.phase != AIMING or course.grip:
             self.thinker.forget()
             return []
-        rested = course.rest_s > NEXT_STROKE_S
+        rested = course.rest_s > (CHOICE_S if course.model.frame.game.options else NEXT_STROKE_S)
         if at_once:
             thought = self.thinker.answer(self.question) if rested else None
         else:

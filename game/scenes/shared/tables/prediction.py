@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame, Struck, trajectory_of
 from game.billiards.game.rules import CUE_BALL
+from game.billiards.game.summary import is_short
 from game.billiards.laws.state import (
     BALL_BALL,
     BALL_CUSHION,
@@ -43,7 +44,8 @@ class Sight(NamedTuple):
     ghost: where the cue ball then is; target: the ball it meets, None if none; cut: rad. others: paths of
     the balls that move. bounces: where the cue ball meets cushions. last: where it comes to rest, None if
     that is later than is shown, or in a pocket. flights: of the cue ball, points (n, 3) m with the height;
-    rolls: the parts of its path between them, (n, 2) m; both empty if it does not fly.
+    rolls: the parts of its path between them, (n, 2) m; both empty if it does not fly. short: the target lies
+    behind the head string, which the cue ball has not crossed.
     """
 
     approach: Array
@@ -57,6 +59,7 @@ class Sight(NamedTuple):
     last: tuple[float, float] | None
     flights: tuple[Array, ...] = ()
     rolls: tuple[Array, ...] = ()
+    short: bool = False
 
 
 def foresee(struck: Struck, events: int) -> Sight:
@@ -73,16 +76,19 @@ def foresee(struck: Struck, events: int) -> Sight:
     first = next((row for row in seen.tolist() if row[1] == BALL_BALL and cue in row[2:]), None)
     meets = first[0] if first is not None else until
     paths = Paths(trajectory)
-    ghost, target, cut, place = None, None, 0.0, (0.0, 0.0)
+    ghost, target, cut, place, short = None, None, 0.0, (0.0, 0.0), False
     if first is not None:
         other = int(first[3] if int(first[2]) == cue else first[2])
         ghost, target = paths.arriving(cue, meets)[0], numbers[other]
         place = paths.arriving(other, meets)[0]
         cut = _cut(paths.path(cue, 0.0, meets), ghost, place)
+        short = is_short(trajectory, cue, other, meets)
         if only_first:
             begun = BallPath(target, _beginning(paths.path(other, meets, trajectory.end_time)), False)
-            return Sight(paths.path(cue, 0.0, meets), np.empty((0, 2)), ghost, target, place, cut, (begun,),
-                         _bounces(paths, seen, cue), None, *_flown(struck, paths, cue, meets))  # fmt: skip
+            return Sight(
+                paths.path(cue, 0.0, meets), np.empty((0, 2)), ghost, target, place, cut, (begun,),
+                _bounces(paths, seen, cue), None, *_flown(struck, paths, cue, meets), short,
+            )  # fmt: skip
     sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == BALL_POCKET}
     others = tuple(
         BallPath(numbers[ball], points, ball in sunk)
@@ -101,6 +107,7 @@ def foresee(struck: Struck, events: int) -> Sight:
         _bounces(paths, seen, cue),
         last,
         *_flown(struck, paths, cue, until),
+        short,
     )
 
 

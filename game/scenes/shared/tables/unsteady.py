@@ -2,29 +2,35 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.shot.cue import strike
 from game.physics.kernels import elementary
 
+if TYPE_CHECKING:
+    from game.billiards.search.strokes import Noise
+
+STEADY_HAND = "none"  # does exactly what is meant
 # how many times `game.billiards.search.strokes.Noise`, the hand of a master; 2.8 is that of a club player
-HANDS = {"none": 0.0, "steady": 1.0, "average": 2.8}
+HANDS = {STEADY_HAND: 0.0, "steady": 1.0, "average": 2.8}
 HAND_SEED = 70_001  # apart from the seeds of racks and of computer players
 SURE = 2.0  # standard deviations on either side, within which 19 of 20 strokes lie
 
 
-def shaken(stroke: Stroke, hand: str, seed: int, count: int, radius: float) -> Stroke:
-    """A stroke as a hand of HANDS does it: the same for the same seed and count of strokes before.
-
-    radius of the cue ball, m.
+def shaken(stroke: Stroke, hand: str | Noise, seed: int, count: int, radius: float) -> Stroke:
+    """A stroke as a hand of HANDS, or of some noise, does it: the same for the same seed and count of strokes
+    before. radius of the cue ball, m.
     """
-    if not HANDS[hand]:
+    if isinstance(hand, str) and not HANDS[hand]:
         return stroke
     from game.billiards.search.strokes import Noise, with_noise
 
+    noise = Noise().scaled(HANDS[hand]) if isinstance(hand, str) else hand
     draw = np.random.default_rng((HAND_SEED, seed, count)).standard_normal((1, 5))
-    noisy = with_noise(np.array([stroke]), draw, Noise().scaled(HANDS[hand]), radius)
+    noisy = with_noise(np.array([stroke]), draw, noise, radius)
     return Stroke(*noisy[0].tolist())
 
 

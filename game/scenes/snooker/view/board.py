@@ -88,7 +88,7 @@ def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: in
 
 def draw_foot(canvas: Canvas, look: Look, course: Course, line: Line) -> None:
     """The line of words, with the colours that can be nominated; or the options."""
-    if course.phase == "aiming" and course.model.game.options:
+    if course.phase == "aiming" and course.model.game.options and course.person_plays:
         _draw_options(canvas, look, course, line)
         return
     rect = rect_of(canvas, layout.FOOT)

@@ -10,7 +10,7 @@ from game.billiards.table.snooker import BALL_RADIUS, SPOTS
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
-from game.scenes.shared.tables.odds import Odds, OddsMeter
+from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
@@ -25,7 +25,7 @@ from game.scenes.snooker.view.board import draw_board, draw_foot, look_number
 from game.scenes.snooker.view.instruments import draw_instruments
 from game.scenes.snooker.view.magnifier import Magnifier, box_beside, magnifies
 from game.scenes.snooker.view.marks import draw_lines, draw_marks
-from game.scenes.snooker.view.words import foul_to_come, line_of, standing_of
+from game.scenes.snooker.view.words import foul_to_come, legality_to_come, line_of, standing_of
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_GREEN
 from game.ui.painters.table import carom_dress
@@ -105,7 +105,7 @@ class SnookerView:
             return None
         if foul_to_come(course, sight.target):
             return None
-        return self._odds.of(frame, course.stroke, sight.target)
+        return self._odds.of(frame, course.stroke, Asked(sight.target, legality=legality_to_come(course)))
 
     def _balls(self, alpha: float, clock_before: Array | None) -> Balls:
         """The balls as they lie, or on their paths."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from game.billiards.game.rules import ShotSummary
 from game.billiards.game.snooker.rules import Snooker
-from game.billiards.game.snooker.stroke import on_words
+from game.billiards.game.snooker.stroke import Seen, contact_penalties, on_words
+from game.billiards.search.legality import Legality
 from game.billiards.table.snooker import name_of
 from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
 from game.scenes.shared.thinker import Thinker
@@ -149,8 +151,20 @@ def line_of(course: Course) -> Line:
 
 
 def foul_to_come(course: Course, first: int | None) -> str:
-    """Why a stroke is a foul whose cue ball meets that ball first, empty if it is none."""
-    target = course.model.game.target(course.call)
-    if first is None or first in target.first:
+    """Why the first contact of a stroke is a foul, empty if it is none. first: the ball that is met."""
+    if first is None:
         return ""
-    return f"foul: {on_words(target)} is on"
+    target = course.model.game.target(course.call)
+    seen = Seen({number: (x, y) for number, x, y in course.model.frame.layout.places})
+    found = contact_penalties(target, ShotSummary(first=(first,)), seen)
+    if not found:
+        return ""
+    pushed = found[0].foul.kind == "push stroke"
+    return "foul: push stroke" if pushed else f"foul: {on_words(target)} is on"
+
+
+def legality_to_come(course: Course) -> Legality:
+    """What is asked of the stroke that is aimed: which balls may be met first, and which must not go down."""
+    game = course.model.game
+    target = game.target(course.call)
+    return Legality(target.first, tuple(ball for ball in game.on_table if ball not in target.score))

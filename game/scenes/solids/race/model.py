@@ -17,6 +17,7 @@ from game.scenes.solids.parameters import SolidParameters
 from game.scenes.solids.race.parameters import RaceParameters
 from game.scenes.solids.race.setups import SETUPS
 from game.stage import Part
+from game.worlds.members.solids import substeps_of
 
 Floats = NDArray[np.float64]
 
@@ -62,7 +63,7 @@ class RaceModel(Part):
 
     def _steps(self) -> dict[str, Any]:
         parameters = self.parameters
-        return {"substeps": parameters.substeps_now(), "iterations": int(parameters.iterations)}
+        return {"substeps": substeps_of(parameters), "iterations": int(parameters.iterations)}
 
     def change(self) -> None:
         """Take over how finely all compute."""
@@ -107,7 +108,7 @@ class RaceModel(Part):
             max(0.0, float(points.depths.max(initial=0.0))),
             gap,
             energies(world).total - self._energy,
-            model.watch.median("step"),
+            model.solids.watch.median("step"),
         )
 
     def moving(self, k: int) -> float:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from game.physics.solids import SOLVERS, TIERS
+from game.physics.solids import SOLVERS
 from game.stage import Choice, Param, Parameters, Toggle
+from game.worlds.members import solids
 
 
 def field_of(solver: str) -> str:
@@ -51,13 +52,10 @@ class SetupParameters(Parameters):
                 "Arch at its limit", "Mass ratios to 20 000"),
         help="what all solvers compute",
     )  # fmt: skip
-    tier = Choice("play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Steps",
-                  label="Quality",
-                  help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say")  # fmt: skip
-    substeps = Param(4, 1, 64, whole=True, log=True, group="Steps", help="parts of a step, with Own")
+    tier = solids.choose_quality("Steps")
+    substeps = solids.choose_substeps(64, "Steps")
     iterations = Param(4, 1, 100, whole=True, log=True, group="Steps", help="sweeps of a substep")
-    step_length = Param(1.0 / 60.0, 1.0 / 1000.0, 1.0 / 20.0, unit="s", log=True, group="Steps",
-                        label="Time step")  # fmt: skip
+    step_length = solids.choose_step(1.0 / 60.0, 1.0 / 1000.0, 1.0 / 20.0, "Steps")
 
 
 _fields: dict[str, Any] = {
@@ -73,7 +71,3 @@ class RaceParameters(SolverToggles, SetupParameters):  # type: ignore[misc, vali
     def chosen(self) -> list[str]:
         """Names of the solvers that take part."""
         return [name for name in SOLVERS if self.values[field_of(name)]]
-
-    def substeps_now(self) -> int:
-        """By the quality that is chosen."""
-        return TIERS.get(self.tier, int(self.substeps))

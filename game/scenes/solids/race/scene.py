@@ -45,6 +45,7 @@ class SolverRace(ModelScene):
     model: RaceModel
     effects = USUAL
     study = race_study
+    level_parameter = "setup"
     may_be_infinite = frozenset(f"worlds.{k}.world.joints" for k in range(20))
 
     hints = (Hint(("1", "…", "7"), "set-ups"),)

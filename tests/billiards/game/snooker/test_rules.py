@@ -265,6 +265,36 @@ def test_a_third_miss_with_a_full_ball_to_be_hit_loses_the_frame():
     assert played_on.game.full_misses == 1  # another position begins to count again
 
 
+# the brown hides the first red, which alone hides the second
+PACK = {**SPOTS, 0: (0.9, 0.5), 1: (0.985, 1.9), 2: (1.05, 2.1), BROWN: (0.9, 1.2)}
+
+
+def test_a_red_that_only_a_red_hides_can_be_hit_full():
+    state, places = game(), PACK
+    for count in (1, 2):
+        verdict = state.judge(shot(), seen=seen(places))
+        assert verdict.game.full_misses == count
+        state = verdict.game.choose("replay").game
+    assert verdict.words[0].startswith("Foul and a miss") and "third miss" in verdict.words[1]
+    assert state.judge(shot(), seen=seen(places)).game.winner == 1
+
+
+def test_another_colour_that_could_have_been_nominated_counts_as_full():
+    """After a red the nominated colour is hidden, another one is not."""
+    places = {0: (0.9, 1.2), 1: (0.4, 2.0), 2: (0.9, 1.45), **SPOTS, PINK: (0.9, 1.7)}
+    state = game(stage="colour")
+    assert state.judge(shot(), Call(PINK), seen(places)).game.full_misses == 1
+
+
+def test_a_free_ball_is_worth_what_it_can_still_bring():
+    red, late = game(free_ball=True), order(PINK, BLACK, free_ball=True)
+    assert red.points_left == 2 * 8 + 27 + 8 and late.points_left == 6 + 13
+    first = red.judge(shot(BLUE, down=(BLUE,)), Call(BLUE)).game
+    assert first.points == (1, 0) and first.points_left == red.points_left - 1
+    second = late.judge(shot(BLACK, down=(BLACK,)), Call(BLACK)).game
+    assert second.points == (6, 0) and second.points_left == late.points_left - 6
+
+
 def test_without_a_full_ball_to_be_hit_misses_never_lose_the_frame():
     state = game()
     for _ in range(4):

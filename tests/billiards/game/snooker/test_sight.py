@@ -81,3 +81,19 @@ def test_angles_and_edges_are_the_finest_contacts():
     x = 0.5 + 0.5 * math.tan(edge) + 2.01 * R / math.cos(edge)
     assert obstructions({**places, BLUE: (x, 1.0)}, (1,), 1) == ()
     assert SPOTS[BLUE][1] == 0.5 * 3.569
+
+
+# the brown hides the first red, which alone hides the second
+PACK = {0: (0.9, 0.5), 1: (0.985, 1.9), 2: (1.05, 2.1), 18: (0.9, 1.2)}
+
+
+def test_reds_do_not_hide_reds_from_a_full_ball():
+    """3.14(c): a red counts if no ball that is not on obstructs it."""
+    assert not full_path(PACK, (1,)) and not full_path(PACK, (2,))
+    assert full_path(PACK, (1, 2))
+    assert not full_path({**PACK, 17: (0.98, 1.2)}, (1, 2))
+
+
+def test_a_colour_hides_a_colour_that_is_on_too():
+    places = {0: (0.9, 1.0), 19: (0.9, 2.0), 20: (0.93, 1.5)}
+    assert not full_path(places, (19,)) and full_path(places, (19, 20))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from game.stage.events import Action, Pointer, SetEffect, SetParameter, StageEvent
-from game.stage.story.lines import Deed
+from game.stage.script.lines import Deed
 
 Point = tuple[float, float]
 RATE_HZ = 60.0  # of simulated time: how often a deed that takes time goes on

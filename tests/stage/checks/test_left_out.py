@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.stage import Part, Scene
-from game.stage.states.left_out import fields_left_out
+from game.stage.checks.left_out import fields_left_out
 
 DT = 0.01
 

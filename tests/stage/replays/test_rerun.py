@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from game.stage import Pointer, SetEffect, SetParameter, Stage
-from game.stage.records.rerun import Rerun
+from game.stage.replays.rerun import Rerun
 from game.stage.states.snapshots import INTERVAL
 from tests.stage.example_scene import KICK, BouncingBall
 

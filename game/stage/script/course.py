@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.stage.story.lines import Do, Follow, HandOver, Look, Moment, Say, Slow, Story, Title
+from game.stage.script.lines import Do, Follow, HandOver, Look, Moment, Say, Slow, Story, Title
 
 READING = 17.0  # characters that one reads in a second
 LEAST_S = 1.8  # s that the shortest caption stays

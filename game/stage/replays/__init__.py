@@ -1,0 +1,1 @@
+"""A session made again from what was recorded of it."""
