@@ -2,8 +2,9 @@
 out.
 
 Catto 2023, "Solver2D". A substep: forces, last impulses again, one soft sweep, places, one sweep without
-push. Overlap is compliance, not error: it falls as 1/f² with the frequency f, a quarter of the substeps a
-second. Impacts come first in each substep (`impacts`). The step is then made passive (`governor`).
+push. Overlap is compliance, not error: it falls as 1/f² with the frequency f
+(`settings.USUAL_HERTZ`). Impacts come first in each substep (`impacts`). The step is then made passive
+(`governor`).
 """
 
 from __future__ import annotations
