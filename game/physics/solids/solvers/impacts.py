@@ -165,10 +165,10 @@ def coupling_there(row, c, first, second):
 
 
 @inner_kernel
-def hit(row, c, a, b, scratch, t, h, place, jn, jt):
-    """Give both bodies an impulse at one place, at the time t of the substep."""
-    nx, ny, ca, cb, da, db, _ = place
-    x, y = jn * nx + jt * ny, jn * ny - jt * nx
+def hit(rows, c, scratch, t, h, place, impulse):
+    """Give both bodies of a row an impulse (normal, tangential) at one place, at the time t of a substep."""
+    row, (nx, ny, ca, cb, da, db, _), (jn, jt) = rows.rows, place, impulse
+    x, y, a, b = jn * nx + jt * ny, jn * ny - jt * nx, rows.ends[c, END_A], rows.ends[c, END_B]
     kick(scratch, a, t, h, -row[c, ROW_IMA] * x, -row[c, ROW_IMA] * y, -row[c, ROW_IIA] * (ca * jn - da * jt))
     kick(scratch, b, t, h, row[c, ROW_IMB] * x, row[c, ROW_IMB] * y, row[c, ROW_IIB] * (cb * jn - db * jt))
 
@@ -220,7 +220,7 @@ def strike_point(rows, c, k, scratch, t, numbers, calm):
     jn, jt = impact_impulse(
         coupling_there(row, c, place, place), speeds, row[c, ROW_MU], e, numbers.impact_law
     )
-    hit(row, c, a, b, scratch, t, h, place, jn, jt)
+    hit(rows, c, scratch, t, h, place, (jn, jt))
     note_impact(row, rows.rare, c, k, jn)
     return True
 
@@ -280,8 +280,8 @@ def strike_face(rows, c, scratch, t, numbers, calm):
     if energy + own > 0.0 and own > 0.0:  # a shorter impulse gives none: friction that would turn the slide
         part = max(0.0, -energy / own)
         j1, j2, jt = part * j1, part * j2, part * jt
-    hit(row, c, a, b, scratch, t, h, one, j1, 0.5 * jt)
-    hit(row, c, a, b, scratch, t, h, two, j2, 0.5 * jt)
+    hit(rows, c, scratch, t, h, one, (j1, 0.5 * jt))
+    hit(rows, c, scratch, t, h, two, (j2, 0.5 * jt))
     note_impact(row, rows.rare, c, 0, j1)
     note_impact(row, rows.rare, c, 1, j2)
     return True
