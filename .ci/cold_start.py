@@ -78,7 +78,7 @@ def child(began: float) -> None:
     import numba
 
     from game import __file__ as package
-    from game.physics.kernels.jit import compiling
+    from game.compiler.progress import compiling
 
     print(json.dumps({**found, "compiled": compiling().done, "package": package, "numba": numba.__version__}))
     sys.stdout.flush()

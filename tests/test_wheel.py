@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from game.physics.kernels.prebuilt import file_name
+from game.compiler.prebuilt import file_name
 from tests.paths import ROOT
 
 HATCHLING = "hatchling.builders.hooks.plugin.interface"

@@ -87,12 +87,25 @@ class Sound(NamedTuple):
     pan: float = 0.0
 
 
+class Steady(NamedTuple):
+    """A sound that goes on: its kind (see ui/steady.py), loudness 0 to 1, brightness 0 to 1, pan -1 to 1."""
+
+    kind: str
+    level: float
+    bright: float = 0.5
+    pan: float = 0.0
+
+
 class Hearing(NamedTuple):
-    """A line of sounds and a place in it: another ``key`` is another line; ``time`` s runs on by itself."""
+    """A line of sounds and a place in it: another ``key`` is another line; ``time`` s runs on by itself.
+
+    steady: what goes on at that moment, each kind and brightness at most once.
+    """
 
     key: object
     time: float
     sounds: Sequence[Sound]
+    steady: Sequence[Steady] = ()
 
 
 class Frame(NamedTuple):

@@ -1,8 +1,9 @@
-"""Sounds of a billiard space, made of damped tones and noise, and a player that follows a line of them.
+"""Sounds of impacts, made of damped tones and noise, and a player that follows a line of them.
 
 Nothing is read from files. What is heard in a frame is mixed into one short piece, each sound at its own
 moment within the frame, as loud and as bright as the impact was fast, and where on the table it was. Without
-a sound card all of it is silent. The player hears what a scene says of itself and never changes it.
+a sound card all of it is silent. The player hears what a scene says of itself and never changes it. In slow
+motion all of it sounds lower.
 """
 
 from __future__ import annotations
@@ -17,15 +18,16 @@ from typing import NamedTuple
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
-from game.stage import Hearing, Sound
+from game.arrays import Floats, Samples
+from game.stage import Hearing, Sound, Steady
+from game.ui.steady import RATE, Loops
 
-Array = NDArray[np.float64]
-
-RATE = 44_100  # Hz
 VOICES = 12  # most sounds that are mixed into one piece: the loudest
 CHANNELS = 16  # pieces that may sound at a time
+STEADY_CHANNELS = 8  # sounds that go on beside them
+LOWEST_PITCH = 0.35  # of slow motion
+PITCH_STEPS = 4  # an octave, at which a sample of slow motion is kept
 LOUD_SPEED = 4.0  # m/s, of an impact at full gain
 QUIETEST = 0.05  # m/s; what is slower is not heard
 LOUDEST = 1.6  # gain beyond which nothing grows louder
@@ -72,7 +74,7 @@ def layer_of(speed: float) -> int:
 
 
 @lru_cache(maxsize=len(KINDS) * LAYERS)
-def sample_of(kind: str, layer: int) -> Array:
+def sample_of(kind: str, layer: int) -> Floats:
     """A sound (n,) of largest value 1. ValueError for a kind that there is none of."""
     bright = (layer + 1.0) / LAYERS
     if kind == "ball":
@@ -107,7 +109,22 @@ def sample_of(kind: str, layer: int) -> Array:
     return made
 
 
-def _pocket(bright: float) -> Array:
+def pitch_of(pace: float) -> float:
+    """How much lower things sound where time runs at ``pace`` times life's: 1 at full pace and above."""
+    return min(max(math.sqrt(max(pace, 0.0)), LOWEST_PITCH), 1.0)
+
+
+@lru_cache(maxsize=len(KINDS) * LAYERS * 2 * PITCH_STEPS)
+def lowered(kind: str, layer: int, steps: int) -> Floats:
+    """A sound (n,) played slower: by so many steps, PITCH_STEPS an octave. ValueError as `sample_of`."""
+    sample, pitch = sample_of(kind, layer), 2.0 ** (-steps / PITCH_STEPS)
+    at = np.arange(int(len(sample) / pitch)) * pitch
+    made: Floats = np.interp(at, np.arange(len(sample)), sample, right=0.0)
+    made.setflags(write=False)
+    return made
+
+
+def _pocket(bright: float) -> Floats:
     """A thud on leather, and the click of the ball on those that lie there."""
     made = np.zeros(int(0.36 * RATE))
     thud = _tones((_Tone(110.0, 1.0, 0.045), _Tone(64.0, 0.5, 0.06)), 0.22, 1.0)
@@ -120,18 +137,18 @@ def _pocket(bright: float) -> Array:
     return made
 
 
-def _rumble(bright: float) -> Array:
+def _rumble(bright: float) -> Floats:
     """A grain of the sound of rolling on steel: noise that swells and fades, higher as it is faster."""
     t = np.linspace(0.0, 1.0, int(0.12 * RATE))
     raw = np.random.default_rng(9).normal(size=len(t))
     keep = math.exp(-2.0 * math.pi * (260.0 + 700.0 * bright) / RATE)
     low = np.convolve(raw, (1.0 - keep) * keep ** np.arange(600))[: len(t)]
     high = low - np.convolve(low, np.full(220, 1.0 / 220.0), "same")
-    made: Array = high * np.sin(math.pi * t) ** 2
+    made: Floats = high * np.sin(math.pi * t) ** 2
     return made
 
 
-def _explosion(kind: str, bright: float) -> Array:
+def _explosion(kind: str, bright: float) -> Floats:
     """A thump out of a mortar, the boom of a shell with its roll over the land, or a small crack."""
     if kind == "crackle":
         return _noise(0.06, 2500.0 + 2500.0 * bright, 0.008, 6)
@@ -143,7 +160,7 @@ def _explosion(kind: str, bright: float) -> Array:
     return boom + 0.8 * crack + 0.35 * _noise(1.4, 140.0, 0.35, 7)
 
 
-def _tones(tones: Sequence[_Tone], length_s: float, bright: float) -> Array:
+def _tones(tones: Sequence[_Tone], length_s: float, bright: float) -> Floats:
     """Damped tones; the higher ones are weaker where it is less bright."""
     t = np.arange(int(length_s * RATE)) / RATE
     attack = np.minimum(t / 0.0004, 1.0)
@@ -154,7 +171,7 @@ def _tones(tones: Sequence[_Tone], length_s: float, bright: float) -> Array:
     return total * attack * np.minimum((t[-1] - t) / 0.003, 1.0)
 
 
-def _noise(length_s: float, hertz: float, fades_s: float, seed: int) -> Array:
+def _noise(length_s: float, hertz: float, fades_s: float, seed: int) -> Floats:
     """Noise below a frequency (one pole), fading."""
     t = np.arange(int(length_s * RATE)) / RATE
     raw = np.random.default_rng(seed).normal(size=len(t))
@@ -165,14 +182,14 @@ def _noise(length_s: float, hertz: float, fades_s: float, seed: int) -> Array:
     return low / np.abs(low).max() * shape
 
 
-def mixed(sounds: Sequence[Sound], start: float, volume: float) -> NDArray[np.int16]:
-    """Sounds as samples (n, 2) from the moment ``start`` (s) on; none: (0, 2)."""
+def mixed(sounds: Sequence[Sound], start: float, volume: float, pitch: float = 1.0) -> Samples:
+    """Sounds as samples (n, 2) from the moment ``start`` (s) on; none: (0, 2). ``pitch``: see `pitch_of`."""
     heard = [sound for sound in sounds if gain_of(sound.speed) > 0.0]
     heard.sort(key=lambda sound: -gain_of(sound.speed))
-    parts = []
+    parts, steps = [], round(-PITCH_STEPS * math.log2(pitch))
     for sound in heard[:VOICES]:
         first = max(int((sound.time - start) * RATE), 0)
-        parts.append((first, sample_of(sound.kind, layer_of(sound.speed)), sound))
+        parts.append((first, lowered(sound.kind, layer_of(sound.speed), steps), sound))
     if not parts:
         return np.zeros((0, 2), np.int16)
     total = np.zeros((max(first + len(sample) for first, sample, _ in parts), 2))
@@ -192,6 +209,8 @@ class SoundPlayer:
         self.pieces = 0  # played so far
         self._key: object = None
         self._time = 0.0
+        self._pitch = 1.0
+        self._loops = Loops(0, STEADY_CHANNELS)
         self._ready = False
         self._opening: threading.Thread | None = None
 
@@ -209,29 +228,42 @@ class SoundPlayer:
     def _open(self) -> None:
         with contextlib.suppress(pygame.error, NotImplementedError):
             pygame.mixer.init(RATE, -16, 2, 512, allowedchanges=0)
-            pygame.mixer.set_num_channels(CHANNELS)
+            pygame.mixer.set_num_channels(STEADY_CHANNELS + CHANNELS)
+            pygame.mixer.set_reserved(STEADY_CHANNELS)
             for kind in KINDS:
                 for layer in range(LAYERS):
                     sample_of(kind, layer)
             self._ready = True
 
-    def follow(self, hearing: Hearing | None) -> None:
-        """Play what lies between the last frame's moment and this one's."""
+    def follow(self, hearing: Hearing | None, elapsed_s: float = 0.0) -> None:
+        """Play what lies between the last frame's moment and this one's.
+
+        ``elapsed_s``: real time between the two, by which slow motion is known; 0 where it is not known.
+        """
         if hearing is None:
             self._key = None
+            self._go_on((), elapsed_s)
             return
         now = hearing.time
         if hearing.key != self._key:
             self._key = hearing.key
             self._time = now if now > LATE_S else -1e-9
         since, self._time = self._time, now
-        if not since < now <= since + LONGEST_GAP_S:
-            return
-        due = [sound for sound in hearing.sounds if since < sound.time <= now]
-        if due and self._ready and self.volume > 0.0:
-            self._play(mixed(due, since, self.volume))
+        if since < now <= since + LONGEST_GAP_S:
+            if elapsed_s > 0.0 and since >= 0.0:
+                self._pitch += 0.3 * (pitch_of((now - since) / elapsed_s) - self._pitch)
+            due = [sound for sound in hearing.sounds if since < sound.time <= now]
+            if due and self._ready and self.volume > 0.0:
+                self._play(mixed(due, since, self.volume, self._pitch))
+        self._go_on(hearing.steady, elapsed_s)
 
-    def _play(self, samples: NDArray[np.int16]) -> None:
+    def _go_on(self, steady: Sequence[Steady], elapsed_s: float) -> None:
+        """What goes on sounds as it is now."""
+        if self._ready:
+            with contextlib.suppress(pygame.error):
+                self._loops.follow(steady if self.volume > 0.0 else (), self.volume * MASTER, self._pitch)
+
+    def _play(self, samples: Samples) -> None:
         if not len(samples):
             return
         with contextlib.suppress(pygame.error):

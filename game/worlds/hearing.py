@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -9,12 +10,28 @@ import numpy as np
 
 from game.arrays import Floats, Longs
 from game.physics.solids import SolidWorld
-from game.stage import Sound
+from game.stage import Sound, Steady
 from game.worlds.world import Member
 
 HEARD_TIME, HEARD_KIND, HEARD_SPEED, HEARD_X = range(4)  # columns: s, number of the kind, m/s, m
 HEARD_WIDTH = 4
 REMEMBERED_S = 0.4  # s that an impact stays among those heard: more than the longest gap that is heard
+
+
+ROOM = Steady("room", 0.02)  # the tone of a place where nothing happens
+WIND_SPEED = 12.0  # m/s, of a wind that roars
+LOUDEST = 0.5  # level of what goes on, at its reference and above
+
+
+def fire(power: float, reference: float, pan: float = 0.0) -> Steady:
+    """Flames of so much power, as loud as can be at ``reference`` (same unit) and above."""
+    return Steady("flame", LOUDEST * math.sqrt(min(max(power, 0.0) / reference, 1.0)), pan=pan)
+
+
+def wind(speed: float, pan: float = 0.0) -> Steady:
+    """Wind of a speed m/s, louder and brighter as it is faster."""
+    share = min(abs(speed) / WIND_SPEED, 1.0)
+    return Steady("wind", LOUDEST * share, share, pan)
 
 
 class Heard(Member):

@@ -6,6 +6,7 @@ import pygame
 import pytest
 
 from game.app.menu.screen import MenuScreen
+from game.app.scene.screen import ANOTHER_GAME
 from game.app.screens.choices import ChoiceCard
 from game.app.window.commands import BY_NAME, COMMANDS
 from game.ui.widgets.list_row import ListRow
@@ -57,3 +58,21 @@ def test_home_and_end_move_in_a_list(driver: Driver):
     assert card.focus == 39 and any(spot.name == "row-39" for spot in card.spots.spots)
     driver.key(pygame.K_HOME)
     assert card.focus == 0 and any(spot.name == "row-0" for spot in card.spots.spots)
+
+
+def test_the_card_of_a_pause_leads_to_the_card_before_a_game(driver: Driver, monkeypatch: pytest.MonkeyPatch):
+    """A scene that begins with a start card offers it again; one without does not."""
+    driver.open("example")
+    driver.app.perform("pause-menu")
+    assert ANOTHER_GAME not in [row.value for row in driver.top.rows]
+    driver.app.pop()
+    driver.frames(2)
+    screen = driver.top
+    monkeypatch.setattr(screen, "entry", screen.entry._replace(start="START"))
+    opened: list[str] = []
+    monkeypatch.setattr(driver.app, "open_scene", lambda name, *more, **options: opened.append(name))
+    driver.app.perform("pause-menu")
+    card = driver.top
+    card.pressed(f"row-{[row.value for row in card.rows].index(ANOTHER_GAME)}")
+    driver.frames(40)
+    assert opened == ["example"]

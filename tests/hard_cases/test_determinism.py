@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import pytest
 from numba import config
 
-from game.physics.kernels import jit
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
+from game.compiler.target import making
 from game.scenes import CATALOGUE
 from game.stage import Recording, Scene, Stage, Stamped, replay_scene
 from game.stage.states.state import digest_of
@@ -164,7 +164,7 @@ class TestMachineCode:
         if config.DISABLE_JIT:
             pytest.skip("there is no machine code without the compiler")
         Stage(scene_named("lecture-table")).run(2)
-        monkeypatch.setattr(jit, "code_folder", lambda file: None)
+        monkeypatch.setattr(making, "code_folder", lambda file: None)
         looked_at = 0
         for dispatcher in [step_ball, *small_kernels()]:
             again = kernel(dispatcher.py_func)

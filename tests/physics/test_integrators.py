@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from game.compiler.decorator import kernel
 from game.physics.integrators import EVALUATIONS, METHODS, ORDERS, integrate
-from game.physics.kernels.jit import kernel
 
 EPS = 2.0**-52
 G = np.array([0.0, -9.81])

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.compiler.decorator import kernel
 from game.physics.effects import declare_effect
-from game.physics.kernels.jit import kernel
 from game.stage import Action, Frame, Param, Pointer, Readout, Scene, SceneAction, Strip, Toggle
 
 GRAVITY = declare_effect("test-gravity", "Gravity", "Pulls everything down.")

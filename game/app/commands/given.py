@@ -6,6 +6,7 @@ import argparse
 import math
 import re
 from collections.abc import Iterable
+from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -21,6 +22,7 @@ LARGEST_SIDE = 8192  # px
 MOST_PIXELS = 40_000_000
 SMALLEST_FILM = 64  # px, of a side
 MOST_FPS = 120
+MOST_NAMES = 3  # of levels that may have been meant
 
 
 def add_scene_options(parser: argparse.ArgumentParser) -> None:
@@ -125,13 +127,22 @@ def read_level(scene_type: type[Scene], word: str) -> Level:
     path = Path(word)
     if not path.exists():
         own = {file.stem: file for file in level_files(scene_type.name)}
-        path = own.get(
-            word, own.get(path.stem if path.suffix == ".toml" and path.parent == Path() else "", path)
-        )
+        name = path.stem if path.suffix == ".toml" and path.parent == Path() else word
+        if name not in own and path.suffix != ".toml" and path.parent == Path():
+            raise MistakeError(_no_such_level(scene_type.name, word, sorted(own)))
+        path = own.get(name, path)
     try:
         return load_level(path, scene_type.name, scene_type.content_type)
     except LevelError as error:
         raise MistakeError(str(error)) from None
+
+
+def _no_such_level(scene: str, word: str, names: list[str]) -> str:
+    """What is said of a name that no level of a scene has: those that are alike, else all."""
+    parts = [name for name in names if set(word.split("-")) & set(name.split("-"))]
+    alike = list(dict.fromkeys([*get_close_matches(word, names, MOST_NAMES, 0.6), *parts]))[:MOST_NAMES]
+    offered = f"did you mean {' or '.join(alike)}?" if alike else f"there are {', '.join(names)}"
+    return f"no level of {scene} is called {word} ({offered})"
 
 
 def default_level(scene_type: type[Scene]) -> Level | None:

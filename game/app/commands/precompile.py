@@ -1,7 +1,7 @@
 """``precompile``: machine code of all kernels for a generic processor, as a file or in a wheel.
 
 Each scene is opened and played in processes of their own, until one turn compiles nothing: what that turn has
-taken from the cache folder is what a start needs, and is packed (see game/physics/kernels/prebuilt.py).
+taken from the cache folder is what a start needs, and is packed (see game/compiler/prebuilt.py).
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def add(commands: Any) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Compile, pack, write; or, asked for neither file nor wheel, say what came with this Carom."""
-    from game.physics.kernels.prebuilt import PACKAGE, file_name, pack
+    from game.compiler.prebuilt import PACKAGE, file_name, pack
 
     if options.out is None and options.wheel is None:
         return _say_what_is_there()
@@ -72,7 +72,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _say_what_is_there() -> int:
     """Whether machine code came with this Carom and is taken; status 1 if not."""
-    from game.physics.kernels.prebuilt import found, shipped_file
+    from game.compiler.prebuilt import found, shipped_file
 
     code, reason = found()
     if code is None:
@@ -115,7 +115,7 @@ def _turn(names: Sequence[str], processes: int) -> Turn:
 
 def _start(names: Sequence[str]) -> subprocess.Popen[str]:
     """A process that compiles for a processor that has only what all of its kind have."""
-    from game.physics.kernels.prebuilt import GENERIC, VARIABLE
+    from game.compiler.prebuilt import GENERIC, VARIABLE
 
     environment = {
         **with_this_game(),
@@ -145,7 +145,7 @@ def _rows(process: subprocess.Popen[str]) -> Iterator[dict[str, Any]]:
 
 def _codes(files: Sequence[Path]) -> dict[str, bytes]:
     """Machine code by the name that it is looked for by."""
-    from game.physics.kernels.jit_cache import code_in
+    from game.compiler.cache import code_in
 
     return {f"{path.parent.name}/{path.name}": code_in(path) for path in files}
 

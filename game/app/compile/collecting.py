@@ -17,9 +17,9 @@ from game.app.compile.rehearsal import SIZE
 from game.app.stagehand.opening import Opening
 from game.app.stagehand.script import Script, demo_of
 from game.app.stagehand.view import StageView
+from game.compiler.cache import files_used
+from game.compiler.progress import compiling
 from game.levels import level_files
-from game.physics.kernels.jit import compiling
-from game.physics.kernels.jit_cache import files_used
 from game.scenes import CATALOGUE
 from game.stage import Stage
 from game.stage.catalogue import Entry

@@ -113,8 +113,8 @@ def prepare_all(entries: Iterable[Entry]) -> None:
 def main(names: Sequence[str]) -> None:
     """The process: all scenes, or those named. Nothing is compiled that could not be kept."""
     from game.app.stagehand.headless import prepare
-    from game.physics.kernels.jit_cache import can_keep_code
-    from game.physics.kernels.prebuilt import VARIABLE
+    from game.compiler.cache import can_keep_code
+    from game.compiler.prebuilt import VARIABLE
     from game.scenes import CATALOGUE
 
     if not can_keep_code():

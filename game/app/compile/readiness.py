@@ -10,8 +10,8 @@ from __future__ import annotations
 import contextlib
 from pathlib import Path
 
+from game.compiler.prebuilt import prebuilt, shipped_file
 from game.folders import cache_folder
-from game.physics.kernels.prebuilt import prebuilt, shipped_file
 from game.stage.catalogue import Entry
 
 
@@ -19,7 +19,7 @@ def _note(entry: Entry) -> Path:
     """Where the note of a scene lies; asking for it imports the compiler."""
     from importlib.util import find_spec
 
-    from game.physics.kernels.jit import source_digest
+    from game.compiler.sources import source_digest
 
     digests = []
     for module in (entry.module, "game.ui.canvas.canvas"):

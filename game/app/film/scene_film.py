@@ -44,7 +44,7 @@ def write_scene_film(
             surface.fill(look.theme.stage)
             view.draw(surface)
             if sounding:
-                ear.follow(stage.scene.hearing())
+                ear.follow(stage.scene.hearing(), 1.0 / fps)
             video.add(surface, track.take((i + 1) / fps) if sounding else None)
             progress.tell(i + 1, count)
             if stage.fault is not None:

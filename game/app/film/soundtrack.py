@@ -6,10 +6,11 @@ from collections import deque
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.stage import Sound
-from game.ui.sound import RATE, SoundPlayer, mixed
+from game.arrays import Floats, Samples
+from game.stage import Sound, Steady
+from game.ui.sound import MASTER, SoundPlayer, mixed
+from game.ui.steady import RATE, Bed
 
 
 class Soundtrack:
@@ -25,7 +26,7 @@ class Soundtrack:
         """Sounds of a shot that begins at ``start``; they are later than all that were scheduled before."""
         self._waiting.extend(sound._replace(time=sound.time + start) for sound in sounds)
 
-    def take(self, until: float) -> NDArray[np.int16]:
+    def take(self, until: float) -> Samples:
         """Samples (n, 2) from where the last ones ended to a moment of the film."""
         end = round(until * RATE)
         due = []
@@ -41,16 +42,20 @@ class Soundtrack:
         self._given += count
         return np.clip(np.rint(out), -32768, 32767).astype(np.int16)
 
-    def add(self, piece: NDArray[np.int16]) -> None:
-        """Samples (n, 2) that begin where the last ones given out ended."""
-        self._add(piece.astype(np.float64))
+    def add(self, piece: Samples, later: int = 0) -> None:
+        """Samples (n, 2) that begin where the last ones given out ended, or so many samples later."""
+        self._add(piece.astype(np.float64), later)
 
-    def _add(self, piece: NDArray[np.float64]) -> None:
-        if len(piece) > len(self._tail):
-            piece[: len(self._tail)] += self._tail
-            self._tail = piece
-        else:
-            self._tail[: len(piece)] += piece
+    @property
+    def given(self) -> int:
+        """How many samples have been given out."""
+        return self._given
+
+    def _add(self, piece: Floats, later: int = 0) -> None:
+        missing = later + len(piece) - len(self._tail)
+        if missing > 0:
+            self._tail = np.concatenate([self._tail, np.zeros((missing, 2))])
+        self._tail[later : later + len(piece)] += piece
 
 
 class Ear(SoundPlayer):
@@ -60,9 +65,18 @@ class Ear(SoundPlayer):
         super().__init__(track.volume)
         self._ready = True
         self._track = track
+        self._bed = Bed()
+        self._passed = 0.0  # s of the film
 
-    def _play(self, samples: NDArray[np.int16]) -> None:
+    def _play(self, samples: Samples) -> None:
         self._track.add(samples)
+
+    def _go_on(self, steady: Sequence[Steady], elapsed_s: float) -> None:
+        begin = max(round(self._passed * RATE), self._track.given)
+        self._passed = begin / RATE + elapsed_s
+        piece = self._bed.piece(steady, round(self._passed * RATE) - begin, self.volume * MASTER, self._pitch)
+        if piece.any():
+            self._track.add(np.rint(32767.0 * np.tanh(piece)).astype(np.int16), begin - self._track.given)
 
     def close(self) -> None:
         """There is no card to be given back."""

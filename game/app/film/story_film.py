@@ -124,7 +124,7 @@ def write_story_film(
             film.go_to(begin_s + i / fps)
             picture = film.picture(begin_s + i / fps)
             if film.sounding:
-                ear.follow(film.stage.scene.hearing())
+                ear.follow(film.stage.scene.hearing(), 1.0 / fps)
             video.add(picture, track.take((i + 1) / fps) if film.sounding else None)
             if i == poster_at:
                 poster = picture.copy()

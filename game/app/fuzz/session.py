@@ -20,8 +20,8 @@ from game.app.fuzz.memory import resident_bytes
 from game.app.fuzz.values import any_value
 from game.app.scene.screen import SceneScreen
 from game.app.window.keys import parse_chord
+from game.compiler.progress import compiling
 from game.levels import LevelError, level_files, parse_level
-from game.physics.kernels.jit import compiling
 from game.physics.kernels.limits import LimitError
 from game.stage.catalogue import Catalogue
 from game.stage.events import SetEffect, SetParameter, StageEvent

@@ -14,7 +14,7 @@ from game.app.compile.canvas_warming import CanvasWarming
 from game.app.compile.precompile import Precompiler
 from game.app.compile.readiness import mark_ready
 from game.app.stagehand.opening import Opening
-from game.physics.kernels.prebuilt import anything_taken
+from game.compiler.prebuilt import anything_taken
 from game.stage.catalogue import Entry
 from game.ui.look.look import Look
 
@@ -50,7 +50,7 @@ class Loader:
     @property
     def name(self) -> str:
         """What is being done now: the kernel that the compiler is in, if it is in one."""
-        jit = sys.modules.get("game.physics.kernels.jit")  # the window must not import the compiler itself
+        jit = sys.modules.get("game.compiler.progress")  # the window must not import the compiler itself
         inside = jit.compiling().names if jit is not None and hasattr(jit, "compiling") else ()
         return inside[0] if inside else self._at
 

@@ -28,7 +28,7 @@ from game.app.stagehand.view import StageView
 from game.app.window.commands import Actions
 from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
-from game.physics.kernels.prebuilt import anything_taken
+from game.compiler.prebuilt import anything_taken
 from game.stage import Action, Scene, Stage, StageEvent
 from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish
@@ -319,7 +319,7 @@ class ScenePlay:
             self._frame = stage.scene.frame()
             self._place_view()
             self.view.camera.home(smooth=False)
-        self.host.sounds.follow(None if still else stage.scene.hearing())
+        self.host.sounds.follow(None if still else stage.scene.hearing(), elapsed_s)
         if self.story is None or self.story.free or self.story.runner.finished:
             self.view.camera.update(0.0 if self.host.look.less_motion else elapsed_s)
         for message in stage.scene.messages():

@@ -27,6 +27,8 @@ STORIES = "Stories"  # category of scenes that open with their story
 TOUR_AFTER_S = 1.5  # s in which a scene comes to something worth showing
 WITHOUT_A_SCENE = frozenset(("menu", "panel"))  # of the bar's buttons, those that work while it loads
 
+ANOTHER_GAME = "another game"  # row of the card of a pause: to the card before the game
+
 
 class SceneScreen(Screen):
     """While the scene loads, its shell with the loading card; then the scene itself."""
@@ -137,6 +139,8 @@ class SceneScreen(Screen):
         """All that can be done, as a list; the scene stands still under it."""
         label = self.host.keys.label
         rows = [ListRow("Go on", value="")]
+        if self.entry.start:
+            rows.append(ListRow("Choose another game", value=ANOTHER_GAME))
         rows += [ListRow(c.heading, chip=label(c.name), value=c.name) for c in COMMANDS if c.choice]
         self.host.open_choices("Pause", rows, self._do_later)
 
@@ -171,7 +175,9 @@ class SceneScreen(Screen):
 
     def uncovered(self) -> None:
         name, self._waiting = self._waiting, ""
-        if name:
+        if name == ANOTHER_GAME:
+            self.host.open_scene(self.entry.name)
+        elif name:
             self.host.perform(name)
 
     def load(self, elapsed_s: float) -> bool:

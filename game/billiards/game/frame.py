@@ -52,7 +52,8 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
     game: the rules' state. layout: where the balls lie, or lay before the stroke that is being played.
     last: the stroke that is being played, or was last. words: what the last verdict said; foul: it had a
     foul. strokes: so many were played. earlier: the frame to go back to. tallies: what is counted of each
-    player; best: the best stroke of this rack, None if none has scored yet.
+    player in the match, rack_tallies: in this rack; best: the best stroke of this rack, None if none has
+    scored yet.
     """
 
     game: Game
@@ -65,6 +66,7 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
     strokes: int = 0
     earlier: Frame | None = None
     tallies: tuple[Tally, Tally] = (Tally(), Tally())
+    rack_tallies: tuple[Tally, Tally] = (Tally(), Tally())
     best: BestStroke | None = None
 
     def replace(self, **changes: Any) -> Frame:
@@ -147,12 +149,13 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         verdict = before.judged(trajectory, summary, call)
         layout = before._layout_after(verdict, after_shot(before.layout, summary), None)
         following = self._following(verdict, layout)
-        tallies = list(self.tallies)
-        tallies[before.game.turn] = tallies[before.game.turn].after(before.game, call, verdict)
+        tallies, in_rack = (
+            _counted(counts, before.game, call, verdict) for counts in (self.tallies, self.rack_tallies)
+        )
         worth = merit(summary, verdict)
         if worth > 0.0 and (self.best is None or worth >= self.best.merit):
             following = following.replace(best=BestStroke(self.last, summary, worth))
-        return Played(trajectory, summary, verdict, following.replace(tallies=(tallies[0], tallies[1])))
+        return Played(trajectory, summary, verdict, following.replace(tallies=tallies, rack_tallies=in_rack))
 
     def judged(self, trajectory: Trajectory, summary: ShotSummary, call: Call) -> Verdict:
         """What the game says of a stroke that was played from this frame."""
@@ -170,7 +173,7 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         """The next rack of the same players. ValueError if the game has none."""
         verdict = self.game.next_rack()
         following = self._following(verdict, self._layout_after(verdict, self.layout, seed))
-        return following.replace(last=None, earlier=None, best=None)
+        return following.replace(last=None, earlier=None, best=None, rack_tallies=(Tally(), Tally()))
 
     def _layout_after(self, verdict: Verdict, layout: Arrangement, seed: int | None) -> Arrangement:
         """What a verdict makes of the balls as they came to rest; this frame is the one before the stroke."""
@@ -201,6 +204,14 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
             kept = link.replace(earlier=kept)
         assert kept is not None
         return kept
+
+
+def _counted(counts: tuple[Tally, Tally], game: Game, call: Call, verdict: Verdict) -> tuple[Tally, Tally]:
+    """The tallies of both players with one more stroke of the one at turn in a game."""
+    first, second = (
+        one.after(game, call, verdict) if player == game.turn else one for player, one in enumerate(counts)
+    )
+    return first, second
 
 
 class Struck(NamedTuple):

@@ -26,13 +26,15 @@ class Pocketing(NamedTuple):
     """A numbered ball that went down: into which pocket, and how it was sent there.
 
     chain: the balls from the cue ball (0) to this one in order of contact; empty: not known. cushions: how
-    often it touched cushions and jaws on its path.
+    often it touched cushions and jaws on its path; rails: cushions off which it came, those in the mouth of
+    its pocket left out.
     """
 
     ball: int
     pocket: int
     chain: tuple[int, ...] = ()
     cushions: int = 0
+    rails: int = 0
 
 
 class ShotSummary(NamedTuple):

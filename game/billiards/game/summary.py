@@ -32,6 +32,7 @@ from game.billiards.shot.crossing import short_contact
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.rack import HEAD_SPOT
 
+MOUTH = 4.0  # ball radii that the mouth of a pocket reaches beyond its circle
 FROZEN = 1e-4  # m; a ball that is so near to a cushion lies against it
 STOPS = (ROLLING_STATIONARY, ROLLING_SPINNING, SPINNING_STATIONARY)
 
@@ -84,7 +85,7 @@ def _pocketings(
     """The numbered balls that went down, in order, with their chains and cushions."""
     moving = [int(row[IN_MOTION]) not in (STATIONARY, POCKETED) for row in trajectory.shot.balls.tolist()]
     chains: list[tuple[int, ...]] = [(k,) if moving[k] else () for k in range(len(numbers))]
-    cushions = [0] * len(numbers)
+    touches: list[list[float]] = [[] for _ in numbers]  # s, of cushions and jaws
     fallen = []
     at = 0
     while at < len(rows):
@@ -99,14 +100,23 @@ def _pocketings(
         if event in STOPS or event == BALL_OFF:
             moving[i] = False
         elif event in (BALL_CUSHION, BALL_JAW):
-            cushions[i] += 1
+            touches[i].append(time)
         elif event == BALL_POCKET:
             moving[i] = False
             if i != cue:
                 chain = tuple(numbers[k] for k in chains[i])
-                fallen.append(Pocketing(numbers[i], j, chain, cushions[i]))
+                rails = sum(not _in_mouth(trajectory, i, j, touch) for touch in touches[i])
+                fallen.append(Pocketing(numbers[i], j, chain, len(touches[i]), rails))
         at += 1
     return tuple(fallen)
+
+
+def _in_mouth(trajectory: Trajectory, ball: int, pocket: int, time: float) -> bool:
+    """True if a ball is in the mouth of a pocket at a time, s; its row, the pocket's."""
+    x, y, radius = trajectory.shot.table.pockets[pocket].tolist()
+    here, there = trajectory.state_at(time).positions[ball].tolist()
+    reach = radius + MOUTH * float(trajectory.end[ball, IN_RADIUS])
+    return (here - x) * (here - x) + (there - y) * (there - y) <= reach * reach
 
 
 def pass_on(contacts: list[tuple[int, int]], moving: list[bool], chains: list[tuple[int, ...]]) -> None:

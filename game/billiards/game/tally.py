@@ -47,7 +47,7 @@ def merit(shot: ShotSummary, verdict: Verdict) -> float:
     if not verdict.legal:
         return 0.0
     worth = sum(
-        1.0 + BY_WAY_OF * balls_between(fallen) + OFF_A_CUSHION * min(fallen.cushions, 3)
+        1.0 + BY_WAY_OF * balls_between(fallen) + OFF_A_CUSHION * min(fallen.rails, 3)
         for fallen in shot.pocketed
         if fallen.ball in verdict.scored
     )

@@ -30,7 +30,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 SPARE_ROUNDS = 16  # impacts within one instant beyond two per contact; then all contacts stop closing at once
 MAX_ITERATIONS = 3_000  # a tight rack needs 250, a ball 10,000 times lighter than its two neighbours 2,500

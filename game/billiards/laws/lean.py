@@ -1,5 +1,5 @@
-"""Lean and inner kernels: see game/physics/kernels/lean.py."""
+"""Lean and inner kernels: see game/compiler/decorator.py."""
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 
 __all__ = ["inner_kernel", "lean_kernel"]

@@ -22,7 +22,7 @@ from game.billiards.lecture.state import (
     ROUNDS,
 )
 from game.billiards.lecture.walls import bounce_off_walls, cushion_gap, jaw_gap, report
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 IN_CONTACT = 1e-9  # of the distance of centres; nearer counts as contact in the joint order
 NEARBY = 0.25  # of a radius; separating balls may bring so near ones into contact

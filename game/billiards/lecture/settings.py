@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 RULES = ("conserving", "scaled", "as-printed")  # what a collision does to two velocities
 CONSERVING, SCALED, AS_PRINTED = range(3)

@@ -42,8 +42,8 @@ from game.billiards.lecture.state import (
     LectureState,
 )
 from game.billiards.lecture.walls import bounce_off_walls, swallow
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 _WALLS, _BALLS, _FRICTION = (LECTURE.bit(effect) for effect in (WALLS, BALL_COLLISIONS, FRICTION))
 _MINIMUM, _POCKETS, _ROLLING = (LECTURE.bit(effect) for effect in (MINIMUM_SPEED, POCKETS, ROLLING))

@@ -32,7 +32,7 @@ from game.billiards.lecture.state import (
     SPEED,
     TIME,
 )
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 MAX_BOUNCES = 64  # off walls in one substep; a ball that needs more is put on the nearest wall
 

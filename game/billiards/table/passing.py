@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 FIRST, SECOND = 0, 1  # columns of what is found: two balls,
 FIRST_PLACE, SECOND_PLACE = slice(2, 4), slice(4, 6)  # and where they were when they were nearest

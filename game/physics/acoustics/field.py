@@ -19,9 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.physics.kernels import elementary, elementwise
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 # Columns of a transducer: its place (m), its axis, pressure times distance on the axis (Pa m), phase (rad).
 SX, SY, AXIS_X, AXIS_Y, STRENGTH, PHASE = range(6)

@@ -14,12 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.acoustics.effects import CONTACTS_BIT, DRAG_BIT, GRAVITY_BIT, GROUND_BIT, SOUND_BIT
 from game.physics.acoustics.field import Wave, aim, force_at
 from game.physics.acoustics.paths import place_at
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 Floats = NDArray[np.float64]
 X, Y, VX, VY = range(4)

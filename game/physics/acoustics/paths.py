@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary, elementwise
-from game.physics.kernels.lean import inner_kernel
 
 Floats = NDArray[np.float64]
 POINTS = 720

@@ -18,7 +18,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 NODES = (0.1834346424956498, 0.525532409916329, 0.7966664774136267, 0.9602898564975363)
 WEIGHTS = (0.362683783378362, 0.3137066458778873, 0.22238103445337448, 0.10122853629037626)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 EASINGS = {
     "linear": (0.0, 0.0, 1.0, 1.0),

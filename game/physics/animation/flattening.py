@@ -17,7 +17,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 DEEPEST = 16  # halvings of a piece, 65 536 lines
 MOST_LINES = 1 << DEEPEST

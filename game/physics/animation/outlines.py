@@ -7,9 +7,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.compiler.decorator import kernel
 from game.physics.animation.skeleton import Array
 from game.physics.animation.weights import WeightError, checked_points
-from game.physics.kernels.jit import kernel
 
 MOST_INSIDE = 200_000
 

@@ -9,9 +9,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.animation.arc_length import ArcLength, polygon_length
 from game.physics.animation.flattening import even_parameters, flatten_adaptively
-from game.physics.kernels.jit import kernel
 
 Array = NDArray[np.float64]
 LARGEST = 1e100  # of a control point: squares stay finite

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 NEAREST, LINEAR, CUBIC = 0, 1, 2  # degree of the pieces that a kernel is made for
 RATE_BIT = 4  # with a degree: its derivative by time

@@ -18,8 +18,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

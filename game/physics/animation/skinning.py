@@ -23,9 +23,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.compiler.decorator import kernel
 from game.physics.animation.skeleton import Array, Skeleton
 from game.physics.animation.weights import Binding, WeightError
-from game.physics.kernels.jit import kernel
 
 BLENDS = ("linear", "rotor")
 FLAT = 1e-12  # |Σ w p| below which rotors cancel out (bends of 180 degrees): the first one is taken

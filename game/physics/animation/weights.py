@@ -15,9 +15,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.animation.skeleton import Array, Skeleton
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 FALLOFF = 3.0
 INFLUENCES = 4  # bones that one point may follow

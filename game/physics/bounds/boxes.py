@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 FEW = 5  # corners up to which all of them are looked at in every direction
 

@@ -12,12 +12,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.boxes import calipers, extents_along, search_box, write_box
 from game.physics.bounds.capsules import area_of_capsule, core_between, search_capsule, write_capsule
 from game.physics.bounds.hull import sorted_hull
 from game.physics.bounds.least_capsule import CELLS, GOLDEN, write_least_capsule
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 
 OBB, CAPSULE, AABB = 0, 1, 2
 SEARCH, REFINED, THINNEST, EXACT = 0, 1, 2, 3

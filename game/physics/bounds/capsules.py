@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.boxes import FEW, extents_along, extents_of_supports, follow_supports, supports_at
-from game.physics.kernels.lean import lean_kernel
 
 
 @lean_kernel

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.validation import Array
-from game.physics.kernels.lean import lean_kernel
 
 
 @lean_kernel(inline="always")

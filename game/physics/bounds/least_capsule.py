@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.boxes import calipers, extents_along
 from game.physics.bounds.capsules import (
     area_of_capsule,
@@ -25,7 +26,6 @@ from game.physics.bounds.capsules import (
     write_core,
 )
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 ROUNDS = 40  # at most, of any search in one dimension

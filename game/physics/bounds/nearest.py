@@ -12,13 +12,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.building import BEGIN, CHILD, END, Nodes
 from game.physics.bounds.overlap import gap_of_volumes
 from game.physics.bounds.segments import nearest_points
 from game.physics.bounds.tree import BoundingTree
 from game.physics.bounds.validation import as_angle, as_vector
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 
 
 class Nearest(NamedTuple):

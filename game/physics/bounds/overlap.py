@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.building import CAPSULE
 from game.physics.bounds.segments import nearest_points
-from game.physics.kernels.lean import lean_kernel
 
 
 @lean_kernel

@@ -7,13 +7,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.bounds import traversal
 from game.physics.bounds.building import PARENT
 from game.physics.bounds.segments import SCRATCH
 from game.physics.bounds.tree import BoundingTree
 from game.physics.bounds.validation import Array, as_angle, as_vector
 from game.physics.kernels import elementary, linear
-from game.physics.kernels.jit import kernel
 from game.physics.kernels.limits import LimitError
 
 Indices = NDArray[np.int64]

@@ -12,8 +12,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.validation import as_points
-from game.physics.kernels.lean import lean_kernel
 
 FILTER = (3.0 + 16.0 * 2.0**-53) * 2.0**-53  # relative error of the rounded determinant
 SPLITTER = 2.0**27 + 1.0

@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from game.compiler.decorator import lean_kernel
 from game.physics.bounds.building import BEGIN, CHILD, END, Nodes
 from game.physics.bounds.overlap import gap_of_volumes
 from game.physics.bounds.segments import segments_meet
-from game.physics.kernels.lean import lean_kernel
 
 APART, OPENED, MET = 0, 1, 2  # verdicts: separated; the larger one opened; two leaves that overlap
 ROW_A, ROW_B, VERDICT, AGE, TESTED = 0, 1, 2, 3, 4  # columns of rows

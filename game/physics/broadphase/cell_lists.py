@@ -10,8 +10,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.validation import Ids, grown
-from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)

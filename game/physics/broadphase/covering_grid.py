@@ -15,11 +15,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.grid_search import GUARD, cell_coordinate
 from game.physics.broadphase.uniform_grid import UniformGrid
 from game.physics.broadphase.validation import Pairs
 from game.physics.broadphase.walks.grid import Visit
-from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)

@@ -10,8 +10,8 @@ for isotropic motion at speed v in a unit square their mean is 4 n^2 (8 / pi^2) 
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.validation import overlap
-from game.physics.kernels.jit import kernel
 
 UPPER = 1 << 30  # bit of a code: upper end
 ID = UPPER - 1

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.broadphase.runs import (
     HALF,
     MANY,
@@ -23,8 +24,6 @@ from game.physics.broadphase.runs import (
     test_rest,
 )
 from game.physics.broadphase.validation import Store
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 GUARD = 2  # empty columns to the right: the run of cells x - 1 .. x + 1 never leaves the matrix
 NEAR = 1  # cells: up to this reach the short search does

@@ -21,8 +21,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.runs import FOUR, HALF, ONE, UNSIGNED, copy_boxes
-from game.physics.kernels.jit import kernel
 
 LEVELS = 64
 TOP = LEVELS - 1  # the level that is one cell

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.broadphase.hash_levels import (
     COUNT,
     LEVELS,
@@ -38,8 +39,6 @@ from game.physics.broadphase.runs import (
     test_run,
 )
 from game.physics.broadphase.validation import Store
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 # Costs of looking between levels, measured, in tests: a run of fine cells, a look at the coarse cells around.
 RUN_COST, LOOK_COST = 6, 16

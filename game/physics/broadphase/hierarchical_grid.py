@@ -14,6 +14,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
 from game.physics.broadphase.hash_levels import (
@@ -37,7 +38,6 @@ from game.physics.broadphase.hash_search import find_pairs
 from game.physics.broadphase.runs import ROOM
 from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
 from game.physics.broadphase.walks.hash import LevelVisit, Tables, level_visits
-from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)

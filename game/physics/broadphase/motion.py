@@ -6,8 +6,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.effects import BOUNDARY, BOXES, MOTION
-from game.physics.kernels.jit import kernel
 
 MOTION_BIT, BOUNDARY_BIT = BOXES.bit(MOTION), BOXES.bit(BOUNDARY)
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.validation import Corners, Ids, Pairs
-from game.physics.kernels.jit import kernel
 
 BLOCK = 16  # boxes that are tested at once
 

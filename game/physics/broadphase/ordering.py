@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.physics.kernels.limits import LimitError
 
 LOW_HALF = 0x7FFFFFFF  # the second id of a key

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 NOW = 1  # flag: the pair overlaps
 BEFORE = 2  # flag: it did when events were last taken

@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.endpoints import (
     FULL,
@@ -36,7 +37,6 @@ from game.physics.broadphase.endpoints import (
 from game.physics.broadphase.pair_table import cut_gone
 from game.physics.broadphase.pairs import HashedPairs, PairManager
 from game.physics.broadphase.validation import Ids, Pairs, first_bad_box, grown, id_array
-from game.physics.kernels.jit import kernel
 
 FEW = 16  # fewer than one in so many boxes moved: they are moved one by one
 MOST_SWAPS = 4_000_000  # tried in a step that is not to be sorted again: some 0.05 s

@@ -23,6 +23,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
 from game.physics.broadphase.grid_search import (
@@ -35,7 +36,6 @@ from game.physics.broadphase.grid_search import (
 from game.physics.broadphase.runs import ID_MASK, ROOM
 from game.physics.broadphase.validation import Corners, Ids, Pairs, corner
 from game.physics.broadphase.walks.grid import CellRuns, Visit, corner_visits
-from game.physics.kernels.jit import kernel
 
 MAX_CELLS = 1 << 24  # 64 MB for each of the two arrays over cells
 

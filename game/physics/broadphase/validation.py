@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 Ids = NDArray[np.int64]
 Pairs = NDArray[np.int64]

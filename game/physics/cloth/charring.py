@@ -24,12 +24,12 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.cloth.layout import BEGAN, CHAR, FLOW, FUEL, HOT, PER, SALT, WATER, X, Y
 from game.physics.heat.effects import CONVECTION_BIT, RADIATION_BIT, SMOULDERING_BIT
 from game.physics.heat.nodes import BOILING, STEAM_HEAT, WATER_HEAT
 from game.physics.heat.radiation import STEFAN_BOLTZMANN, cooled_inside
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 IGNITES, FISHER = range(2)
 REACTIONS = ("ignition", "fisher")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.cloth.layout import CHAR, FUEL, HOT, INVERSE, PER, THERE, WATER, X, Y, Z
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 MOST_ROUNDS = 12  # of sweeps for the ways to the hooks
 SHORTER = 0.96  # of a way over threads and diagonals, which is up to 8 % longer than a straight one

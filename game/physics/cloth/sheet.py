@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.cloth.effects import (
     ATTACHMENTS_BIT,
     FOLDS_BIT,
@@ -25,7 +26,6 @@ from game.physics.cloth.effects import (
 )
 from game.physics.cloth.layout import INVERSE, THERE, VX, VY, VZ, WAS_X, WAS_Y, WAS_Z, X, Y, Z
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 TINY = 1e-12  # m
 OVER = 4  # meshes that a link against folds reaches over

@@ -16,10 +16,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from game.compiler.decorator import lean_kernel
 from game.physics.combustion.effects import EXPANSION_BIT, FLAMES_BIT, RADIATION_BIT, SOOT_LOSS_BIT
 from game.physics.heat.radiation import cooled_inside
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 
 TEMPERATURE, FUEL, OXYGEN, SOOT = range(4)  # of ``columns``
 # of the sums of a step, each for a cell of volume 1: fuel burnt, oxygen used (kg/m³), heat of burning, heat

@@ -9,9 +9,9 @@ Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; corners: indices of an outline, in 
 
 from __future__ import annotations
 
+from game.compiler.decorator import lean_kernel
 from game.physics.constraints.links import PBD_EVEN, XPBD
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 
 # rows of the outlines' numbers: area at rest (m²), stiffness (0 to 1), compliance (m³/N), λ, 1 if whole
 AREA, STIFFNESS, COMPLIANCE, MULTIPLIER, INTACT = range(5)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 
 @kernel

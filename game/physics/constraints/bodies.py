@@ -13,8 +13,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.constraints.links import TINY
-from game.physics.kernels.lean import lean_kernel
 
 Ints = NDArray[np.int64]
 

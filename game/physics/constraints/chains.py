@@ -16,8 +16,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.constraints.links import MULTIPLIER, REST, SOFTNESS, TINY, XPBD
-from game.physics.kernels.lean import lean_kernel
 
 DIAGONAL, OFF, RIGHT, NORMAL_X, NORMAL_Y = range(5)
 WORK_ROWS = 5

@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 ORDERS = ("coloured", "natural", "reversed")
 MAX_COLOURS = 62  # links beyond these go one by one: a hub of more links than that has no parallelism

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import lean_kernel
 from game.physics.constraints.links import TINY
-from game.physics.kernels.lean import lean_kernel
 
 AT_REST = 1e-9  # m/s; an approach as slow as this is rounding
 MOST_PASSES = 64  # over all pairs; a shock runs through a row of so many balls in the worst order

@@ -17,8 +17,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 
 TINY = 1e-12  # m, length below which a link has no direction
 PBD, PBD_EVEN, XPBD = range(3)

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import kernel
 from game.physics.constraints.links import REST
 from game.physics.constraints.motion import INVERSE_MASS, VX, VY, X, Y
-from game.physics.kernels.jit import kernel
 
 
 @kernel

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.constraints.areas import MULTIPLIER as AREA_MULTIPLIER
 from game.physics.constraints.areas import sweep_areas
 from game.physics.constraints.attachments import pull_back
@@ -34,7 +35,6 @@ from game.physics.constraints.effects import (
 )
 from game.physics.constraints.links import MULTIPLIER, XPBD, sweep_links
 from game.physics.constraints.schemes import EULER, predict_bdf2, predict_euler, settle_bdf2, settle_euler
-from game.physics.kernels.lean import lean_kernel
 
 # rows of the particles' numbers: position (m), velocity (m/s), both of the step before, inverse mass (1/kg),
 # 1 if the step before does not count, and the positions that are being projected

@@ -14,7 +14,7 @@ Arrays and tuples of them as in `motion`.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 SCHEMES = ("euler", "bdf2")
 STRONG = 0.2  # damping per substep above which taking it from two velocities could overshoot

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from game.compiler.decorator import lean_kernel
 from game.physics.constraints.areas import INTACT
 from game.physics.constraints.links import REST, WEIGHT
-from game.physics.kernels.lean import lean_kernel
 
 
 @lean_kernel

@@ -16,8 +16,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import lean_kernel
 from game.physics.deformables.predicates import turn_of
-from game.physics.kernels.lean import lean_kernel
 
 DEPTH, OUT_X, OUT_Y, WEIGHT, RING = range(5)  # rows of a vertex's numbers: m, unit vector, sum, ring from 1
 DEPTH_ROWS = 5

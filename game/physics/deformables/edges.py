@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.deformables.hashing import (
     FIRST,
     LOAD,
@@ -24,7 +25,6 @@ from game.physics.deformables.hashing import (
 )
 from game.physics.deformables.predicates import edges_cross
 from game.physics.deformables.vertices import wanted
-from game.physics.kernels.lean import lean_kernel
 
 LONG = 64  # cells; a rim edge of more is compared with every edge
 

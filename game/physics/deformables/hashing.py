@@ -18,7 +18,7 @@ import math
 
 import numpy as np
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 FIRST_PRIME, SECOND_PRIME = 73_856_093, 19_349_663
 STAMP, FIRST, LOAD, FILLED = range(4)  # columns of a slot

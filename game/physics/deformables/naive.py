@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.compiler.decorator import lean_kernel
 from game.physics.deformables.edges import is_crossing, is_searched
 from game.physics.deformables.vertices import is_contact
-from game.physics.kernels.lean import lean_kernel
 
 
 @lean_kernel

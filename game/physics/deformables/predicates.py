@@ -11,7 +11,7 @@ than the digits which the coordinates have lost already.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 
 @lean_kernel

@@ -9,10 +9,10 @@ Coulomb friction asks for, so that who began deep inside is not shot out.
 
 from __future__ import annotations
 
+from game.compiler.decorator import lean_kernel
 from game.physics.constraints.motion import INVERSE_MASS, VX, X
 from game.physics.deformables.depth import DEPTH, OUT_X, OUT_Y
 from game.physics.deformables.predicates import weights_in
-from game.physics.kernels.lean import lean_kernel
 
 
 @lean_kernel

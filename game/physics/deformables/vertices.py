@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.deformables.effects import MESH_CONTACTS_BIT, SELF_CONTACTS_BIT
 from game.physics.deformables.hashing import FIRST, LOAD, STAMP, announce, cell_at, slot_of, take_place
 from game.physics.deformables.predicates import in_triangle, on_one_side
-from game.physics.kernels.lean import lean_kernel
 
 # what is counted: slots in use, cells looked at, vertices of other cells met there, vertices tested, the most
 # vertices in a slot

@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.physics.gas.places import origin
 from game.physics.grid.borders import BOTTOM, LEFT, PERIODIC
 from game.physics.grid.cubic import cubic_pair, cubic_sum, limited_eight, limited_four
@@ -21,8 +22,6 @@ from game.physics.grid.sampling import (
     linear_at,
     wrapped,
 )
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 LINEAR, CUBIC, LIMITED = range(3)  # how values between points are found; limited: cubic without new extrema
 INSIDE = 1e-9

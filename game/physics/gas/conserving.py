@@ -9,9 +9,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.grid.layout import PAD
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 MOST_SHARE = 0.5  # of a cell that leaves it in a substep
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.grid.layout import PAD
-from game.physics.kernels.jit import kernel
 
 STABLE = 0.2  # D dt / h² of a substep
 

@@ -8,9 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, NO_SLIP, PERIODIC, RIGHT, TOP, WALL
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 CALM = 1e-9  # 1/s per cell: a steepness of the vorticity below this has no direction
 

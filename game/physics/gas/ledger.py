@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.gas.conserving import upwind
 from game.physics.grid.borders import PERIODIC
 from game.physics.grid.layout import PAD
 from game.physics.grid.obstacles import SolidFaces
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 Floats = NDArray[np.float64]
 # rows of momentum: lift and other forces in the gas, pressure of solids and of sides, what viscosity drags,
@@ -206,6 +206,17 @@ class Ledger:
     def forget(self) -> None:
         """The last step was not of this gas: there is no book, and nothing came between the steps."""
         self.momentum = self.fields = None
+
+    def contents(self, scalars: Floats, solids: SolidFaces) -> Floats:
+        """Sums (fields,) of fields as they are now, as the books have them."""
+        found = np.zeros(self.count)
+        contents_of(scalars, solids.ax, solids.ay, self.h * self.h, found)
+        return found
+
+    @property
+    def left(self) -> Floats | None:
+        """Sums (fields,) as the last step left them; None before it."""
+        return self._contents[END] if self.fields is not None else None
 
     # -- what a step tells ------------------------------------------------------------------------------
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.grid.obstacles import SolidFaces
-from game.physics.kernels.jit import kernel
 
 Floats = NDArray[np.float64]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import kernel
 from game.physics.gas.carrying import INSIDE
 from game.physics.grid.borders import BOTTOM, LEFT, PERIODIC
 from game.physics.grid.layout import PAD
 from game.physics.grid.sampling import bounds_at, clamped, wrapped
-from game.physics.kernels.jit import kernel
 
 
 @kernel

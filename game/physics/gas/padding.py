@@ -6,8 +6,8 @@ along the gas's way; Temperton and Staniforth 1987 for the form), so the project
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.grid.layout import PAD
-from game.physics.kernels.jit import kernel
 
 
 @kernel

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.grid.borders import BOTTOM, LEFT, OPEN, PERIODIC, RIGHT, TOP
-from game.physics.kernels.jit import kernel
 
 
 @kernel

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.gas.arrays import Drag, GasState, make_drag
 from game.physics.grid.layout import PAD, Grid
 from game.physics.grid.obstacles import GridObstacles, Sampled, SolidFaces
-from game.physics.kernels.jit import kernel
 
 Floats = NDArray[np.float64]
 

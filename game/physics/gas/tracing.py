@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.physics.gas.places import FARTHEST, midpoint
 from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, OPEN, PERIODIC, RIGHT, TOP
 from game.physics.grid.sampling import clamped, wrapped
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.kernels.magnitudes import from_bits, largest
 
 STRIDE = 0.5  # cells between two looks for walls along a way

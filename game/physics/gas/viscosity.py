@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import kernel
 from game.physics.grid.ghosts import fill_velocity_ghosts
 from game.physics.grid.layout import PAD
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 EXACT = 1e-5  # of what viscosity does in a step, left over by the iteration
 MOST_TURNS = 400

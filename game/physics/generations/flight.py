@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.compiler.decorator import kernel
 from game.physics.generations.effects import (
     BURNING_BIT,
     DRAG_BIT,
@@ -25,7 +26,6 @@ from game.physics.generations.effects import (
     WIND_BIT,
 )
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 METHODS = ("split-drag", "explicit-euler", "semi-implicit-euler", "midpoint", "rk4")
 SPLIT_DRAG, EXPLICIT_EULER, SEMI_IMPLICIT_EULER, MIDPOINT, RK4 = range(5)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import kernel
 from game.physics.generations.kinds import (
     ANGLE,
     ARMS,
@@ -25,7 +26,6 @@ from game.physics.generations.kinds import (
     SPREAD,
 )
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 from game.physics.particles.random_numbers import WORD, threefry, uniform_pair
 
 FULL_TURN = 2.0 * math.pi

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.generations.effects import GROUND_BIT, THRUST_BIT, TRAILS_BIT
 from game.physics.generations.flight import SPLIT_DRAG, Law, Star, fly, fly_split, terms_over
 from game.physics.generations.kinds import (
@@ -39,7 +40,6 @@ from game.physics.generations.kinds import (
     WEIGHT,
 )
 from game.physics.generations.patterns import burst_velocity, child_identity, life_of
-from game.physics.kernels.jit import kernel
 
 X, Y, VX, VY, BORN, DIES, BURNT, DEPTH = range(8)
 FIELDS = 8

@@ -7,8 +7,7 @@ between them.
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel, kernel
 
 NOTHING = 1e-9  # of a cell: a distance that counts as 0
 

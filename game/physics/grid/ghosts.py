@@ -6,10 +6,9 @@ its first value lies on the side itself (u across left and right) it is *nodal*,
 
 from __future__ import annotations
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, NO_SLIP, OPEN, PERIODIC, RIGHT, TOP, WALL
 from game.physics.grid.layout import PAD
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 X, Y = 0, 1  # which component of the velocity a padded field holds
 

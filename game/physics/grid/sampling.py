@@ -15,9 +15,9 @@ import math
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel
 from game.physics.grid.cubic import cubic_sum
 from game.physics.grid.layout import PAD
-from game.physics.kernels.lean import inner_kernel
 
 ONE = np.uint64(1)
 

@@ -14,7 +14,7 @@ residual becomes a flux like any other, so no heat is lost by an unfinished solu
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 
 LEFT, RIGHT, LOWER, UPPER = range(4)
 

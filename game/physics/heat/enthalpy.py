@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 
 
 class Phases(NamedTuple):

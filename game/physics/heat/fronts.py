@@ -8,8 +8,8 @@ edges.
 
 from __future__ import annotations
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 FISHER, IGNITION, SELF_HEATING = range(3)
 REACTIONS = ("fisher", "ignition", "self-heating")

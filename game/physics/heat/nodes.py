@@ -17,10 +17,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.heat.effects import CONDUCTION_BIT, CONVECTION_BIT, RADIATION_BIT, SMOULDERING_BIT
 from game.physics.heat.radiation import STEFAN_BOLTZMANN, cooled_inside
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 # rows of nodes (ROWS, n): K, J/K of what does not burn, kg, kg, m² that meets the gas and shines; K and share
 # of oxygen of the gas at it (1: as in fresh air); K of what it shines to; what a step has given the gas: J,

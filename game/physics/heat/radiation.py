@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 STEFAN_BOLTZMANN = 5.670374419e-8  # W/(m² K⁴)
 MOST_NEWTON = 60

@@ -1,1 +1,1 @@
-"""The compiler: the kernel decorator, its cache on disk, and small helpers for kernels."""
+"""What kernels of all rooms call: elementary functions, sums in a fixed order, lanes, and tests of arrays."""

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 SIN, COS, TAN, ARCSIN, ARCCOS, ARCTAN, EXP, EXPM1, LOG, LOG1P, LOG2, LOG10, CBRT, TANH, ARCSINH = range(15)
 ARCTAN2, HYPOT, POWER = range(3)

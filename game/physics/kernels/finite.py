@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from numba import config
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 EXPONENT = np.uint64(0x7FF0_0000_0000_0000)
 EXPONENT_SINGLE = np.uint32(0x7F80_0000)

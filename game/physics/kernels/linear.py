@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 SWEEPS = 60  # of Jacobi's method, which needs some ten
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels.elementary.words import from_bits
-from game.physics.kernels.lean import inner_kernel
 
 MAGNITUDE = 0x7FFF_FFFF_FFFF_FFFF  # all bits of a number but its sign
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.multigrid.equation import advance_conjugate, residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts
 

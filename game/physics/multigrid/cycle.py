@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.multigrid.levels import JOINED, Axis, axis_tables, levels_of
 from game.physics.multigrid.smoothing import FACTORS, begin, find_plain, relax, residual, wrap_ghosts
 from game.physics.multigrid.transfer import invert_diagonal, prolong, restrict

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels.magnitudes import from_bits, largest
 from game.physics.multigrid.smoothing import flow_into, mostly_plain, wrap_ghosts
 

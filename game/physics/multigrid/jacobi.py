@@ -5,7 +5,7 @@ With the whole step a checkerboard between walls would never die out, so a littl
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.multigrid.equation import residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts
 

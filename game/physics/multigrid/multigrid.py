@@ -6,7 +6,7 @@ and make walls harmless that the coarser levels cannot show.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.multigrid.cycle import cells, padded, v_cycle
 from game.physics.multigrid.equation import advance_conjugate, residual_of
 from game.physics.multigrid.smoothing import wrap_ghosts

@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 LOW, HIGH = 0.25, 2.0  # of the spectrum of a line-free Laplacian divided by its diagonal: what is smoothed
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.grid.borders import OPEN, PERIODIC
-from game.physics.kernels.lean import lean_kernel
 from game.physics.multigrid.conjugate_gradients import factorise, solve_gradients
 from game.physics.multigrid.cycle import coarsen_all, make_hierarchy
 from game.physics.multigrid.equation import Found, balance, label_regions, make_equation, rounding

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 NEAR, FAR = 0.75, 0.25  # weights where two cells of one width become one
 

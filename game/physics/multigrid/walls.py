@@ -7,7 +7,7 @@ interpolated through a closed face. Fine cells where that changes the weights ar
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 
 OWN, ALONG_X, ALONG_Y, ACROSS = 1, 2, 4, 8
 REGULAR = 15

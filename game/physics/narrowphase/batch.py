@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.narrowphase.coarse import coarse_outlines, coarse_polygon, finer_feature, levels_of
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
 from game.physics.narrowphase.features import Frame, Pair, Polygon, point_in, turned_back

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 
 MERGED = 2.0**-40  # of the extent: vertices nearer to each other are one
 FLAT = 2.0**-45  # of the extent: a corner that sticks out no more than this is dropped

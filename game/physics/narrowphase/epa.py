@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.features import pair_of, turned_back
 from game.physics.narrowphase.gjk import (
     AT_ORIGIN,

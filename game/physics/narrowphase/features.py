@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 
 
 @dataclass(frozen=True, slots=True)

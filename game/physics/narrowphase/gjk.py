@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.narrowphase.features import (
     after,
     known_feature,

@@ -7,7 +7,7 @@ the length of a short edge. Sources: Gilbert, Johnson and Keerthi 1988; Ericson 
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.narrowphase.features import after, before
 
 NEW_ONLY, FIRST_AND_NEW, SECOND_AND_NEW, INSIDE = 1, 2, 3, 4

@@ -17,7 +17,7 @@ import math
 
 import numpy as np
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.narrowphase.features import (
     after,
     before,

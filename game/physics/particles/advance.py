@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT
 from game.physics.particles.flight import decay_over, fly
 from game.physics.particles.forces import DRAG_BIT, SIDEWAYS_BITS, unpack_forces

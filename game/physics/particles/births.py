@@ -14,8 +14,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.encounters import (
     BORN,

@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT
 from game.physics.particles.flight import EXPLICIT_EULER, fly_alone
 from game.physics.particles.forces import acceleration

@@ -11,7 +11,7 @@ Tuples of arrays: pool and listed as in `births`.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.particles.contacts import fly_among_solids
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.forces import unpack_forces

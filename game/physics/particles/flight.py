@@ -13,8 +13,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.compiler.decorator import lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.forces import (
     AIR_BITS,
     DRAG_BIT,

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 
 class Swarm(NamedTuple):

@@ -18,8 +18,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 from game.physics.particles.births import FROM_X, FROM_Y, IDENTITY_STEP, SPEED
 from game.physics.particles.flight import decay_over
 from game.physics.particles.forces import Forces

@@ -7,7 +7,7 @@ words kept in 64-bit integers: nothing overflows, compiled or not.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 WORD = 0xFFFFFFFF
 PARITY = 0x1BD11BDA

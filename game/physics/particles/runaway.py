@@ -7,7 +7,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 
 FARTHEST = 1e9  # m, and m/s in each direction
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.physics.particles.contacts import fly_among_solids
 
 

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 X, Y, RADIUS, VELOCITY_X, VELOCITY_Y, RESTITUTION = range(6)
 COLUMNS = 6

@@ -45,8 +45,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel
 
 Floats = NDArray[np.float64]
 X, Y, THETA, VX, VY, SPIN, BEND, BEND_RATE = range(8)

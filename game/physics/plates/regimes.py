@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.kernels import elementary, elementwise
-from game.physics.kernels.lean import lean_kernel
 from game.physics.plates.flight import LANES, METHODS, ROWS, WIND, fly
 from game.physics.plates.law import (
     COLUMNS,

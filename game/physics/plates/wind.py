@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.plates.flight import WIND, WX, WX_T, WX_X, WX_Y, WY, WY_T, WY_X, WY_Y
 
 Floats = NDArray[np.float64]

@@ -24,8 +24,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 from game.physics.rigid.quaternion import multiply, normalize, quaternion_of, rotate_back
 
 Array = NDArray[np.float64]

@@ -22,7 +22,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.physics.rigid.free_top import turn_freely
 from game.physics.rigid.quaternion import normalize, rotate, rotate_back
 from game.physics.rigid.turning import (

@@ -12,8 +12,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary, linear
-from game.physics.kernels.jit import kernel
 
 Array = NDArray[np.float64]
 IDENTITY = (1.0, 0.0, 0.0, 0.0)

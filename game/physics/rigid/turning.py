@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize, rotate, rotate_back
 
 

@@ -10,7 +10,7 @@ Arrays: row (13,), a state (see `motion`); places (k, 3) m; radii (k,) m.
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.physics.rigid.quaternion import normalize, rotate
 from game.physics.rigid.turning import spin_of
 

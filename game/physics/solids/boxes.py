@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.state import DYNAMIC, KEY_FRAMED, NONE, SEGMENT, USED
 
 ROOM = 0.1  # of a body's reach

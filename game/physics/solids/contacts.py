@@ -11,8 +11,8 @@ import math
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels.lanes import fetch
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import collide_polygon_disc, touch_points
 from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import collide_polygons

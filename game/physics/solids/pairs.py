@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.state import DYNAMIC, NONE
 
 LEVELS = 48

@@ -13,6 +13,7 @@ import math
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels.lanes import (
     LANES,
     QUAD,
@@ -29,7 +30,6 @@ from game.physics.kernels.lanes import (
     store_quads,
     zeros,
 )
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import (
     APPROACH_0,
     APPROACH_1,

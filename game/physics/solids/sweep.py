@@ -12,8 +12,8 @@ import math
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import widest_gap
 from game.physics.solids.contacts import bring_shape

@@ -10,8 +10,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.entrances import Entrances
 from game.physics.kernels import elementary
-from game.physics.kernels.entrances import Entrances
 from game.physics.kernels.limits import LimitError
 from game.physics.solids import memory
 from game.physics.solids.bodies import FASTEST, SolidBodies

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel, kernel
 
 FAR = 1e300
 

@@ -15,8 +15,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spacetime.exact import place_of
 from game.physics.spacetime.refine import LEVEL, LOWER, NORMAL_X, PLACE_X, UNTESTED
 

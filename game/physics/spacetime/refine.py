@@ -12,9 +12,8 @@ import math
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spacetime.exact import polygon_distance
 from game.physics.spacetime.tree import CHILD, CHILDREN, CORNERS, CX, FIRST, INNER, RADIUS, WX
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.spheres.contacts import FIRST, GAP, NX, NY, NZ, SECOND
 from game.physics.spheres.spheres import (
     IXX,

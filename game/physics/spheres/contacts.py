@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.spheres.effects import COLLISIONS_BIT, LEDGES_BIT, STRINGS_BIT, WINDOW_BIT
 
 NX, NY, NZ, GAP = range(4)  # columns of a contact

@@ -9,7 +9,7 @@ Arrays as in contact_rows.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.spheres import ledger
 from game.physics.spheres.contact_rows import (
     HIT,

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.spheres.contacts import GAP, SECOND
 from game.physics.spheres.spheres import IXX, IXY, IXZ, IYY, IYZ, IZZ, VX, VY, VZ, WEIGHT, WX, WY, WZ
 

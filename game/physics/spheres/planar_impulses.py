@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.spheres.contact_rows import STILL, STRING, TOUCHING, rest_speed
 from game.physics.spheres.contacts import FAR, FIRST, GAP, NX, NY, SECOND
 from game.physics.spheres.resting_contacts import STRIDE

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.spheres import planar_impulses as flat_law
 from game.physics.spheres.contacts import recall_impulses
 from game.physics.spheres.effects import ROTATION_BIT

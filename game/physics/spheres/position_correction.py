@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.spheres.contacts import FAR, FIRST, GAP, NX, NY, NZ, SECOND
 from game.physics.spheres.resting_contacts import STRIDE
 

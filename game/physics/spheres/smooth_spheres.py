@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.spheres.time_of_impact import falling_time, meeting_time
 
 Floats = NDArray[np.float64]

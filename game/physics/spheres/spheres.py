@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import linear
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.rigid.quaternion import matrix_of, quaternion_to_matrix
 from game.physics.spheres.composition import (
     LARGEST,

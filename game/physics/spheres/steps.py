@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize
 from game.physics.spheres.contact_rows import prepare_rows
 from game.physics.spheres.contacts import recall_impulses

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.spheres.contact_rows import TOUCHING, rest_speed
 from game.physics.spheres.effects import COLLISIONS_BIT, LEDGES_BIT, WINDOW_BIT
 from game.physics.spheres.spheres import VX, VY, VZ

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 
 # how a field meets walls: as beside them, as u (mirrored across x), as v (across y)
 PLAIN, ACROSS, ALONG = range(3)

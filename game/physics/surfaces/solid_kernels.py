@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.state import NONE, SEGMENT
 
 

@@ -7,8 +7,7 @@ order). Force on the solid = -(what leaves) - (change of what is held).
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel, kernel
 
 LEFT, RIGHT, LOW, HIGH = range(4)
 

@@ -15,9 +15,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 from game.physics.plates import Plate
 from game.physics.plates.law import HALF, INERTIA, MASS_X, MASS_Y, TORQUE, TORQUE_2, TURN, WEIGHT, law_of
 from game.physics.tunnel.fit import SeriesFit

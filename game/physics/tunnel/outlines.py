@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary, elementwise
-from game.physics.kernels.jit import kernel
 from game.physics.solids.outlines import clean_outline, signed_area
 from game.physics.surfaces.surface import Sample, empty_sample
 

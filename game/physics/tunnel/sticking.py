@@ -17,9 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.grid import Grid
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 from game.physics.tunnel.outlines import PlacedOutline
 
 Floats = NDArray[np.float64]

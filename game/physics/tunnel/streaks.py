@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.gas import Gas
-from game.physics.kernels.jit import kernel
 from game.physics.tunnel.sticking import linear
 
 Floats = NDArray[np.float64]

@@ -13,8 +13,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.grid import Grid
-from game.physics.kernels.jit import kernel
 from game.physics.tunnel.outlines import PlacedOutline
 from game.physics.tunnel.sticking import linear
 

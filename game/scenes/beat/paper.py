@@ -84,7 +84,7 @@ FOLEY = Paper(
         Step("Play each candidate with the exact table and hear all its impacts, those off the beat too."),
         Step(
             "Vary all numbers a little, again and again, and keep what is nearer to the beat. The cost c is "
-            f"the root mean square miss, and {1e3 * EXTRA:g} ms for each of the impacts that no stroke asks for.",
+            f"the root mean square miss, and {1e3 * EXTRA:g} ms for each impact that no stroke asks for.",
             None,
             r"c = \sqrt{\frac{1}{n} \sum_k (t_k - b_k)^2} + n_+ \cdot \text{" + f"{1e3 * EXTRA:g}" + r" ms}",
         ),

@@ -96,6 +96,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     log: Annotated[str, msgspec.Meta(max_length=400_000)] = ""
     saved: dict[str, Any] = {}
     tallies: tuple[Tally, Tally] = (Tally(), Tally())
+    rack_tallies: tuple[Tally, Tally] = (Tally(), Tally())
     best: BestPlayed | None = None
 
 

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
 from functools import lru_cache
-from typing import NamedTuple
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Arrangement, Stroke
-from game.billiards.game.frame import Frame, Played, Struck
+from game.billiards.game.frame import Frame, Played
 from game.billiards.game.games import Drill, Practice
 from game.billiards.game.rules import CUE_BALL, Call, Hand
 from game.billiards.game.tally import Tally
-from game.billiards.laws.state import BALL_POCKET
 from game.billiards.lecture.state import POCKETS
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
@@ -23,6 +20,7 @@ from game.billiards.shot_effects import physics_of
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.billiards.level import BilliardsContent, ball_set, best_of, game_of, layout_for
+from game.scenes.billiards.outcome import Decided, Outcome
 from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.stage import Part
@@ -31,8 +29,6 @@ Array = NDArray[np.float64]
 
 
 NO_TALLIES = (Tally(), Tally())
-SETS = ("tries", "needed")  # fields of drills
-OWN = ("set_up", "hand")  # fields of practice
 LEFT_MATCH = ("What you set up is practice: nothing is forbidden.", "U, or To match, goes back to the match.")
 
 
@@ -54,13 +50,18 @@ class BilliardsModel(Part):
         table, physics = self._table_and_physics(active)
         game = game_of(content)
         self.frame = Frame(
-            game, layout_for(content, game, table, balls, seed), table, physics, tallies=content.tallies
+            game,
+            layout_for(content, game, table, balls, seed),
+            table,
+            physics,
+            tallies=content.tallies,
+            rack_tallies=content.rack_tallies,
         ).with_cue_ball()
         self.frame = self.frame.replace(best=best_of(content, self.frame, seed))
         self.places = np.zeros((16, 2))
         self.turns = rotation_matrices(scattered_orientations(16, seed))
         self.turns_before = self.turns.copy()
-        self._outcome = _Outcome()
+        self._outcome = Outcome()
         self._lay_out()
 
     def configure(self, active: EffectSet) -> None:
@@ -162,13 +163,16 @@ class BilliardsModel(Part):
             self._lay_out()
             return
         if new_match:
-            frame = frame.replace(game=msgspec.structs.replace(frame.game, won=(0,) * len(frame.game.won)))
+            nothing = msgspec.structs.replace(frame.game, won=(0,) * len(frame.game.won))
+            frame = frame.replace(game=nothing, tallies=NO_TALLIES)
         if frame.game.over and not drill:
             self.frame = frame.next_rack(seed).with_cue_ball()
         else:
             content = self.content
             if not drill:
-                content = msgspec.structs.replace(content, balls=[], saved={}, tallies=NO_TALLIES, best=None)
+                content = msgspec.structs.replace(
+                    content, balls=[], saved={}, tallies=NO_TALLIES, rack_tallies=NO_TALLIES, best=None
+                )
             game = game_of(content)
             layout = layout_for(content, game, frame.table, frame.layout.balls, seed)
             self.frame = Frame(game, layout, frame.table, frame.physics).with_cue_ball()
@@ -251,70 +255,3 @@ def _tables() -> tuple[Table, Table]:
     """The pool table, and the same bed with unbroken rails."""
     pool = Table.pool()
     return pool, Table.bare(pool.width, pool.length, pool.cushion_height)
-
-
-class _Outcome:
-    """What is computed from a frame and kept while that holds; no part of the state."""
-
-    def __init__(self) -> None:
-        self._word_of: Frame | None = None
-        self._word = ""
-        self._played_of: Struck | None = None
-        self._played: Played | None = None
-        self._decided_of: Struck | None = None
-        self._decided: Decided | None = None
-
-    def word(self, frame: Frame) -> str:
-        """A hash of all that a frame says."""
-        if self._word_of is not frame:
-            self._word_of, self._word = frame, _word_of(frame)
-        return self._word
-
-    def played(self, frame: Frame) -> Played | None:
-        """What comes, or came, of a frame's last stroke; None before the first."""
-        if self._played_of is not frame.last:
-            self._played = frame.outcome() if frame.last is not None else None
-            self._played_of = frame.last
-        return self._played
-
-    def decided(self, frame: Frame) -> Decided | None:
-        """Of a frame's last stroke."""
-        if self._decided_of is not frame.last:
-            self._decided = decided_by(self.played(frame))
-            self._decided_of = frame.last
-        return self._decided
-
-
-class Decided(NamedTuple):
-    """The pot that decided a rack: when, s after the hit, and the pocket (x, y) m."""
-
-    time: float
-    pocket: tuple[float, float]
-
-
-def decided_by(played: Played | None) -> Decided | None:
-    """The last pot of a stroke that ended its rack; None if it did not, or by no pot."""
-    if played is None or not played.frame.game.over:
-        return None
-    cue = played.trajectory.shot.ids.index(str(CUE_BALL))
-    rows = [row for row in played.trajectory.rows.tolist() if row[1] == BALL_POCKET and int(row[2]) != cue]
-    if not rows:
-        return None
-    time, _, _, hole = rows[-1]
-    x, y = played.trajectory.shot.table.pockets[int(hole), :2].tolist()
-    return Decided(time, (x, y))
-
-
-def _word_of(frame: Frame) -> str:
-    """A hash of all that a frame says, but for the frames before it."""
-    last, game = frame.last, msgspec.to_builtins(frame.game)
-    # the word of a game without sets, or a position of one's own, stays what it was before there were any
-    for name in (*SETS, *(OWN if isinstance(frame.game, Practice) else ())):
-        if not game.get(name, True):
-            del game[name]
-    said = (
-        game, frame.layout.places, frame.conditions, Call(), frame.strokes,
-        None if last is None
-        else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
-    )  # fmt: skip
-    return hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()

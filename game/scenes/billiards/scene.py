@@ -16,6 +16,7 @@ from game.lab.studies.billiards.flights import game_study
 from game.levels import Level
 from game.scenes.billiards import BILLIARDS, saving
 from game.scenes.billiards.actions import ACTIONS, HINTS
+from game.scenes.billiards.beside import NONE
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.figure import draw_aim
 from game.scenes.billiards.hand import BilliardsHand
@@ -197,7 +198,8 @@ class Billiards(Scene):
 
     @property
     def way_out(self) -> str:
-        return {REPLAY: "replay", SET_UP: "set-up"}.get(self.play.phase, "")
+        beside = self.side.beside
+        return {REPLAY: "replay", SET_UP: "set-up"}.get(self.play.phase, "" if beside == NONE else beside)
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
         return [*self.advisor.decisions(at_once), *self.opponents.decisions(at_once)]

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.arrays import Floats, Inks, Longs
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.ui.raster.pixels import blend

@@ -11,8 +11,11 @@ from game.scenes.domino.blocks import QUIET
 from game.scenes.domino.level import DominoContent, SingleEntry
 from game.scenes.domino.world import BALL, CRAWL, THUD, WOOD, DominoWorld
 from game.stage import Hearing, Readout
+from game.worlds.hearing import ROOM
+from game.worlds.rubbing import rubbing_heard
 
 NAMES = {WOOD: "wood", BALL: "ball", THUD: "thud"}
+LOUD = 400.0  # W, of rolling or sliding that is as loud as can be
 HALF = 12.0  # m to either side of the front, from the left to the right
 
 
@@ -85,5 +88,7 @@ def targets(model: DominoWorld) -> dict[str, Point]:
 
 
 def hearing(model: DominoWorld) -> Hearing:
-    """Contacts that began in the last moments, from the left or the right of the front."""
-    return Hearing("dominoes", model.time, model.heard.sounds(NAMES, HALF, model.front()[0]))
+    """Contacts that began in the last moments and what rolls and slides, to the sides of the front."""
+    middle = model.front()[0]
+    steady = rubbing_heard(model.world, model.parameters.values["step_length"], LOUD, HALF, middle)
+    return Hearing("dominoes", model.time, model.heard.sounds(NAMES, HALF, middle), [ROOM, *steady])

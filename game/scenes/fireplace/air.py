@@ -180,7 +180,7 @@ class Air(BurningAir):
     def advance(self, dt: float) -> None:
         """Burn, and flow."""
         gas, t, volume = self.gas, self.gas.scalars[..., 0], self.cell * self.cell
-        books, before, asked = self.flames.books_now(), self.heat(), float(np.sum(self._rise))
+        at_first, before, asked = t.copy(), self.heat(), float(np.sum(self._rise))
         np.maximum(self._rise, COLDEST - t, out=self._rise)
         given = VAPOUR["capacity"] * volume * float(np.sum(self._rise))
         self.flows[3] += VAPOUR["capacity"] * volume * asked - given
@@ -191,6 +191,8 @@ class Air(BurningAir):
         t += self._rise
         self._rise[:] = 0.0
         self.flames.step(gas.scalars, dt, gas.expansion)
+        # by the cells themselves, not by the books of what burnt: else these could say what they like
+        warmed = VAPOUR["capacity"] * volume * float(np.sum(t - at_first))
         np.clip(gas.expansion, -QUICKEST, QUICKEST, out=gas.expansion)
         gas.force[:] = 0.0
         if self.lifts:
@@ -201,10 +203,9 @@ class Air(BurningAir):
         if self.wind != 0.0:
             gas.force[self._outside, 0] += 3.0 * (self.wind - along[self._outside])
         self._carry(dt)
-        out, now = self._through_sides() * dt, self.flames.books_now()
+        out = self._through_sides() * dt
         self.flows[1] += out
-        made = given + (now.released - books.released) - (now.radiated - books.radiated)
-        self.flows[2] += made - out - (self.heat() - before)
+        self.flows[2] += warmed - out - (self.heat() - before)
 
     def _carry(self, dt: float) -> None:
         """Let the gas flow. Its heat is carried, not its temperature: parcels that mix keep the sum of their
@@ -238,7 +239,9 @@ class Air(BurningAir):
 
     @property
     def lost(self) -> float:
-        """J/m that the gas's way of carrying has lost: it takes temperatures along, not heat."""
+        """J/m that the gas's way of carrying has lost: what its cells were warmed by, less what left through
+        the sides and what more is in them. Of what burnt and radiated it knows nothing.
+        """
         return float(self.flows[2])
 
     @property

@@ -306,7 +306,8 @@ class FireplaceModel(Part):
     def books(self) -> dict[str, float]:
         """J/m: made by burning and the match; radiated, gone with steam and through the sides, in gas and
         wood; "carrying": what the gas's way of carrying temperatures has lost of it, step by step; "refused":
-        see `Air`; "open": what is missing of all that, which is rounding.
+        see `Air`; "open": what is missing of all that. It is rounding only if what was booked as made, given
+        and radiated is what the cells were warmed by, which is measured by itself.
         """
         flames, wood, air = self.air.flames.books_now(), self.wood.nodes, self.air
         made = flames.released + float(wood.totals[OF_FUEL]) + air.of_match

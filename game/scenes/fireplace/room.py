@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.scenes.fireplace.tables import HOOD_FOOT, HOOD_IN, HOOD_OUT, THROAT, WALL
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.backdrops import Painted, Seen

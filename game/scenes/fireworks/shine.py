@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.generations.step import BORN, DEPTH, DIES, VX, VY, X, Y
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 EYE = 6.0  # m above the lake
 CAMERA_AWAY = 420.0  # m before the shore

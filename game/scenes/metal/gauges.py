@@ -6,45 +6,36 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
 from game.physics.kernels import elementary
 from game.physics.solids.tracks import DISC
-from game.physics.solids.tracks.descent import (
-    arc_time,
-    crossing_share,
-    cycloid_time,
-    leaving_angle,
-    line_time,
-    loop_drop,
-    rolling_acceleration,
-)
-from game.physics.solids.tracks.motion import FREE, PIECE, RADIUS, VX, VY, X, Y
+from game.physics.solids.tracks import descent as d
+from game.physics.solids.tracks.motion import RADIUS, VX, VY, X, Y
+from game.scenes.metal.balls import NOT_YET, Table
 from game.scenes.metal.level import GaugeEntry, MetalContent
-from game.scenes.metal.tables import FREED, FROM_X, FROM_Y, HIGHEST, NOT_YET
 from game.worlds.entries.tracks import TrackEntry
 
-Floats = NDArray[np.float64]
 VALUE, NOTE, SECOND = range(3)  # columns of a gauge
 GAUGE_WIDTH = 3
-MOVED = 0.3  # m: so far from where it stood a block has fallen
 AT_ITS_START = 1e-6  # m
 DESCENTS: dict[str, Callable[[float, float, float, float], float]] = {
-    "line": line_time, "cycloid": cycloid_time, "arc": arc_time,
+    "line": d.line_time, "cycloid": d.cycloid_time, "arc": d.arc_time,
 }  # fmt: skip
 OF_A_BALL = ("speeds up", "arrives", "drop", "leaves", "rode", "rises", "speed")
 OF_A_LOOP = ("drop", "leaves")
 
 
 class Moment(NamedTuple):
-    """A ball in a step: its row after it and before, what it was let go with, and the end of the step, s."""
+    """A ball in a step: its row after it and before, what it was let go with (table, number), and the step's
+    end, s.
+    """
 
     row: Floats
     before: Floats
     rolls: bool
     rolled: bool
-    own: Floats
+    own: Table
+    ball: int
     time: float
     dt: float
     gravity: float
@@ -54,7 +45,9 @@ class Moment(NamedTuple):
         x0, x1 = float(self.before[X]), float(self.row[X])
         if x0 == x1 or not min(x0, x1) < level <= max(x0, x1):
             return None
-        share = crossing_share(x0, x1, float(self.before[VX]) * self.dt, float(self.row[VX]) * self.dt, level)
+        share = d.crossing_share(
+            x0, x1, float(self.before[VX]) * self.dt, float(self.row[VX]) * self.dt, level
+        )
         y = float(self.before[Y]) + (level - x0) / (x1 - x0) * float(self.row[Y] - self.before[Y])
         return self.time - (1.0 - share) * self.dt, y
 
@@ -87,10 +80,10 @@ def measure(gauge: GaugeEntry, noted: Floats, track: TrackEntry | None, now: Mom
     """One step of one ball, into a gauge's numbers (3,)."""
     if gauge.measure == "speed":
         noted[VALUE] = elementary.hypot(float(now.row[VX]), float(now.row[VY]))
-    elif now.own[FREED] == NOT_YET:
+    elif now.own.freed[now.ball] == NOT_YET:
         return
     elif gauge.measure == "rises":
-        noted[VALUE] = float(now.own[HIGHEST] - now.own[FROM_Y])
+        noted[VALUE] = float(now.own.highest[now.ball] - now.own.y[now.ball])
     elif gauge.measure == "leaves" and track is not None:
         _note_leaving(noted, track, now)
     elif noted[VALUE] == NOT_YET:
@@ -121,44 +114,41 @@ def _note_crossing(gauge: GaugeEntry, noted: Floats, now: Moment) -> None:
     if passed is None:
         return
     time, y = passed
-    took = time - float(now.own[FREED])
+    took = time - float(now.own.freed[now.ball])
     if gauge.measure == "rode":
         noted[VALUE] = 0.0 if noted[NOTE] else 1.0
     elif gauge.measure == "arrives":
         noted[VALUE] = took
     elif gauge.measure == "speeds up" and took > 0.0:
-        across, down = gauge.level - float(now.own[FROM_X]), float(now.own[FROM_Y]) - y
+        across, down = gauge.level - float(now.own.x[now.ball]), float(now.own.y[now.ball]) - y
         noted[VALUE] = 2.0 * elementary.hypot(across, down) / (took * took)
         noted[NOTE] = elementary.atan2(down, abs(across))
 
 
 def exact_of(
-    gauge: GaugeEntry, noted: Floats, track: TrackEntry | None, own: Floats, row: Floats, gravity: float
+    gauge: GaugeEntry, noted: Floats, track: TrackEntry | None, of: tuple[Table, int, Floats], gravity: float
 ) -> float:
-    """What theory says of a gauge, for balls that roll without slip; NaN where it says nothing."""
+    """What theory says of a gauge, for balls that roll without slip; NaN where it says nothing. of: all
+    balls, the one that it measures and its row.
+    """
+    own, ball, row = of
     if gauge.measure == "speeds up" and noted[VALUE] != NOT_YET:
-        return rolling_acceleration(float(noted[NOTE]), gravity, DISC)
+        return d.rolling_acceleration(float(noted[NOTE]), gravity, DISC)
     if track is None or gravity <= 0.0:
         return math.nan
     if gauge.measure == "leaves":
-        drop = drop_of(track, own, row)
-        return math.degrees(leaving_angle(drop, track.size[0], float(row[RADIUS]), DISC))
+        drop = drop_of(track, own, ball, row)
+        return math.degrees(d.leaving_angle(drop, track.size[0], float(row[RADIUS]), DISC))
     if gauge.measure == "drop":
-        return loop_drop(track.size[0], float(row[RADIUS]), DISC)
+        return d.loop_drop(track.size[0], float(row[RADIUS]), DISC)
     if gauge.measure == "arrives" and track.form in DESCENTS:
-        start = (own[FROM_X], own[FROM_Y]) if own[FREED] != NOT_YET else (row[X], row[Y])
+        start = (own.x[ball], own.y[ball]) if own.freed[ball] != NOT_YET else (row[X], row[Y])
         if elementary.dist(start, track.at) < AT_ITS_START:
             return DESCENTS[track.form](*track.size, gravity, DISC)
     return math.nan
 
 
-def drop_of(track: TrackEntry, own: Floats, row: Floats) -> float:
+def drop_of(track: TrackEntry, own: Table, ball: int, row: Floats) -> float:
     """How far (m) a ball's centre begins above its place at a loop's foot."""
-    y = float(own[FROM_Y] if own[FREED] != NOT_YET else row[Y])
+    y = float(own.y[ball] if own.freed[ball] != NOT_YET else row[Y])
     return y - track.at[1] - float(row[RADIUS])
-
-
-def rolls_on(pieces: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Which balls roll on a track."""
-    found: NDArray[np.bool_] = pieces[:, PIECE] != FREE
-    return found

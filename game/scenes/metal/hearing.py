@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Flags, Floats
 from game.physics.kernels import elementwise
 from game.physics.solids import SolidWorld
 from game.physics.solids.state import DISC, SEGMENT
-from game.worlds.hearing import HEARD_TIME, REMEMBERED_S
+from game.worlds.hearing import impacts
 
-Floats = NDArray[np.float64]
 STEEL, WOOD, RAIL, ROLL = range(4)
 LEAST = 0.15  # m/s of approach; what leans is silent
 MOST = 32  # sounds that are remembered: the latest
@@ -21,32 +20,16 @@ SOFTER = 0.12  # of a ball's speed, as loud as that grain is
 SLOW = 0.4  # m/s, slower rolling is silent
 
 
-def remembered(heard: Floats, added: list[Floats], began: float) -> Floats:
-    """Sounds of the last moments and new ones, in order, those of a step that began at ``began`` (s)."""
-    if len(heard):
-        heard = heard[heard[:, HEARD_TIME] > began - REMEMBERED_S]
-    rows = np.concatenate(added) if added else np.zeros((0, 4))
-    if not len(rows):
-        return heard
-    return np.concatenate([heard, rows[np.lexsort((rows[:, 3], rows[:, 0]))]])[-MOST:]
-
-
-def impacts(world: SolidWorld, began: float, wooden: list[int]) -> Floats:
+def impacts_now(world: SolidWorld, began: float, wooden: list[int]) -> Floats:
     """Contacts of solids that began in a step: (k, 4). wooden: bodies of wood."""
-    shapes, places = world.contacts_begun()
-    loud = np.flatnonzero(places[:, 3] > LEAST) if len(places) else np.zeros(0, dtype=np.int64)
-    if not len(loud):
-        return np.zeros((0, 4))
-    rows, kinds = places[loud], world.shapes.kinds[shapes[loud]]
-    of_wood = np.isin(world.shapes.bodies[shapes[loud]], wooden).any(axis=1)
-    found = np.where((kinds == DISC).all(axis=1), STEEL, RAIL)
-    found = np.where(of_wood | ((kinds != DISC) & (kinds != SEGMENT)).any(axis=1), WOOD, found)
-    # by impulse: a heavy one sounds as a light one that is faster
-    speeds = rows[:, 3] * np.clip(rows[:, 2] / (REFERENCE * rows[:, 3]), 0.3, 1.6)
-    return np.stack([began + rows[:, 4], found.astype(np.float64), speeds, rows[:, 0]], axis=1)
+    found = impacts(world, LEAST)
+    of_wood = np.isin(found.bodies, wooden).any(axis=1)
+    kinds = np.where((found.shapes == DISC).all(axis=1), STEEL, RAIL)
+    neither = ((found.shapes != DISC) & (found.shapes != SEGMENT)).any(axis=1)
+    return found.heard(began, np.where(of_wood | neither, WOOD, kinds), found.by_impulse(REFERENCE, 1.6))
 
 
-def landings(before: Floats, rows: Floats, flew: NDArray[np.bool_], fall: float, began: float) -> Floats:
+def landings(before: Floats, rows: Floats, flew: Flags, fall: float, began: float) -> Floats:
     """Balls (x, y, vx, vy in four columns, before and after) that met a track in flight.
 
     fall: m/s that gravity has given them in the step.

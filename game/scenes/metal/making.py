@@ -3,25 +3,39 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Point
 from game.physics.kernels import elementary
 from game.physics.solids import Capsule, Chain, Disc, Material, Polygon, SolidWorld, box
 from game.physics.solids.tracks import Curve
-from game.scenes.metal.level import Box, CradleEntry, FloorEntry, PlugEntry, SeesawEntry, TowerEntry
-from game.scenes.metal.tables import STEEL
+from game.scenes.metal.level import (
+    BallEntry,
+    Box,
+    CradleEntry,
+    FloorEntry,
+    HeapEntry,
+    PlugEntry,
+    SeesawEntry,
+    TowerEntry,
+)
 
-Floats = NDArray[np.float64]
+STEEL = 7.8  # kg/m² of a slice, water being 1
 WOOD_GRIP = 0.6
 BEYOND = 0.5  # m: so far beyond a yard its balls may still reach
 LEDGE = 0.08  # m, thickness of what keeps a ball on a seesaw
 
 
-def ball_material(friction: float, restitution: float) -> Material:
-    """Steel."""
-    return Material(STEEL, friction, restitution)
+def balls_of(heap: HeapEntry) -> Iterator[BallEntry]:
+    """Row by row; every other one is shifted, so that none stands on top of another."""
+    pitch = 2.02 * (heap.radius + 2.0 * max(heap.grows, 0.0))
+    for row in range(heap.counts[1]):
+        for column in range(heap.counts[0]):
+            radius = heap.radius + heap.grows * ((row * heap.counts[0] + column) % 3)
+            at = heap.at[0] + pitch * (column + 0.25 * (row % 2)), heap.at[1] + pitch * row
+            yield BallEntry(at=at, radius=radius)
 
 
 def add_floor(world: SolidWorld, entry: FloorEntry) -> int:
@@ -87,7 +101,7 @@ def _plank(left: float, right: float, bottom: float, top: float, material: Mater
     return Polygon([(left, bottom), (right, bottom), (right, top), (left, top)], material=material)
 
 
-def cradle_places(entry: CradleEntry) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+def cradle_places(entry: CradleEntry) -> list[tuple[Point, Point]]:
     """Where each rod hangs and where its ball is, m."""
     found = []
     for k in range(entry.count):
@@ -98,9 +112,7 @@ def cradle_places(entry: CradleEntry) -> list[tuple[tuple[float, float], tuple[f
     return found
 
 
-def add_hanging(
-    world: SolidWorld, anchor: int, hung: tuple[float, float], ball: tuple[float, float], radius: float
-) -> tuple[int, int]:
+def add_hanging(world: SolidWorld, anchor: int, hung: Point, ball: Point, radius: float) -> tuple[int, int]:
     """A ball of a cradle: its body and its rod."""
     body = world.add_body(Disc(radius, material=Material(STEEL, 0.0, 1.0)), ball, restless=True)
     return body, world.add_joint("distance", anchor, body, hung, ball)

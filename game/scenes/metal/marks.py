@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.solids.tracks import DISC
 from game.physics.solids.tracks.descent import loop_drop
 from game.physics.solids.tracks.motion import RADIUS, VX, VY
-from game.scenes.metal.gauges import VALUE, exact_of
-from game.scenes.metal.model import MetalModel
-from game.scenes.metal.tables import FREED, NOT_YET
+from game.scenes.metal.balls import NOT_YET
+from game.scenes.metal.gauges import VALUE
+from game.scenes.metal.told import exact_now
+from game.scenes.metal.world import MetalWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.worlds.members.solids import contact_places
 
-Floats = NDArray[np.float64]
 SECONDS = 0.12  # s: a velocity is drawn as the way of this time
 SLOW = 0.15  # m/s, no mark
 BESIDE = 0.35  # m
 
 
-def draw_marks(canvas: Canvas, model: MetalModel, places: Floats) -> None:
+def draw_marks(canvas: Canvas, model: MetalWorld, places: Floats) -> None:
     """All of them."""
     for one in model.content.yards:
         corners = np.array(
@@ -30,8 +30,8 @@ def draw_marks(canvas: Canvas, model: MetalModel, places: Floats) -> None:
     points = contact_places(model.world)
     if len(points):
         canvas.discs(points, canvas.px(2.6), "amber")
-    rows = model.riders.balls.rows
-    fast = (np.hypot(rows[:, VX], rows[:, VY]) > SLOW) & (model.table[:, FREED] != NOT_YET) & model.there()
+    rows, balls = model.balls.rows, model.balls
+    fast = (np.hypot(rows[:, VX], rows[:, VY]) > SLOW) & (balls.table.freed != NOT_YET) & balls.there()
     if fast.any():
         canvas.segments(
             places[fast], places[fast] + SECONDS * rows[fast][:, [VX, VY]], "chalk", 2.0
@@ -40,7 +40,7 @@ def draw_marks(canvas: Canvas, model: MetalModel, places: Floats) -> None:
     _draw_times(canvas, model)
 
 
-def _draw_limits(canvas: Canvas, model: MetalModel) -> None:
+def _draw_limits(canvas: Canvas, model: MetalWorld) -> None:
     """From where a ball without slip would just come round each loop."""
     shown: set[int] = set()
     for gauge, ball in zip(model.content.gauges, model.measured, strict=True):
@@ -48,7 +48,7 @@ def _draw_limits(canvas: Canvas, model: MetalModel) -> None:
             continue
         shown.add(gauge.track)
         track = model.content.tracks[gauge.track]
-        radius = float(model.riders.balls.rows[ball, RADIUS])
+        radius = float(model.balls.rows[ball, RADIUS])
         drop = loop_drop(track.size[0], radius, DISC)
         y, x = track.at[1] + radius + drop, track.at[0]
         left = x - 1.7 * track.size[1]
@@ -57,14 +57,14 @@ def _draw_limits(canvas: Canvas, model: MetalModel) -> None:
         canvas.label((x, y), words, "text1", 13, "semibold", "bottom", (0.0, -4.0), clear=True)
 
 
-def _draw_times(canvas: Canvas, model: MetalModel) -> None:
+def _draw_times(canvas: Canvas, model: MetalWorld) -> None:
     """Times of a race beside the exact ones, where the tracks end."""
-    rows, tracks = model.riders.balls.rows, model.content.tracks
-    for gauge, ball, noted in zip(model.content.gauges, model.measured, model.gauges, strict=True):
+    tracks = model.content.tracks
+    for gauge, ball, noted in zip(model.content.gauges, model.measured, model.machine.gauges, strict=True):
         if gauge.measure != "arrives" or gauge.track >= len(tracks):
             continue
         track = tracks[gauge.track]
-        exact = exact_of(gauge, noted, track, model.table[ball], rows[ball], model.gravity())
+        exact = exact_now(model, gauge, ball, noted)
         if not exact > 0.0:
             continue
         value = float(noted[VALUE])

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-from game.physics.solids import SOLVERS, TIERS
-from game.stage import Choice, Param, Parameters, Toggle
+from game.stage import Param, Parameters, Toggle
+from game.worlds.hands.hand import Tool, choose_tool
+from game.worlds.members import solids
 
-TOOLS = ("hand", "bend", "draw", "ball", "size", "delete")
+TOOLS = (
+    Tool("hand", "Move a ball", "move a ball", "drag a ball"),
+    Tool("bend", "Bend a track", "bend a track", "drag a track"),
+    Tool("draw", "Draw a track", "draw a track", "draw a track"),
+    Tool("ball", "New ball", "new ball", "click, drag, let go"),
+    Tool("size", "Size of a ball", "size of a ball", "drag from a ball's middle outwards"),
+    Tool("delete", "Delete", "delete", "click a ball or a track"),
+)
 OF_PICTURE = ("marks",)
 OF_TOOLS = ("tool", "radius", "bending")
 
@@ -13,11 +21,7 @@ OF_TOOLS = ("tool", "radius", "bending")
 class MetalParameters(Parameters):
     """Tools, balls, steps, and what is shown."""
 
-    tool = Choice(
-        "hand", TOOLS,
-        labels=("Move a ball", "Bend a track", "Draw a track", "New ball", "Size of a ball", "Delete"),
-        group="Tools", help="what the left button does",
-    )  # fmt: skip
+    tool = choose_tool(TOOLS)
     radius = Param(0.12, 0.03, 0.5, unit="m", log=True, group="Tools", help="of a new ball")
     bending = Param(
         0.6, 0.05, 5.0, unit="m", log=True, group="Tools", help="how far along a track a bend reaches"
@@ -27,17 +31,8 @@ class MetalParameters(Parameters):
         0.3, 0.0, 1.0, group="Balls", help="part of the speed of an impact that comes back, off the tracks"
     )
     gravity = Param(9.81, 0.0, 30.0, unit="m/s²", group="Balls", help="downwards")
-    tier = Choice(
-        "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Solver", label="Quality",
-        help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say",
-    )  # fmt: skip
-    substeps = Param(4, 1, 128, whole=True, log=True, group="Solver", help="parts of a step, with Own")
-    solver = Choice("soft-step", tuple(SOLVERS), group="Solver", help="what finds the impulses of contacts")
-    step_length = Param(
-        1.0 / 120.0, 1.0 / 2000.0, 1.0 / 60.0, unit="s", log=True, group="Solver", label="Time step"
-    )
+    tier = solids.choose_quality()
+    substeps = solids.choose_substeps(128)
+    solver = solids.choose_solver()
+    step_length = solids.choose_step(1.0 / 120.0, 1.0 / 2000.0, 1.0 / 60.0)
     marks = Toggle(False, group="Shown", label="Contacts and speeds", help="in a story F7 shows them as well")
-
-    def substeps_now(self) -> int:
-        """By the quality that is chosen."""
-        return TIERS.get(self.tier, int(self.substeps))

@@ -6,37 +6,26 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from game.lab.studies.marbles import marble_study
-from game.levels import Level
 from game.physics.fields import GRAVITY
 from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
 from game.scenes.metal import A22
 from game.scenes.metal.figure import draw_forces
-from game.scenes.metal.hand import MetalHand
+from game.scenes.metal.hand import metal_hand
 from game.scenes.metal.level import BallEntry, Box, FloorEntry, MetalContent
-from game.scenes.metal.model import MetalModel
 from game.scenes.metal.parameters import OF_PICTURE, OF_TOOLS, TOOLS, MetalParameters
-from game.scenes.metal.readouts import readouts
-from game.scenes.metal.saving import content_of
-from game.scenes.metal.sounds import hearing_of
-from game.scenes.metal.targets import story_targets
-from game.scenes.metal.view import WHAT_NEXT, MetalView
-from game.stage import (
-    Equation,
-    Hearing,
-    Hint,
-    Readout,
-    SceneAction,
-    Strip,
-    WarmUp,
-)
+from game.scenes.metal.told import hearing, readouts, saved, targets
+from game.scenes.metal.view import MetalView
+from game.scenes.metal.world import MetalWorld
+from game.stage import Equation, Hint, SceneAction, Strip
 from game.ui.painters.steel import warm_up_steel
 from game.ui.painters.wall import warm_up_wall
 from game.worlds.entries.tracks import TrackEntry
+from game.worlds.hands.hand import hint_of, tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import BuiltScene
+from game.worlds.scene import Parts, WorldScene
 
 
-class MetalBalls(BuiltScene):
+class MetalBalls(WorldScene):
     """Steel balls on tracks, among blocks, a seesaw, a funnel and a cradle; all that falls ends in a basin.
 
     On a track a ball has one coordinate, the way of its centre: it rolls while friction holds, slips where
@@ -55,14 +44,14 @@ class MetalBalls(BuiltScene):
     name, task, title = A22.names
     parameters_type = MetalParameters
     parameters: MetalParameters
-    model: MetalModel
-    hand: MetalHand
+    model: MetalWorld
+    parts = Parts(MetalWorld, metal_hand, MetalView, readouts, saved, targets, hearing)
+    tool_prefix = ""
+    painters = (("polygons", warm_up_painter), ("wall", warm_up_wall), ("steel", warm_up_steel))
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = MetalContent
     not_of_model = (*OF_PICTURE, *OF_TOOLS)
     study = marble_study
-    takes: ClassVar[frozenset[str]] = frozenset(("right",))
-    covers = True
     may_be_infinite = frozenset(("world.joints",))
 
     strips = (
@@ -76,19 +65,7 @@ class MetalBalls(BuiltScene):
         Hint(("Right click",), "take away"),
         Hint(("2", "3", "4", "5"), "bend, draw, new ball, size"),
     )
-    actions = (
-        SceneAction("next", "open the next gate", "N"),
-        *(
-            SceneAction(tool, words, str(k + 1))
-            for k, (tool, words) in enumerate(
-                zip(
-                    TOOLS,
-                    ("move a ball", "bend a track", "draw a track", "new ball", "size of a ball", "delete"),
-                    strict=True,
-                )
-            )
-        ),
-    )
+    actions = (SceneAction("next", "open the next gate", "N"), *tool_keys(TOOLS))
     figure = staticmethod(draw_forces)
     equations = (
         Equation("Rolling down an incline", r"\ddot{s} = \frac{2}{3} g \sin \alpha", "a disc, no slip"),
@@ -115,55 +92,9 @@ class MetalBalls(BuiltScene):
         yards=(Box(left=-4.0, bottom=-2.0, right=11.0, top=0.5),),
     )
 
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        """A step, and what paints."""
-        return (
-            WarmUp("step", lambda: cls().advance(cls.dt)),
-            WarmUp("polygons", warm_up_painter),
-            WarmUp("wall", warm_up_wall),
-            WarmUp("steel", warm_up_steel),
-        )
-
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = MetalModel(content, self.parameters, self.active)
-        self.hand = MetalHand(self.model)
-        self.view = MetalView(self.model, self.hand)
-        self.check_content(content)
-
-    def tool_changed(self) -> None:
-        self.hand.let_go()
-
-    def save_content(self) -> MetalContent:
-        return content_of(self.model)
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt, self.hand.held)
-
-    def action(self, name: str) -> None:
-        if name == "next":
-            self.said.say("" if self.model.open_next() else "All gates are open.")
-        else:
-            self.parameters.tool = name
-            self.hand.let_go()
-
-    # -- what there is to see -----------------------------------------------------------------------
+    def do(self, name: str) -> str:
+        return "" if self.model.open_next() else "All gates are open."
 
     def hints_now(self) -> Sequence[Hint]:
         """What the tool in the hand does."""
-        tool = self.parameters.tool
-        return (self.hints[0], Hint(("Mouse",), WHAT_NEXT[tool]), *self.hints[2:])
-
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return story_targets(self.model)
-
-    def hearing(self) -> Hearing:
-        return hearing_of(self.model)
+        return (self.hints[0], *hint_of(TOOLS, self.parameters.tool), *self.hints[2:])

@@ -6,29 +6,27 @@ import math
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
-from game.physics.solids.state import DYNAMIC
+from game.arrays import Floats
 from game.physics.solids.tracks.curves import Pieces
-from game.physics.solids.tracks.motion import ANGLE, RADIUS, X, Y
-from game.scenes.metal.hand import MetalHand
+from game.physics.solids.tracks.motion import RADIUS
+from game.scenes.metal.balls import NONE, NOT_YET
 from game.scenes.metal.level import MetalContent
 from game.scenes.metal.making import LEDGE, cradle_places
 from game.scenes.metal.marks import draw_marks
-from game.scenes.metal.model import MetalModel, ModelState
-from game.scenes.metal.tables import FREED, GATE, NONE, NOT_YET, ROD
+from game.scenes.metal.parameters import TOOLS
+from game.scenes.metal.world import MetalState, MetalWorld
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.painters.steel import draw_steel
 from game.ui.painters.wall import Wall, is_dark
 from game.worlds.entries.track_forms import curve_of
-from game.worlds.hands.curves import NOBODY
-from game.worlds.painting.boards import Shapes, boards_of, placed
-from game.worlds.painting.polygons import NO_EDGE, paint
+from game.worlds.hands.hand import NOBODY, Hand, legend_of
+from game.worlds.members.solids import bodies_between
+from game.worlds.members.tracks import balls_between
+from game.worlds.painting.boards import WHOLE, boards_of, moved, paint_quads, paint_shapes, placed
+from game.worlds.painting.inks import color_of, scaled
 from game.worlds.painting.rails import Rail, draw_rail_shadows, draw_rails, rails_of
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
-WHOLE = (-1.0, -1.0, 1.0, 1.0)
 TOP_EDGE, LOW_EDGE = (-1.0, 0.72, 1.0, 1.0), (-1.0, -1.0, 1.0, -0.78)
 CAST = np.array((0.11, -0.15))  # m: where the shadow on the wall lies
 SHADOW, BLACK = 0x000000, pygame.Color(0, 0, 0)
@@ -41,16 +39,12 @@ MADE = {
     False: (0xC08E5C, 0xE3BC88, 0x7A5738, 0x4F7D63, 0x98A1A8, 0xE6EBEE),
     True: (0x7E5839, 0xAE8358, 0x46301F, 0x2F5444, 0x59646E, 0xA9B6C0),
 }
-WHAT_NEXT = {
-    "hand": "drag a ball", "bend": "drag a track", "draw": "draw a track", "ball": "click, drag, let go",
-    "size": "drag from a ball's middle outwards", "delete": "click a ball or a track",
-}  # fmt: skip
 
 
 class MetalView:
     """Draws a model and its hand; keeps the lines of tracks until these change."""
 
-    def __init__(self, model: MetalModel, hand: MetalHand):
+    def __init__(self, model: MetalWorld, hand: Hand):
         self.model, self.hand = model, hand
         self._wall = Wall(bench_of(model.content))
         self._of: Pieces | None = None
@@ -72,18 +66,19 @@ class MetalView:
                 ("dash:text1", "exact", ""),
             ]
         tool = self.model.parameters.tool
-        return [*rows, ("ring:accent", WHAT_NEXT[tool], "")] if tool != "hand" else rows
+        return [*rows, *legend_of(TOOLS, tool)] if tool != "hand" else rows
 
-    def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
+    def draw(self, canvas: Canvas, previous: MetalState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         dark = is_dark(canvas)
         self._wall.draw(canvas, dark)
-        places, angles = self._balls_between(previous, alpha)
-        bodies, turned = self._bodies_between(previous, alpha)
-        radii, there = self.model.riders.balls.rows[:, RADIUS], self.model.there()
-        if self._of is not self.model.riders.pieces:
-            self._of = self.model.riders.pieces
-            self._rails = rails_of(self._of, self.model.riders.curves)
+        balls, riders = self.model.balls, self.model.tracks.riders
+        places, angles = balls_between(balls.rows, previous and previous.riders.rows, alpha)
+        bodies, turns = bodies_between(self.model.world, previous and previous.world, alpha)
+        turned = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+        radii, there = balls.rows[:, RADIUS], balls.there()
+        if self._of is not riders.pieces:
+            self._of, self._rails = riders.pieces, rails_of(riders.pieces, riders.curves)
         strength = 0.34 if dark else 0.2
         self._draw_shadows(canvas, places[there], radii[there], bodies, turned, strength)
         self._draw_cradles(canvas, places, dark)
@@ -99,60 +94,7 @@ class MetalView:
             draw_marks(canvas, self.model, places)
         self._draw_hand(canvas)
 
-    # -- where things are -----------------------------------------------------------------------------
-
-    def _balls_between(self, previous: ModelState | None, alpha: float) -> tuple[Floats, Floats]:
-        """Places (n, 2) m and angles (n,) rad of all balls between the last two steps."""
-        rows = self.model.riders.balls.rows
-        if previous is None or previous.riders.rows.shape != rows.shape:
-            return rows[:, X : Y + 1], rows[:, ANGLE]
-        before, share = previous.riders.rows, 1.0 - alpha
-        places = rows[:, X : Y + 1] - share * (rows[:, X : Y + 1] - before[:, X : Y + 1])
-        return places, rows[:, ANGLE] - share * (rows[:, ANGLE] - before[:, ANGLE])
-
-    def _bodies_between(self, previous: ModelState | None, alpha: float) -> tuple[Floats, Floats]:
-        """Places (n, 2) m of all solids, cosines and sines (n, 2) of their angles."""
-        rows = self.model.world.bodies
-        places, angles = rows.positions, rows.angles
-        if previous is not None and previous.world.bodies.angles.shape == angles.shape:
-            before = previous.world.bodies
-            share = np.where(before.flags & DYNAMIC == rows.flags & DYNAMIC, 1.0 - alpha, 0.0)
-            places = places - share[:, None] * (places - before.positions)
-            angles = angles - share * (angles - before.angles)
-        return places, np.stack([np.cos(angles), np.sin(angles)], axis=1)
-
     # -- painting -------------------------------------------------------------------------------------
-
-    def _quads(
-        self, canvas: Canvas, corners: Floats, inks: int | Longs, share: float = 1.0, edge: int = NO_EDGE
-    ) -> None:
-        """Quadrangles (4 n, 2) m, those in the picture."""
-        if not len(corners):
-            return
-        boxes, seen = corners.reshape(-1, 4, 2), canvas.camera.visible()
-        low, high = boxes.min(axis=1), boxes.max(axis=1)
-        there = (low[:, 0] < seen.right) & (high[:, 0] > seen.left)
-        there &= (low[:, 1] < seen.top) & (high[:, 1] > seen.bottom)
-        count = int(there.sum())
-        if not count:
-            return
-        own = np.full(count, inks, dtype=np.int64) if isinstance(inks, int) else inks[there]
-        kept = np.ascontiguousarray(boxes[there].reshape(-1, 2))
-        paint(
-            canvas, kept, np.arange(0, 4 * count + 1, 4), own, np.full(count, share),
-            np.full(count, edge, dtype=np.int64), np.zeros((4, 2)),
-        )  # fmt: skip
-
-    def _shapes(
-        self, canvas: Canvas, shapes: Shapes, ink: int, share: float = 1.0, by: Floats | None = None
-    ) -> None:
-        """Polygons of one colour."""
-        count = len(shapes.starts) - 1
-        corners = shapes.corners if by is None else shapes.corners + by
-        paint(
-            canvas, corners, shapes.starts, np.full(count, ink, dtype=np.int64), np.full(count, share),
-            np.full(count, NO_EDGE, dtype=np.int64), np.zeros((4, 2)),
-        )  # fmt: skip
 
     def _draw_shadows(
         self, canvas: Canvas, places: Floats, radii: Floats, bodies: Floats, turned: Floats, strength: float
@@ -160,14 +102,16 @@ class MetalView:
         """What all things cast on the wall, away from the lamps."""
         model = self.model
         for made_of, whole, _ in self._floors:
-            self._shapes(canvas, whole, SHADOW, 0.3 * strength if made_of == "glass" else strength, CAST)
+            paint_shapes(
+                canvas, moved(whole, CAST), SHADOW, 0.3 * strength if made_of == "glass" else strength
+            )
         draw_rail_shadows(canvas, self._rails, CAST, strength)
         if model.block_ids:
-            self._quads(canvas, self._block_corners(bodies, turned) + CAST, SHADOW, strength)
+            paint_quads(canvas, self._block_corners(bodies, turned) + CAST, SHADOW, strength)
         for entry, body in zip(model.content.seesaws, model.seesaw_ids, strict=True):
             sizes = 0.5 * np.array([[entry.length, entry.thickness]])
             at = np.array([entry.at])
-            self._quads(canvas, placed(WHOLE, sizes, at, turned[body : body + 1]) + CAST, SHADOW, strength)
+            paint_quads(canvas, placed(WHOLE, sizes, at, turned[body : body + 1]) + CAST, SHADOW, strength)
         if len(places):
             canvas.discs(places + CAST, 1.06 * radii, BLACK, 0.55 * strength)
             canvas.discs(places + CAST, 0.92 * radii, BLACK, 0.7 * strength)
@@ -186,10 +130,10 @@ class MetalView:
         if not self.model.block_ids:
             return
         count = len(self.model.block_ids)
-        inks = np.array([_shaded(BLOCKS[k % len(BLOCKS)], 0.78 if dark else 1.0) for k in range(count)])
-        self._quads(canvas, self._block_corners(bodies, turned), inks, edge=_shaded(MADE[dark][2], 0.7))
-        self._quads(canvas, self._block_corners(bodies, turned, TOP_EDGE), 0xFFFFFF, 0.16)
-        self._quads(canvas, self._block_corners(bodies, turned, LOW_EDGE), 0x000000, 0.18)
+        inks = np.array([scaled(BLOCKS[k % len(BLOCKS)], 0.78 if dark else 1.0) for k in range(count)])
+        paint_quads(canvas, self._block_corners(bodies, turned), inks, edges=scaled(MADE[dark][2], 0.7))
+        paint_quads(canvas, self._block_corners(bodies, turned, TOP_EDGE), 0xFFFFFF, 0.16)
+        paint_quads(canvas, self._block_corners(bodies, turned, LOW_EDGE), 0x000000, 0.18)
 
     def _draw_seesaws(self, canvas: Canvas, bodies: Floats, turned: Floats, dark: bool) -> None:
         tones = MADE[dark]
@@ -198,31 +142,31 @@ class MetalView:
             sizes = 0.5 * np.array([[entry.length, entry.thickness]])
             x, y = entry.at
             foot = np.array([(x - 0.32, y - 0.62), (x + 0.32, y - 0.62), (x + 0.07, y), (x - 0.07, y)])
-            self._quads(canvas, foot, tones[2], edge=_shaded(tones[2], 0.6))
-            self._quads(canvas, placed(WHOLE, sizes, at, turn), tones[0], edge=_shaded(tones[2], 0.7))
-            self._quads(canvas, placed((-1.0, 0.4, 1.0, 1.0), sizes, at, turn), tones[1])
+            paint_quads(canvas, foot, tones[2], edges=scaled(tones[2], 0.6))
+            paint_quads(canvas, placed(WHOLE, sizes, at, turn), tones[0], edges=scaled(tones[2], 0.7))
+            paint_quads(canvas, placed((-1.0, 0.4, 1.0, 1.0), sizes, at, turn), tones[1])
             edge = LEDGE / entry.length
             up = 1.0 + 2.0 * entry.ledge / entry.thickness
             for side in (-1.0, 1.0 - 2.0 * edge):
                 ledge = placed((side, 1.0, side + 2.0 * edge, up), sizes, at, turn)
-                self._quads(canvas, ledge, tones[2])
-            canvas.circle(entry.at, 0.07, _color(tones[5]), outline=_color(tones[2]), width=1.2)
+                paint_quads(canvas, ledge, tones[2])
+            canvas.circle(entry.at, 0.07, color_of(tones[5]), outline=color_of(tones[2]), width=1.2)
 
     def _draw_holders(self, canvas: Canvas, places: Floats) -> None:
         """A cup below each ball that a gate still holds."""
-        table, rows = self.model.table, self.model.riders.balls.rows
-        held = (table[:, FREED] == NOT_YET) & (table[:, GATE] != NONE) & (table[:, ROD] == NONE)
+        table, rows = self.model.balls.table, self.model.balls.rows
+        held = (table.freed == NOT_YET) & (table.gate != NONE) & (table.rod == NONE)
         for ball in np.flatnonzero(held).tolist():
             radius = 1.12 * float(rows[ball, RADIUS])
             width = max(0.035 * canvas.pixels_per_unit / canvas.k, 1.4)
-            canvas.arc(places[ball].tolist(), radius, *CUP, _color(GATES), width)
+            canvas.arc(places[ball].tolist(), radius, *CUP, color_of(GATES), width)
 
     def _draw_plugs(self, canvas: Canvas, dark: bool) -> None:
-        for entry, body in zip(self.model.content.plugs, self.model.plugs.tolist(), strict=True):
+        for entry, body in zip(self.model.content.plugs, self.model.machine.plugs.tolist(), strict=True):
             if body >= 0:
                 width = canvas.pixels_per_unit * entry.thick / canvas.k
-                canvas.line(entry.start, entry.end, _color(_shaded(MADE[dark][2], 0.7)), width + 1.6)
-                canvas.line(entry.start, entry.end, _color(GATES), width)
+                canvas.line(entry.start, entry.end, color_of(scaled(MADE[dark][2], 0.7)), width + 1.6)
+                canvas.line(entry.start, entry.end, color_of(GATES), width)
 
     def _draw_cradles(self, canvas: Canvas, places: Floats, dark: bool) -> None:
         """A beam, and a rod to each ball that still hangs."""
@@ -232,15 +176,15 @@ class MetalView:
             left, right = hung[0, 0] - 0.9, hung[-1, 0] + 0.9
             y = entry.at[1]
             beam = np.array([(left, y - 0.02), (right, y - 0.02), (right, y + 0.2), (left, y + 0.2)])
-            self._quads(canvas, beam + CAST, SHADOW, 0.25)
-            tied = model.table[balls, ROD] != NONE
+            paint_quads(canvas, beam + CAST, SHADOW, 0.25)
+            tied = model.balls.table.rod[balls] != NONE
             if tied.any():
                 ends = places[balls][tied]
                 canvas.segments(hung[tied] + CAST, ends + CAST, BLACK, 2.0, 0.16)
-                canvas.segments(hung[tied], ends, _color(tones[4]), 1.6)
-                canvas.discs(hung[tied], 0.035, _color(tones[5]))
-            self._quads(canvas, beam, tones[0], edge=_shaded(tones[2], 0.7))
-            self._quads(canvas, beam * (1.0, 0.0) + (0.0, y + 0.15) + _upper(beam, y), tones[1])
+                canvas.segments(hung[tied], ends, color_of(tones[4]), 1.6)
+                canvas.discs(hung[tied], 0.035, color_of(tones[5]))
+            paint_quads(canvas, beam, tones[0], edges=scaled(tones[2], 0.7))
+            paint_quads(canvas, beam * (1.0, 0.0) + (0.0, y + 0.15) + _upper(beam, y), tones[1])
 
     def _draw_floors(self, canvas: Canvas, dark: bool, glass: bool) -> None:
         tones = MADE[dark]
@@ -248,14 +192,14 @@ class MetalView:
             if (made_of == "glass") != glass:
                 continue
             if glass:
-                self._shapes(canvas, whole, 0xBFE3EC, 0.3)
-                self._shapes(canvas, upper, 0xF2FCFF, 0.55)
+                paint_shapes(canvas, whole, 0xBFE3EC, 0.3)
+                paint_shapes(canvas, upper, 0xF2FCFF, 0.55)
                 continue
-            body, edge = {"wood": (tones[0], tones[1]), "felt": (tones[3], _shaded(tones[3], 1.3))}.get(
+            body, edge = {"wood": (tones[0], tones[1]), "felt": (tones[3], scaled(tones[3], 1.3))}.get(
                 made_of, (tones[4], tones[5])
             )
-            self._shapes(canvas, whole, body)
-            self._shapes(canvas, upper, edge)
+            paint_shapes(canvas, whole, body)
+            paint_shapes(canvas, upper, edge)
 
     def _draw_hand(self, canvas: Canvas) -> None:
         hand = self.hand
@@ -263,9 +207,9 @@ class MetalView:
             canvas.polyline(np.array(hand.path), "accent", 2.4)
         if hand.point is None:
             return
-        if hand.held != NOBODY or hand.sized != NOBODY:
+        if hand.held != NOBODY and hand.verb != "bend":
             canvas.ring(hand.point, 9.0, "amber", 1.8)
-        elif hand.bent != NOBODY:
+        elif hand.held != NOBODY:
             canvas.circle(
                 hand.point, self.model.parameters.bending, outline="amber", width=1.2, dash=PREDICTION_DASH
             )
@@ -281,13 +225,3 @@ def bench_of(content: MetalContent) -> float:
 def _upper(beam: Floats, y: float) -> Floats:
     """Heights of the lit upper edge of a beam, over its lower border."""
     return np.stack([np.zeros(4), np.where(beam[:, 1] > y, 0.05, 0.0)], axis=1)
-
-
-def _color(ink: int) -> pygame.Color:
-    return pygame.Color(ink >> 16 & 255, ink >> 8 & 255, ink & 255)
-
-
-def _shaded(ink: int, share: float) -> int:
-    parts = (min(int((ink >> shift & 255) * share), 255) for shift in (16, 8, 0))
-    r, g, b = parts
-    return r << 16 | g << 8 | b

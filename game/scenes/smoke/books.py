@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.combustion.burning import RADIATED
+from game.physics.combustion.burning import RADIATED, RELEASED
 from game.physics.gas.ledger import (
     CARRIED_THROUGH,
     CARRYING,
@@ -60,21 +60,26 @@ def momentum_page(model: SmokeModel) -> Page:
 
 
 def heat_page(model: SmokeModel) -> Page:
-    """W/m into the gas since the step before: by fire, sources and hand, and in the step; NaN without."""
+    """W/m into the gas since the step before: by fire, sources and hand, and in the step; NaN without.
+
+    Each row is measured by itself. What is left open is the change less all of them.
+    """
     book = _book(model, False)
     if book is None:
         return Page([(name, (math.nan,)) for name in HEAT], (math.nan,), math.nan)
     scale = CAPACITY / model.parameters.step_length
-    light = float(model.flames.sums[RADIATED]) * (model.cell * model.cell) / model.parameters.step_length
-    between = scale * float(book.between[WARM])
+    volume = model.cell * model.cell
+    fire, light = (volume * float(model.flames.sums[row]) / model.parameters.step_length
+                   for row in (RELEASED, RADIATED))  # fmt: skip
     numbers = (
-        between + light, -light, *(scale * float(book.rows[row, WARM])
+        scale * model.given + fire, -light, *(scale * float(book.rows[row, WARM])
                                    for row in (CARRIED_THROUGH, SPREAD_THROUGH, SCHEME)),
     )  # fmt: skip
     rows: list[tuple[str, tuple[float, ...]]] = [
         (name, (number,)) for name, number in zip(HEAT, numbers, strict=True)
     ]
-    return Page(rows, (between + scale * float(book.change[WARM]),), scale * abs(float(book.open[WARM])))
+    change = scale * float(book.between[WARM] + book.change[WARM])
+    return Page(rows, (change,), abs(change - math.fsum(numbers)))
 
 
 def momentum_readouts(model: SmokeModel) -> list[Readout]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -76,6 +77,7 @@ class SmokeModel(Part):
         self.scalars[..., WARM], self.scalars[..., OXYGEN] = ROOM, FRESH
         self._begin()
         self.take_solids()
+        self.given = math.nan  # K m², by hand and sources in the last step
         self.keep_books()
         self.smoke_at_first = self.total(SMOKE)
         self.energy_at_first = self.energy()
@@ -243,6 +245,7 @@ class SmokeModel(Part):
 
     def _advance(self, dt: float) -> None:
         cells = self.scalars
+        began = self._warmth()
         x, y = self.grid.centres()
         for one in self.content.sources:
             if self.time >= one.seconds:
@@ -255,6 +258,7 @@ class SmokeModel(Part):
             cells[near, FUEL] = np.maximum(cells[near, FUEL], one.fuel)
             if one.velocity is not None:
                 self._blow(near, one.velocity)
+        self._note_given(began)
         self._source[:] = 0.0
         if self.printed is not None:  # its cells lie within a ring of ghosts
             own = np.ascontiguousarray(cells)
@@ -272,6 +276,19 @@ class SmokeModel(Part):
         elif self.printed is not None:
             self.printed.v[1:-1, 1:-1] += dt * upward
             self.printed.step(dt)
+
+    def _warmth(self) -> float:
+        """K m² in the gas as its books have it; NaN without books."""
+        if self.gas is None or self.gas.ledger is None:
+            return math.nan
+        return float(self.gas.ledger.contents(self.scalars, self.gas.solids.faces)[WARM])
+
+    def _note_given(self, began: float) -> None:
+        """What hand and sources have made of the heat since the last step; began: `_warmth` at its end."""
+        ledger = self.gas.ledger if self.gas is not None else None
+        left = ledger.left if ledger is not None else None
+        hand = began - float(left[WARM]) if left is not None else math.nan
+        self.given = hand + (self._warmth() - began)
 
     def _blow(self, near: NDArray[np.bool_], velocity: tuple[float, float]) -> None:
         if self.gas is not None:

@@ -12,8 +12,10 @@ from game.scenes.solids.level import GROUND, BodyEntry, SolidContent, SwingEntry
 from game.scenes.solids.measures import SNAP, STEEL, STONE, THUD, WOOD, contact_points, energies
 from game.scenes.solids.model import ANCHOR, SolidModel
 from game.stage import Hearing, Readout
+from game.worlds.rubbing import rubbing_heard
 
 SOON = 1e-6  # s
+LOUD = 60.0  # W, of rolling or sliding that is as loud as can be
 NAMES = {THUD: "thud", WOOD: "wood", STONE: "stone", STEEL: "steel", SNAP: "crackle"}
 UNITS = {
     "right": "m", "up": "m", "sink": "m", "way": "m", "turn": "°", "speed": "m/s", "spin": "rad/s",
@@ -53,10 +55,11 @@ def readouts(model: SolidModel) -> list[Readout]:
 
 
 def hearing(model: SolidModel) -> Hearing:
-    """Contacts that began in the last moments, from the left to the right of the view."""
+    """Contacts that began in the last moments and what rolls and slides, from left to right of the view."""
     view = model.content.view
     middle, half = 0.5 * (view.left + view.right), 0.5 * max(view.right - view.left, 1e-9)
-    return Hearing("solids", model.time, model.heard.sounds(NAMES, half, middle))
+    steady = rubbing_heard(model.world, model.parameters.values["step_length"], LOUD, half, middle)
+    return Hearing("solids", model.time, model.heard.sounds(NAMES, half, middle), steady)
 
 
 def saved(model: SolidModel) -> SolidContent:

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.constraints import AREAS, CONTACTS, PositionBasedDynamics
 from game.physics.constraints.areas import INTACT
 from game.physics.fields import GROUND
-from game.physics.kernels.jit import kernel
 from game.scenes.springs.exact_bob import draw_exact_bob
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import Point

@@ -13,11 +13,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import ADVECTION, PRESSURE
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import lean_kernel
 from game.physics.surfaces.surface import Sample, empty_sample
 from game.scenes.tower.level import TowerContent
 from game.stage import Part

@@ -6,25 +6,23 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from game.lab.studies.loops import loop_study
-from game.levels import Level
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.scenes.tracks import TRACKS
 from game.scenes.tracks.figure import draw_rolling
-from game.scenes.tracks.hand import TrackHand
+from game.scenes.tracks.hand import track_hand
 from game.scenes.tracks.level import BallEntry, TrackContent
-from game.scenes.tracks.model import TracksModel
 from game.scenes.tracks.parameters import OF_PICTURE, OF_TOOLS, TOOLS, TrackParameters
-from game.scenes.tracks.readouts import readouts
-from game.scenes.tracks.saving import content_of
-from game.scenes.tracks.view import WHAT_NEXT, TrackView
-from game.stage import Equation, Hint, Readout, SceneAction, Strip
+from game.scenes.tracks.told import readouts, saved
+from game.scenes.tracks.view import TrackView
+from game.scenes.tracks.world import TracksWorld
+from game.stage import Equation, Hint, Strip
 from game.worlds.entries.tracks import TrackEntry
-from game.worlds.hands.curves import NOBODY
-from game.worlds.scene import BuiltScene
+from game.worlds.hands.hand import hint_of, tool_keys
+from game.worlds.scene import Parts, WorldScene
 
 
-class Tracks(BuiltScene):
+class Tracks(WorldScene):
     """A ball on a track has one coordinate, the way of its centre. The track is a smooth curve through its
     points, so it costs the ball nothing: a loop that is drawn by 50 chords is passed from the same height as
     one of 800, where every corner of chords takes some of the speed.
@@ -41,8 +39,12 @@ class Tracks(BuiltScene):
     name, task, title = TRACKS.names
     parameters_type = TrackParameters
     parameters: TrackParameters
-    model: TracksModel
-    hand: TrackHand
+    model: TracksWorld
+    parts = Parts(TracksWorld, track_hand, TrackView, readouts, saved)
+    tool_prefix = ""
+    takes = frozenset()
+    covers = False
+    not_of_model = (*OF_PICTURE, *OF_TOOLS)
     effects = EffectSet([GRAVITY])
     content_type = TrackContent
     study = loop_study
@@ -52,9 +54,7 @@ class Tracks(BuiltScene):
         Hint(("2", "3", "4"), "new ball, draw, bend"),
         Hint(("5",), "delete"),
     )
-    actions = tuple(SceneAction(tool, words, str(k + 1)) for k, (tool, words) in enumerate(
-        zip(TOOLS, ("move", "new ball", "draw a track", "bend a track", "delete"), strict=True)
-    ))  # fmt: skip
+    actions = tool_keys(TOOLS)
     strips = (
         Strip("Speed of the first", "m/s", ("speed", "exact"), exact=("exact",)),
         Strip("Energy", "J", ("moving", "turning", "height", "sum")),
@@ -83,40 +83,6 @@ class Tracks(BuiltScene):
         balls=(BallEntry(position=(-4.1, 2.85)),),
     )
 
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = TracksModel(content, self.parameters, self.active)
-        self.hand = TrackHand(self.model)
-        self.view = TrackView(self.model, self.hand)
-        self.check_content(content)
-
-    def parameter_changed(self, name: str) -> None:
-        if name == "tool":
-            self.hand.begin_again()
-        elif name not in OF_PICTURE and name not in OF_TOOLS:
-            self.model.change_parameter(name)
-
-    def save_content(self) -> TrackContent:
-        return content_of(self.model)
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        held = self.hand.held
-        self.model.advance(dt, held if held < len(self.model.energies) else NOBODY)
-
-    def action(self, name: str) -> None:
-        self.parameters.tool = name
-        self.hand.begin_again()
-
-    # -- what there is to see -----------------------------------------------------------------------
-
     def hints_now(self) -> Sequence[Hint]:
         """What the tool in the hand does."""
-        tool = self.parameters.tool
-        return (Hint(("Mouse",), WHAT_NEXT[tool]), *self.hints[1:]) if tool in WHAT_NEXT else self.hints
-
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
+        return (*(hint_of(TOOLS, self.parameters.tool) or self.hints[:1]), *self.hints[1:])

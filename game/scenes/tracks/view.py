@@ -5,36 +5,32 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.solids.tracks.curves import Pieces
-from game.physics.solids.tracks.motion import ANGLE, RADIUS, VX, VY, X, Y
-from game.scenes.tracks.hand import TrackHand
-from game.scenes.tracks.model import COLOURS, SHOWN_BALLS, TRAIL, TracksModel, TracksState
+from game.physics.solids.tracks.motion import RADIUS, VX, VY
+from game.scenes.tracks.parameters import TOOLS
+from game.scenes.tracks.world import BEYOND, COLOURS, TRAIL, TracksState, TracksWorld
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
-from game.worlds.hands.curves import NOBODY
+from game.worlds.hands.hand import NOBODY, Hand, legend_of
+from game.worlds.members.tracks import balls_between
 from game.worlds.painting.rails import lines_of
 
-Floats = NDArray[np.float64]
-WHAT_NEXT = {
-    "ball": "click, drag and let go: a new ball", "draw": "draw a track", "bend": "drag a track",
-    "delete": "click a ball or a track",
-}  # fmt: skip
+SHOWN_BALLS = 200  # most that have a trail
 
 
 class TrackView:
     """Draws a model and its hand; keeps the lines of tracks until these change."""
 
-    def __init__(self, model: TracksModel, hand: TrackHand):
+    def __init__(self, model: TracksWorld, hand: Hand):
         self.model, self.hand = model, hand
         self._of: Pieces | None = None
         self._lines: list[Floats] = []
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the tool in the hand does next."""
-        tool = self.model.parameters.tool
         rows = [("line:chalk", "velocity", "")] if self.model.parameters.velocities else []
-        return [*rows, ("ring:accent", WHAT_NEXT[tool], "")] if tool in WHAT_NEXT else rows
+        return [*rows, *legend_of(TOOLS, self.model.parameters.tool)]
 
     def draw(self, canvas: Canvas, previous: TracksState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
@@ -43,14 +39,12 @@ class TrackView:
             canvas.polyline(line, "line2", 6.0)
             canvas.polyline(line, "text2", 2.6)
         if self.model.parameters.points:
-            for curve in self.model.world.curves:
+            for curve in self.model.tracks.riders.curves:
                 canvas.particles(np.asarray(curve.points, dtype=np.float64), "amber", 2.2)
-        rows = self.model.world.balls.rows
-        places, angles = rows[:, X : Y + 1], rows[:, ANGLE]
-        if previous is not None and previous.balls.rows.shape == rows.shape:
-            before = previous.balls.rows
-            places = before[:, X : Y + 1] + alpha * (places - before[:, X : Y + 1])
-            angles = before[:, ANGLE] + alpha * (angles - before[:, ANGLE])
+        rows = self.model.rows
+        view = self.model.content.view  # a ball that comes back was at least so far beside it
+        jump = BEYOND * min(view.right - view.left, view.top - view.bottom)
+        places, angles = balls_between(rows, previous and previous.balls.rows, alpha, jump)
         if self.model.parameters.trails and len(rows) <= SHOWN_BALLS:
             self._draw_trails(canvas, places)
         self._draw_balls(canvas, places, angles)
@@ -58,24 +52,24 @@ class TrackView:
 
     def _tracks(self) -> list[Floats]:
         """Each track as points along its smooth curve."""
-        pieces = self.model.world.pieces
+        pieces = self.model.tracks.riders.pieces
         if self._of is not pieces:
-            self._of, self._lines = pieces, lines_of(pieces, self.model.world.curves)
+            self._of, self._lines = pieces, lines_of(pieces, self.model.tracks.riders.curves)
         return self._lines
 
     def _draw_trails(self, canvas: Canvas, places: Floats) -> None:
-        steps, trail = self.model.steps, self.model.trail
+        steps, trail = self.model.steps, self.model.balls.trail
         count = min(steps, TRAIL)
         if count < 2:
             return
         order = (steps - count + np.arange(count)) % TRAIL
         for ball in range(trail.shape[1]):
-            name = COLOURS[int(self.model.tints[ball]) & 255]
+            name = COLOURS[int(self.model.balls.tints[ball]) & 255]
             line = np.concatenate([trail[order, ball], places[ball : ball + 1]])
             canvas.polyline(line, name, 1.4, alpha=0.5)
 
     def _draw_balls(self, canvas: Canvas, places: Floats, angles: Floats) -> None:
-        rows, tints = self.model.world.balls.rows, self.model.tints
+        rows, tints = self.model.rows, self.model.balls.tints
         for ball, (x, y) in enumerate(places.tolist()):
             name, r = COLOURS[int(tints[ball]) & 255], float(rows[ball, RADIUS])
             least = canvas.px(2.5)
@@ -102,9 +96,9 @@ class TrackView:
             canvas.polyline(np.array(hand.path), "accent", 2.0)
         if hand.point is None:
             return
-        if hand.held != NOBODY and hand.held < len(self.model.energies):
+        if self.model.held != NOBODY:
             canvas.ring(hand.point, 9.0, "amber", 1.8)
-        elif hand.bent != NOBODY:
+        elif hand.verb == "bend" and hand.held != NOBODY:
             canvas.circle(
                 hand.point, self.model.parameters.bending, outline="amber", width=1.2, dash=PREDICTION_DASH
             )

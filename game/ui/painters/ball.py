@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pygame
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.painters import ball_look as look
 from game.ui.painters.ball_shadow import LARGEST_RADIUS, lamp_offset, paint_shadows
 from game.ui.raster.pixels import blend, clip_bounds, is_drawable, weight_of

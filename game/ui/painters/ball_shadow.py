@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.painters import ball_look as look
 from game.ui.raster.pixels import blend, clip_bounds, is_drawable, weight_of
 

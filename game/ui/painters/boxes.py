@@ -14,7 +14,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.canvas.canvas import Canvas
 from game.ui.raster import pixels_of
 

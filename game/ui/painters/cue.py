@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.painters.ball_look import LAMPS
 from game.ui.raster.lines import column_within, inside_share, lean_of, row_span
 from game.ui.raster.pixels import blend, bounds_of, is_drawable, weight_of

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.raster.pixels import FULL, OPAQUE, blend, clip_bounds, is_drawable, weight_of
 
 Array = np.ndarray

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.raster.pixels import OPAQUE, clip_bounds, lay
 
 LIGHT_HALF = 0.79  # m; the pool of light is even over this half length

@@ -8,7 +8,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[np.float64]

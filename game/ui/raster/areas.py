@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.ui.raster.pixels import blend, fill_row, is_drawable, weight_of
 from game.ui.raster.vectors import is_blank
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 TOLERANCE_PX = 0.15
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.ui.raster.pixels import blend, clip_bounds, is_drawable, weight_of
 
 SHADES = 256  # of a table of colours

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 CLEAR, END, FIRST, MOST_CODES = 256, 257, 258, 4096
 _SLOTS = 16384  # of the table of strings, a power of two above MOST_CODES

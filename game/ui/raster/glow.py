@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.ui.raster.additions import add_between, add_four
 from game.ui.raster.pixels import bounds_of, is_drawable
 

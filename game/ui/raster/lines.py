@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.ui.raster.pixels import blend, bounds_of, is_drawable, strip_coverage, weight_of
 
 ROUND = 1  # line ends: a half disc, or (0) cut square

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.ui.raster.vectors import mix_four
 
 FARTHEST = 1.0e9  # px; beyond this a coordinate has lost its subpixels and nothing is drawn

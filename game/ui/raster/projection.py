@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 
 @lean_kernel

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.raster.pixels import blend, clip_bounds, fill_row, is_drawable, weight_of
 
 FULL = 256

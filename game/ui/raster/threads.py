@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.ui.raster.pixels import blend, is_drawable
 
 LONGEST = 4_000.0  # px; a longer thread is not drawn

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.ui.raster.pixels import bounds_of
 
 WAVE_PLACES = 1024  # in the table of waves, whose last meets its first; a power of two

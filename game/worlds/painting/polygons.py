@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
 from game.ui.raster.areas import fill_polygon
 from game.ui.raster.scratch import scratch_for

@@ -12,7 +12,10 @@ import pygame
 import pytest
 
 from game.app.commands import run_command_line
+from game.app.commands.given import read_level
+from game.app.window.mistake import MistakeError
 from game.levels import Level, save_level
+from game.scenes import CATALOGUE as SCENES
 from game.stage import Equation
 from game.ui.look.layout import arrange, auto_scale
 from game.ui.look.look import Look
@@ -536,3 +539,11 @@ def test_window_and_menu_do_not_import_the_compiler():
     code = "import sys, game.app.start, game.app.application; print('numba' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120)
     assert done.stdout.split()[-1] == "False"
+
+
+def test_a_level_that_no_scene_has_is_answered_with_names():
+    scene_type = SCENES["billiards"].load()
+    for word, offered in (("ghost-9-ball", "ghost-09"), ("drill", "drill-01-stop"), ("zzz", "there are ")):
+        with pytest.raises(MistakeError, match=f"no level of billiards is called {word}") as refused:
+            read_level(scene_type, word)
+        assert offered in str(refused.value) and "\n" not in str(refused.value)

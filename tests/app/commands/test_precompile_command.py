@@ -13,7 +13,7 @@ import pytest
 from game.app.commands import precompile
 from game.app.commands.precompile import Turn, compile_all
 from game.app.window.mistake import MistakeError
-from game.physics.kernels.prebuilt import unpack
+from game.compiler.prebuilt import unpack
 from game.scenes import CATALOGUE
 from tests.app.commands.test_commands import run
 from tests.paths import ROOT
@@ -82,7 +82,7 @@ def test_a_mistake_is_told_in_one_line(capsys, tmp_path: Path, arguments, compla
 
 
 def test_an_installed_carom_makes_no_wheel(capsys, tmp_path: Path, monkeypatch):
-    monkeypatch.setattr("game.physics.kernels.prebuilt.PACKAGE", tmp_path / "game")
+    monkeypatch.setattr("game.compiler.prebuilt.PACKAGE", tmp_path / "game")
     status, _, err = run(capsys, "precompile", SCENE, "--wheel", str(tmp_path))
     assert status == 2 and err == (
         "carom: --wheel: wheels are made in a checkout, and this Carom is an installed one\n"

@@ -11,8 +11,8 @@ import pytest
 from game.app.compile import preparing, readiness
 from game.app.compile.preparing import OURS, main, native_code_of
 from game.app.compile.readiness import any_code, is_ready, opens_at_once
-from game.physics.kernels import prebuilt
-from game.physics.kernels.prebuilt import Found, pack, unpack
+from game.compiler import prebuilt
+from game.compiler.prebuilt import Found, pack, unpack
 from game.scenes import CATALOGUE
 from tests.app.tests_app import Driver
 

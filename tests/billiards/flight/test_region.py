@@ -22,7 +22,7 @@ from game.billiards.laws.state import (
     Y,
 )
 from game.billiards.table.table import CUSHION_DEPTH, RAIL_WIDTH
-from game.physics.kernels.lean import lean_kernel
+from game.compiler.decorator import lean_kernel
 
 
 class Elements(NamedTuple):

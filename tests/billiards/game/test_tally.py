@@ -41,7 +41,7 @@ def test_a_break_a_safety_and_a_push_out_are_no_tries_but_their_fouls_count(game
 def test_a_stroke_is_worth_more_by_way_of_another_ball_off_a_cushion_and_when_it_wins():
     direct = ShotSummary(pocketed=(Pocketing(5, 0, (0, 5), 0),))
     combined = ShotSummary(pocketed=(Pocketing(5, 0, (0, 3, 5), 0),))
-    banked = ShotSummary(pocketed=(Pocketing(5, 0, (0, 5), 2),))
+    banked = ShotSummary(pocketed=(Pocketing(5, 0, (0, 5), 2, 2),))
     assert balls_between(direct.pocketed[0]) == 0 and balls_between(combined.pocketed[0]) == 1
     plain = merit(direct, verdict(5))
     assert merit(combined, verdict(5)) > plain and merit(banked, verdict(5)) > plain

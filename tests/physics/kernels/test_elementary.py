@@ -16,9 +16,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from game.compiler.decorator import kernel
 from game.physics.kernels import elementary, elementwise
 from game.physics.kernels.elementary import linking
-from game.physics.kernels.jit import kernel
 from tests.reference import elementary as exact
 
 INF, NAN = math.inf, math.nan

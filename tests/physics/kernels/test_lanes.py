@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from numba import config
 
+from game.compiler.decorator import lean_kernel
+from game.compiler.entrances import Entrances
 from game.physics.kernels import lanes
-from game.physics.kernels.entrances import Entrances
 from game.physics.kernels.lanes import (
     LANES,
     all_of,
@@ -29,7 +30,6 @@ from game.physics.kernels.lanes import (
     store_quads,
     zeros,
 )
-from game.physics.kernels.lean import lean_kernel
 
 SPECIAL = (0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, np.nan, 5e-324, 1e300, 1.0 / 3.0)
 

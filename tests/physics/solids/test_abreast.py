@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
+from game.compiler.decorator import lean_kernel
 from game.physics.kernels.lanes import LANES
-from game.physics.kernels.lean import lean_kernel
 from game.physics.solids import Capsule, Disc, Material, SolidSettings, SolidWorld, box
 from game.physics.solids.effects import SLEEP, USUAL
 from game.physics.solids.rows import (

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from game.billiards.table.rack import BALL_RADIUS
 from game.levels import level_files
 from game.scenes.billiards.stroke.motion import power_of
 from game.scenes.billiards.view.words import line_of, stroke_words
@@ -28,7 +29,7 @@ def test_a_hint_says_all_that_a_stroke_is_made_of(name):
     for part in power.split(" m/s, ")[1].split(" and "):
         if part != "in the middle":
             size, _, side = part.split()
-            said[side] = float(size)
+            said[side] = 0.001 * float(size) / BALL_RADIUS
     assert said["above"] - said["below"] == pytest.approx(stroke.tip_up, abs=0.0051)
     assert said["left"] - said["right"] == pytest.approx(stroke.tip_left, abs=0.0051)
     aim_part, _, raised = aimed.partition(", cue raised by ")
@@ -44,7 +45,7 @@ def test_the_line_below_the_table_says_the_hint_while_it_is_shown():
     goal = line_in(stage.scene)
     stage.post(Action("hint"))
     seconds(stage, 0.1)
-    said = "Hint: 6.2 m/s, 0.03 R below and 0.50 R right, aim 30.14°, cue raised by 70°."
+    said = "Hint: 6.2 m/s, 0.8 mm below and 14.3 mm right, aim 30.14°, cue raised by 70°."
     assert line_in(stage.scene) == (said, "", False)
     stage.post(Action("hint"))
     seconds(stage, 0.1)

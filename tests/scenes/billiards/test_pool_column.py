@@ -218,3 +218,9 @@ def test_words(stage):
     row = row_of(drawn.map.pots[0], lit=False, faint=False)
     assert row.lead.endswith(" %") and row.words == "3, upper left" and "m/s" in row.under
     assert heading(stage.scene.advisor, None)[1] == "It is being drawn …"
+
+
+def test_esc_closes_what_stands_beside_the_table_before_it_leaves(stage):
+    assert stage.scene.way_out == "map"
+    stage.post(Action(stage.scene.way_out))
+    assert stage.scene.side.beside == NONE and stage.scene.way_out == ""

@@ -3,11 +3,15 @@
 import math
 from itertools import pairwise
 
+import msgspec
 import numpy as np
 import pygame
 import pytest
 
 from game.app.stagehand.files import present_level
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import new_frame
+from game.billiards.game.games.ghost import new_ghost
 from game.billiards.game.rules import Pocketing, ShotSummary
 from game.billiards.game.tally import Tally
 from game.billiards.table.table import Table
@@ -17,6 +21,7 @@ from game.scenes.billiards import layout
 from game.scenes.billiards.play import SLOW
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.view import close_up, end_card
+from game.scenes.billiards.view.beside.record import rating_words
 from game.scenes.shared.tables.view import Balls, draw_table
 from game.stage import Action, Decision, ParameterError, Stage
 from game.ui.canvas.camera import Camera
@@ -115,7 +120,7 @@ def test_the_card_says_what_was_counted():
     assert end_card.figures_of(Tally()) == ("–", "0", "0")
     direct = ShotSummary(pocketed=(Pocketing(5, 0, (0, 5), 0),))
     assert end_card.words_of(direct) == "The 5 down"
-    wild = ShotSummary(pocketed=(Pocketing(2, 1, (0, 2), 1), Pocketing(9, 0, (0, 2, 4, 9), 2)))
+    wild = ShotSummary(pocketed=(Pocketing(2, 1, (0, 2), 1), Pocketing(9, 0, (0, 2, 4, 9), 3, 2)))
     assert end_card.words_of(wild) == "The 2 and the 9 down, by way of the 2 and the 4, off 2 cushions"
 
 
@@ -204,3 +209,57 @@ def test_in_the_window_the_card_comes_and_goes(tmp_path, monkeypatch, size):
     driver.frames(3)
     assert driver.stage.scene.model.frame.game.opening and not (inside() == panel).all()
     driver.close()
+
+
+def test_what_is_counted_on_the_card_is_of_this_rack_and_the_match_beside_it():
+    stage = level_of(LAST_POT, race="3")
+    for _ in range(2):
+        stage.post(STROKE)
+        until_aiming(seconds(stage, 0.5))
+        if stage.scene.model.frame.game.over:
+            break
+    model = stage.scene.model
+    assert model.frame.game.over and model.frame.rack_tallies == model.frame.tallies
+    before = model.frame.tallies
+    stage.post(Action("rack"))
+    assert model.frame.tallies == before and model.frame.rack_tallies == (Tally(), Tally())
+    assert not stage.scene.play.match_over
+    again = level_of(LAST_POT, race="1")
+    again.post(STROKE)
+    until_aiming(seconds(again, 0.5))
+    assert again.scene.play.match_over
+    again.post(Action("rack"))  # a new match counts anew
+    assert again.scene.model.frame.tallies == (Tally(), Tally())
+
+
+def test_a_ball_that_rattles_in_the_mouth_of_its_pocket_came_off_no_cushion():
+    stage = level_of(
+        'game = "practice"\nballs = [{number=0,position=[0.5,0.9]},{number=3,position=[0.16,0.30]}]'
+    )
+    frame = stage.scene.model.frame
+    aim = math.atan2(0.30 - 0.9, 0.16 - 0.5)
+    rattled = banked = 0
+    for off in np.linspace(-0.09, 0.09, 61).tolist():
+        summary = frame.play(Stroke(2.0, aim + off)).summary
+        fallen = summary.pocketing(3)
+        if fallen is None or not fallen.cushions:
+            continue
+        said = end_card.words_of(summary)
+        if abs(off) < 0.02 and fallen.pocket == 0:
+            rattled += 1
+            assert fallen.rails == 0 and "cushion" not in said
+        elif fallen.pocket != 0:
+            banked += 1
+            assert 1 <= fallen.rails <= fallen.cushions and f"off {fallen.rails} cushion" in said
+    assert rattled >= 2 and banked >= 2
+
+
+def test_after_ten_racks_the_ghosts_card_rates_the_player(monkeypatch):
+    game = msgspec.structs.replace(new_ghost("nine-ball"), won=(4, 6), winner=1, opening=False)
+    assert game.set_over
+    frame = new_frame(game)
+    words = []
+    look = Look(DARK)
+    monkeypatch.setattr(look, "text", lambda surface, said, *more, **options: words.append(said))
+    end_card._draw_figures(pygame.Surface((10, 10)), look, frame, 0.0, 0.0, 300)
+    assert "Rating" in words and rating_words(4, 6) in words

@@ -271,3 +271,44 @@ def test_the_room_is_brighter_by_the_fire():
         picture = picture_of_stage(stage, (320, 180), "dark")
         means.append(float(np.mean(np.frombuffer(picture.get_buffer().raw, np.uint8))))
     assert means[1] > means[0] + 2.0 and math.isfinite(means[0])
+
+
+SABOTAGE = {
+    "half of the radiation of the gas is not booked": (3, -0.5),
+    "a tenth of the heat of flames is not booked": (2, -0.1),
+    "more heat of flames is booked than there was": (2, 0.1),
+}
+
+
+@pytest.mark.parametrize("what", SABOTAGE)
+def test_what_is_wrongly_booked_is_left_open(what, monkeypatch):
+    """What the cells were warmed by is measured by themselves: no row takes up what is missing in another."""
+    row, part = SABOTAGE[what]
+    stage = opened("embers", **SMALL)
+    flames = stage.scene.model.air.flames
+    step = flames.step
+
+    def wrong(cells, dt, source):
+        before = float(flames.books[row])
+        step(cells, dt, source)
+        flames.books[row] += part * (float(flames.books[row]) - before)
+
+    monkeypatch.setattr(flames, "step", wrong)
+    stage.run(150)
+    books = stage.scene.model.books()
+    booked = flames.books_now()[row]
+    missing = booked - booked / (1.0 + part)
+    assert abs(missing) > 1e-3 * books["made"]
+    expected = missing if row == 2 else -missing
+    assert books["open"] == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_match_that_is_not_booked_is_left_open():
+    stage = opened("embers", **SMALL)
+    model = stage.scene.model
+    stage.post(Action("match"))
+    stage.run(60)
+    given = model.air.of_match
+    assert given > 0.0 and abs(model.books()["open"]) < 1e-9 * model.books()["made"]
+    model.air.flows[0] = 0.0
+    assert model.books()["open"] == pytest.approx(-given, rel=1e-6)

@@ -39,7 +39,7 @@ def read(stage: Stage) -> dict[str, float]:
 
 
 def ball(stage: Stage, number: int = 0) -> np.ndarray:
-    row: np.ndarray = stage.scene.model.riders.balls.rows[number]
+    row: np.ndarray = stage.scene.model.tracks.riders.balls.rows[number]
     return row
 
 
@@ -73,7 +73,7 @@ def test_two_of_a_cradle_leave_together() -> None:
     fastest = np.zeros(5)
     for _ in range(110):
         stage.run(1)
-        speeds = stage.scene.model.riders.balls.rows[:, VX]
+        speeds = stage.scene.model.tracks.riders.balls.rows[:, VX]
         if speeds[4] > 0.0:
             fastest = np.maximum(fastest, speeds)
     assert fastest[3] == pytest.approx(fastest[4], rel=0.05)
@@ -106,7 +106,7 @@ def test_what_a_ball_has_goes_over_unchanged() -> None:
         before = ball(stage).copy()
     assert read(stage)["loose"] == 1 and read(stage)["riding"] == 0
     after = ball(stage)
-    body = int(model.table[0, 0])
+    body = int(model.balls.table.body[0])
     assert after[SPIN] == pytest.approx(before[SPIN], rel=0.05) and after[SPIN] < -10.0
     assert model.world.bodies.spins[body] == after[SPIN]
     assert model.world.bodies.velocities[body].tolist() == after[[VX, VY]].tolist()
@@ -229,7 +229,7 @@ def test_a_bent_track_leads_elsewhere_and_throws_nothing() -> None:
         stage.post(Pointer("move", x, y - 0.12 + (k + 1) * 10.0 / 120.0, 1))
         stage.run(1)
         fastest = max(fastest, float(np.hypot(*ball(stage)[[VX, VY]])))
-    assert stage.scene.model.riders.curves[0].points[1][1] > 3.2
+    assert stage.scene.model.tracks.riders.curves[0].points[1][1] > 3.2
     assert fastest < 20.0
 
 
@@ -245,7 +245,7 @@ def test_a_track_of_ones_own_carries_a_ball() -> None:
     stage.post(Action("delete"))
     drag(stage, (2.0, 1.4), (2.0, 1.4))
     stage.run(40)
-    assert read(stage)["riding"] == 0 and len(stage.scene.model.riders.curves) == 0
+    assert read(stage)["riding"] == 0 and len(stage.scene.model.tracks.riders.curves) == 0
 
 
 @pytest.mark.parametrize("y", [0.1, 5.0])
@@ -264,7 +264,7 @@ def test_balls_are_made_sized_and_taken_away(y: float) -> None:
     assert ball(stage)[RADIUS] == pytest.approx(0.3)
     assert ball(stage)[MASS] == pytest.approx(7.8 * math.pi * 0.09)
     if y < 1.0:
-        body = int(stage.scene.model.table[0, 0])
+        body = int(stage.scene.model.balls.table.body[0])
         assert 1.0 / stage.scene.model.world.bodies.inverse_masses[body] == pytest.approx(ball(stage)[MASS])
     stage.post(Pointer("down", 0.5, y, 3))
     stage.run(1)
@@ -332,13 +332,13 @@ def test_a_step_back_brings_tracks_and_balls_back() -> None:
     stage.post(SetParameter("tool", "ball"))
     drag(stage, (0.3, 4.0), (0.3, 4.0))
     stage.run(5)
-    assert len(stage.scene.model.riders.curves) == 2 and read(stage)["balls"] == 2
+    assert len(stage.scene.model.tracks.riders.curves) == 2 and read(stage)["balls"] == 2
     for _ in range(9):
         assert stage.step_back()
-    assert len(stage.scene.model.riders.curves) == 2 and read(stage)["balls"] == 1
+    assert len(stage.scene.model.tracks.riders.curves) == 2 and read(stage)["balls"] == 1
     while stage.step_number > 19:
         assert stage.step_back()
-    assert len(stage.scene.model.riders.curves) == 1 and read(stage)["balls"] == 1
+    assert len(stage.scene.model.tracks.riders.curves) == 1 and read(stage)["balls"] == 1
 
 
 def test_what_a_hand_has_changed_is_saved() -> None:
@@ -350,7 +350,7 @@ def test_what_a_hand_has_changed_is_saved() -> None:
     level = Level(scene="a22", title="mine", content=stage.scene.save_content())
     again = Stage(MetalBalls, level=parse_level(format_level(level), "a22", MetalContent))
     assert read(again)["balls"] == read(stage)["balls"]
-    assert len(again.scene.model.riders.curves) == len(stage.scene.model.riders.curves)
+    assert len(again.scene.model.tracks.riders.curves) == len(stage.scene.model.tracks.riders.curves)
     assert again.scene.story_targets()["big"] == pytest.approx((16.2, 8.8))
     for _ in range(7):
         again.post(Action("next"))

@@ -10,6 +10,7 @@ import pytest
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.lab.studies.gases.whirl import whirl_after
 from game.levels import level_files, load_level
+from game.physics.combustion.burning import RADIATED, RELEASED
 from game.scenes.smoke.books import heat_page, momentum_page
 from game.scenes.smoke.level import SmokeContent
 from game.scenes.smoke.model import FUEL, OXYGEN, SMOKE, WARM
@@ -187,3 +188,29 @@ def test_books_are_drawn_only_where_there_are_any():
     stage.post(SetParameter("books", False))
     stage.run(1)
     assert math.isnan(measured(stage, "momentum left open"))
+
+
+@pytest.mark.parametrize("flux", [False, True])
+@pytest.mark.parametrize(("row", "part"), [(RADIATED, 0.5), (RELEASED, 0.9), (RELEASED, 1.1)])
+def test_what_is_wrongly_booked_of_a_fire_is_left_open(flux, row, part):
+    """Each row is measured by itself, so that none takes up what is missing in another one."""
+    stage = opened("bonfire", **SMALL, books=True, flux=flux)
+    stage.run(40)
+    model = stage.scene.model
+    page = heat_page(model)
+    assert page.left < 1e-6 * page.rows[0][1][0]
+    wrong = (1.0 - part) * float(model.flames.sums[row]) * (model.cell * model.cell) / stage.dt
+    model.flames.sums[row] *= part
+    assert heat_page(model).left == pytest.approx(abs(wrong), rel=1e-4) and abs(wrong) > 1.0
+
+
+def test_what_the_hand_and_discs_do_to_the_heat_is_booked():
+    stage = opened("bonfire", **SMALL, books=True)
+    stage.run(5)
+    model = stage.scene.model
+    model.add_solid((0.1, 0.6), 0.1)
+    stage.run(3)
+    model.scalars[3:6, 3:6, WARM] += 200.0
+    stage.run(1)
+    assert heat_page(model).left < 1e-6 * heat_page(model).rows[0][1][0]
+    assert heat_page(model).rows[0][1][0] > 9.0 * 200.0 * 1212.0 * model.cell**2 / stage.dt

@@ -11,12 +11,13 @@ from game.levels import parse_level
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import FREE, PIECE, RADIUS, SHARE, SPEED, SPIN, VX, VY, X, Y
 from game.scenes.tracks import hand as tracks_hand
-from game.scenes.tracks.hand import FARTHEST, NEAR, SHARES, TrackHand
+from game.scenes.tracks.hand import FARTHEST, SHARES, TOOLS
 from game.scenes.tracks.level import TrackContent
-from game.scenes.tracks.model import COLOURS
 from game.scenes.tracks.scene import Tracks
+from game.scenes.tracks.world import COLOURS
 from game.stage import Pointer
 from game.worlds.hands.curves import NOBODY, bent, drawn, nearest_curve
+from game.worlds.hands.hand import Hand
 
 WORDS = """scene = "tracks"
 [content]
@@ -27,43 +28,53 @@ balls = [
     { position = [1.0, 4.0], radius = 0.1, seated = false },
 ]
 """
-REACH = NEAR * 5.0
+REACH = TOOLS.near * 5.0
 
 
 @pytest.fixture
-def hand() -> TrackHand:
+def hand() -> Hand:
     scene = Tracks(parse_level(WORDS, "tracks", TrackContent))
     return scene.hand
 
 
-def press(hand: TrackHand, x: float, y: float, tool: str | None = None) -> str:
+def ball_at(hand, point):
+    hand.before, hand.point = point, None
+    return TOOLS.ball_at(hand)
+
+
+def track_at(hand, point):
+    hand.before, hand.point = point, None
+    return TOOLS.track_at(hand)
+
+
+def press(hand: Hand, x: float, y: float, tool: str | None = None) -> str:
     if tool is not None:
         hand.parameters.tool = tool
     return hand.take(Pointer("down", x, y, button=1))
 
 
-def move(hand: TrackHand, x: float, y: float) -> str:
+def move(hand: Hand, x: float, y: float) -> str:
     return hand.take(Pointer("move", x, y, button=1))
 
 
-def release(hand: TrackHand, x: float, y: float) -> str:
+def release(hand: Hand, x: float, y: float) -> str:
     return hand.take(Pointer("up", x, y, button=1))
 
 
 def test_its_reach_is_a_share_of_the_height_in_view(hand):
-    assert hand.reach == pytest.approx(0.15)
+    assert TOOLS.reach(hand) == pytest.approx(0.15)
 
 
 def test_the_nearest_ball_by_its_rim_is_meant_within_reach(hand):
-    assert hand.ball_at((-1.0, 4.0)) == 0
-    assert hand.ball_at((-1.0, 4.0 + 0.2 + REACH - 1e-6)) == 0
-    assert hand.ball_at((-1.0, 4.0 + 0.2 + REACH + 1e-6)) == NOBODY
-    assert hand.ball_at((1.0 + 0.1 + REACH - 1e-6, 4.0)) == 1
-    hand.model.hold(1, (-0.7, 4.0))
-    assert hand.ball_at((-0.8, 4.0)) == 0 and hand.ball_at((-0.76, 4.0)) == 1  # by rims, not by centres
+    assert ball_at(hand, (-1.0, 4.0)) == 0
+    assert ball_at(hand, (-1.0, 4.0 + 0.2 + REACH - 1e-6)) == 0
+    assert ball_at(hand, (-1.0, 4.0 + 0.2 + REACH + 1e-6)) == NOBODY
+    assert ball_at(hand, (1.0 + 0.1 + REACH - 1e-6, 4.0)) == 1
+    hand.model.tracks.hold(1, (-0.7, 4.0))
+    assert ball_at(hand, (-0.8, 4.0)) == 0 and ball_at(hand, (-0.76, 4.0)) == 1  # by rims, not by centres
     for _ in range(2):
         hand.model.remove(0)
-    assert hand.ball_at((0.0, 0.0)) == NOBODY
+    assert ball_at(hand, (0.0, 0.0)) == NOBODY
 
 
 def test_the_nearest_track_is_meant_within_twice_the_reach(hand):
@@ -71,23 +82,23 @@ def test_the_nearest_track_is_meant_within_twice_the_reach(hand):
         (0.0, 1.0 + 2.0 * REACH - 1e-6, 0), (0.0, 1.0 + 2.0 * REACH + 1e-6, NOBODY),
         (2.0 + 2.0 * REACH - 1e-6, 3.0, 1), (2.0 + 2.0 * REACH + 1e-6, 3.0, NOBODY),
     ):  # fmt: skip
-        assert hand.track_at((x, y)) == found
+        assert track_at(hand, (x, y)) == found
 
 
 def test_a_held_ball_follows_at_rest_and_is_put_down(hand):
-    row = hand.model.world.balls.rows[0]
+    row = hand.model.tracks.riders.balls.rows[0]
     row[VX], row[VY], row[SPIN], row[SPEED] = 1.0, 2.0, 3.0, 4.0
     assert press(hand, -1.1, 4.1, "hand") == "" and hand.held == 0
     assert row[[X, Y, VX, VY, SPIN, SPEED]].tolist() == [-1.1, 4.1, 0.0, 0.0, 0.0, 0.0]
     row[VX] = 5.0
     move(hand, 0.5, 3.5)
     assert row[[X, Y, VX]].tolist() == [0.5, 3.5, 0.0]
-    assert hand.model.world.balls.pieces[0, PIECE] == FREE
+    assert hand.model.tracks.riders.balls.pieces[0, PIECE] == FREE
     put = []
-    hand.model.world.put_down = lambda ball, reach: put.append((ball, reach))
+    hand.model.tracks.riders.put_down = lambda ball, reach: put.append((ball, reach))
     release(hand, 0.5, 3.5)
     assert put == [(0, pytest.approx(0.5 * REACH))] and hand.held == NOBODY and hand.point is None
-    assert hand.model.energies[0] == pytest.approx(hand.model.world.energies()[0].sum())
+    assert hand.model.balls.energies[0] == pytest.approx(hand.model.tracks.riders.energies()[0].sum())
     press(hand, 0.0, 2.0)
     assert hand.held == NOBODY
     move(hand, 1.0, 2.0)
@@ -108,35 +119,35 @@ def test_places_beyond_the_world_are_at_its_end(hand):
     move(hand, 1e9, -1e9)
     assert hand.point == (FARTHEST, -FARTHEST)
     move(hand, -1e9, 1e9)
-    assert hand.model.world.balls.rows[0, [X, Y]].tolist() == [-FARTHEST, FARTHEST]
+    assert hand.model.tracks.riders.balls.rows[0, [X, Y]].tolist() == [-FARTHEST, FARTHEST]
 
 
 @pytest.mark.parametrize("form", list(SHARES))
 def test_a_new_ball_is_as_chosen_coloured_by_turns_and_in_the_hand(hand, form):
     hand.parameters.form, hand.parameters.radius = form, 0.25
     assert press(hand, 0.0, 2.0, "ball") == "" and hand.held == 2
-    row = hand.model.world.balls.rows[2]
+    row = hand.model.tracks.riders.balls.rows[2]
     assert row[[X, Y, RADIUS]].tolist() == [0.0, 2.0, 0.25] and row[SHARE] == SHARES[form]
-    assert hand.model.tints.tolist()[2] == 2
+    assert hand.model.balls.tints.tolist()[2] == 2
     assert {"disc": 0.5, "sphere": 0.4, "ring": 1.0}[form] == row[SHARE]
     release(hand, 0.0, 2.0)
     for k in range(3, 8):
         press(hand, 0.3 * k - 2.0, 2.0)
         release(hand, 0.3 * k - 2.0, 2.0)
-        assert hand.model.tints[k] == k % (len(COLOURS) - 1)
+        assert hand.model.balls.tints[k] == k % (len(COLOURS) - 1)
 
 
 def test_there_is_room_for_so_many_balls_and_tracks(hand, monkeypatch):
     monkeypatch.setattr(tracks_hand, "MOST_BALLS", 3)
-    monkeypatch.setattr(tracks_hand, "MOST_TRACKS", 3)
+    monkeypatch.setattr(TOOLS, "most_tracks", 3)
     assert press(hand, 0.0, 2.0, "ball") == ""
     release(hand, 0.0, 2.0)
-    assert press(hand, 0.5, 2.0) == "There is room for 3 balls." and len(hand.model.energies) == 3
+    assert press(hand, 0.5, 2.0) == "There is room for 3 balls." and len(hand.model.balls.energies) == 3
     for y, words in ((4.5, ""), (4.8, "There is room for 3 tracks.")):
         press(hand, -2.0, y, "draw")
         move(hand, 2.0, y)
         assert release(hand, 2.0, y) == words
-        assert len(hand.model.world.curves) == 3 and hand.path == []
+        assert len(hand.model.tracks.riders.curves) == 3 and hand.path == []
 
 
 def test_a_path_takes_a_point_each_tenth_of_the_reach(hand):
@@ -146,31 +157,31 @@ def test_a_path_takes_a_point_each_tenth_of_the_reach(hand):
     move(hand, 0.1 * REACH * 1.001, 2.0)
     assert len(hand.path) == 2
     hand.path[:] = [(0.0, 2.0)]
-    move(hand, 0.1 * hand.reach, 2.0)  # exactly a tenth is none yet
+    move(hand, 0.1 * TOOLS.reach(hand), 2.0)  # exactly a tenth is none yet
     assert len(hand.path) == 1
     assert release(hand, 0.0, 2.0) == "Drag to draw a track."
-    assert len(hand.model.world.curves) == 2
+    assert len(hand.model.tracks.riders.curves) == 2
 
 
 def test_a_track_is_bent_by_the_way_of_the_hand(hand):
-    before = np.array(hand.model.world.curves[1].points)
+    before = np.array(hand.model.tracks.riders.curves[1].points)
     press(hand, 0.0, 3.1, "bend")
-    assert hand.bent == 1
+    assert hand.held == 1
     move(hand, 0.2, 3.5)
     expected = bent(Curve(before), (0.0, 3.1), (0.2, 3.5), hand.parameters.bending)
-    assert np.asarray(hand.model.world.curves[1].points) == pytest.approx(np.asarray(expected.points))
+    assert np.asarray(hand.model.tracks.riders.curves[1].points) == pytest.approx(np.asarray(expected.points))
     press(hand, 0.0, 2.0)
-    assert hand.bent == NOBODY and move(hand, 1.0, 2.0) == ""
+    assert hand.held == NOBODY and move(hand, 1.0, 2.0) == ""
 
 
 def test_a_ball_goes_before_a_track_and_what_is_hit_by_neither_stays(hand):
-    hand.model.hold(0, (0.0, 3.1))
+    hand.model.tracks.hold(0, (0.0, 3.1))
     assert press(hand, 0.0, 3.0, "delete") == "" and hand.point is None
-    assert len(hand.model.energies) == 1 and len(hand.model.world.curves) == 2
+    assert len(hand.model.balls.energies) == 1 and len(hand.model.tracks.riders.curves) == 2
     press(hand, 0.0, 3.0)
-    assert [float(curve.points[0][1]) for curve in hand.model.world.curves] == [1.0]
+    assert [float(curve.points[0][1]) for curve in hand.model.tracks.riders.curves] == [1.0]
     press(hand, 0.0, 2.0)
-    assert len(hand.model.energies) == 1 and len(hand.model.world.curves) == 1
+    assert len(hand.model.balls.energies) == 1 and len(hand.model.tracks.riders.curves) == 1
 
 
 class TestCurves:

@@ -36,7 +36,7 @@ def test_the_number_of_chords_changes_nothing_about_the_loop(chords):
 
 def test_without_a_level_the_disc_rolls_through_the_loop():
     stage = Stage(Tracks)
-    balls = stage.scene.model.world.balls
+    balls = stage.scene.model.tracks.riders.balls
     places = []
     for _ in range(96):
         stage.run(4)
@@ -58,7 +58,7 @@ def test_the_speed_is_what_the_energy_says():
 
 def test_a_track_is_drawn_and_carries_a_ball():
     stage = open_level(Tracks, "bowl", tool="draw")
-    before = len(stage.scene.model.world.curves)
+    before = len(stage.scene.model.tracks.riders.curves)
     path = [(x, -0.2 - 0.05 * x) for x in np.linspace(-2.0, 2.0, 60)]
     press(stage, path[0])
     for point in path[1:]:
@@ -69,32 +69,32 @@ def test_a_track_is_drawn_and_carries_a_ball():
     release(stage, (-1.5, 0.4))
     stage.run(120)
     model = stage.scene.model
-    assert len(model.world.curves) == before + 1
-    assert model.world.track_of(1) == before
-    assert model.world.balls.rows[1, SPEED] != 0.0
+    assert len(model.tracks.riders.curves) == before + 1
+    assert model.tracks.riders.track_of(1) == before
+    assert model.tracks.riders.balls.rows[1, SPEED] != 0.0
 
 
 def test_a_drawing_that_is_cancelled_is_no_track():
     stage = open_level(Tracks, "bowl", tool="draw")
-    before = len(stage.scene.model.world.curves)
+    before = len(stage.scene.model.tracks.riders.curves)
     press(stage, (-2.0, -0.2))
     for x in np.linspace(-1.9, 2.0, 20):
         move(stage, (x, -0.2))
     stage.post(Pointer("cancel", 0.0, 0.0))
     release(stage, (2.0, -0.2))
-    assert len(stage.scene.model.world.curves) == before
+    assert len(stage.scene.model.tracks.riders.curves) == before
 
 
 def test_a_ball_in_the_hand_stays_there_and_then_falls():
     stage = open_level(Tracks, "bowl")
-    ball = stage.scene.model.world.balls.rows[0, [X, Y]].copy()
+    ball = stage.scene.model.tracks.riders.balls.rows[0, [X, Y]].copy()
     press(stage, ball)
     move(stage, (0.0, 1.0))
     stage.run(60)
-    assert stage.scene.model.world.balls.rows[0, [X, Y]] == pytest.approx([0.0, 1.0])
+    assert stage.scene.model.tracks.riders.balls.rows[0, [X, Y]] == pytest.approx([0.0, 1.0])
     release(stage, (0.0, 1.0))
     stage.run(10)
-    assert stage.scene.model.world.balls.rows[0, VY] < -0.5
+    assert stage.scene.model.tracks.riders.balls.rows[0, VY] < -0.5
 
 
 def test_a_bend_moves_the_track_under_the_ball():
@@ -106,19 +106,19 @@ def test_a_bend_moves_the_track_under_the_ball():
     release(stage, (0.8, 2.5))
     stage.run(5)
     model = stage.scene.model
-    assert model.world.balls.pieces[0, PIECE] != FREE
-    middle = np.asarray(model.world.curves[0].points)
+    assert model.tracks.riders.balls.pieces[0, PIECE] != FREE
+    middle = np.asarray(model.tracks.riders.curves[0].points)
     assert middle[np.abs(middle[:, 0] - 0.8).argmin(), 1] < 2.6
 
 
 def test_delete_takes_a_ball_then_its_track():
     stage = open_level(Tracks, "bowl", tool="delete")
-    place = stage.scene.model.world.balls.rows[0, [X, Y]].copy()
+    place = stage.scene.model.tracks.riders.balls.rows[0, [X, Y]].copy()
     for at in (place, (1.0, 1.0)):
         press(stage, at)
         release(stage, at)
         stage.run(1)
-    assert len(stage.scene.model.energies) == 0 and len(stage.scene.model.world.curves) == 0
+    assert len(stage.scene.model.balls.energies) == 0 and len(stage.scene.model.tracks.riders.curves) == 0
     assert stage.fault is None
 
 
@@ -128,9 +128,9 @@ def test_a_saved_level_holds_the_same_balls_and_tracks(name):
     stage.run(50)
     content = stage.scene.save_content()
     model = stage.scene.model
-    assert len(content.tracks) == len(model.world.curves)
+    assert len(content.tracks) == len(model.tracks.riders.curves)
     assert [ball.position for ball in content.balls] == [
-        tuple(row) for row in model.world.balls.rows[:, X : Y + 1]
+        tuple(row) for row in model.tracks.riders.balls.rows[:, X : Y + 1]
     ]
 
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from game.physics.kernels.jit import kernel
+from game.compiler.decorator import kernel
 from game.ui.raster.additions import _add_between_plainly, _add_four_plainly, add_between, add_four
 from game.ui.raster.glow import CELL, Bloom, add_lights, dither_grain, gather_glows, gather_lights, stamps_of
 from game.ui.raster.water import mirror_rows, wave_table

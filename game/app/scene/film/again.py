@@ -64,7 +64,7 @@ class FilmAgain:
         self._view.draw(self._surface)
         sounds = [QUIET]
         if self._ear is not None:
-            self._ear.follow(self.rerun.scene.hearing())
+            self._ear.follow(self.rerun.scene.hearing(), 1.0 / self.writer.rate)
             sounds = [self._track.take((self.pictures + 1) / self.writer.rate)]
         self.writer.add(self._surface, sounds)
         self.pictures += 1

@@ -40,7 +40,7 @@ class LiveFilm:
     def pass_time(self, elapsed_s: float, hearing: Hearing | None) -> None:
         """Let real time pass; ``hearing``: what is heard of the scene now."""
         if self._ear is not None:
-            self._ear.follow(hearing)
+            self._ear.follow(hearing, elapsed_s)
         most = self.pictures + MOST_OWED_S * self.writer.rate
         self._passed = min(self._passed + elapsed_s * self.writer.rate, most)
 

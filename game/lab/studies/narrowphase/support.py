@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels import elementwise
-from game.physics.kernels.lean import lean_kernel
 from game.physics.narrowphase import PolygonSet
 from game.physics.narrowphase.features import Polygon
 from game.physics.narrowphase.simplex import support_cold, support_hc, support_scan

@@ -10,6 +10,7 @@ Arrays as in `ik_chain`.
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.chain import (
     ANGLE,
     MEMORY,
@@ -20,7 +21,6 @@ from game.physics.animation.ik.chain import (
     place_points,
     turn_joints,
 )
-from game.physics.kernels.jit import kernel
 
 DECREASE = 1e-4  # c, the share of the promised decrease that is asked for
 HALVINGS = 40

@@ -11,6 +11,7 @@ Arrays as in `ik_chain`.
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.chain import (
     ANGLE,
     REACH_SQUARE,
@@ -21,7 +22,6 @@ from game.physics.animation.ik.chain import (
     place_points,
     turn_joints,
 )
-from game.physics.kernels.jit import kernel
 
 
 @kernel(inline="always")

@@ -8,9 +8,9 @@ Arrays as in `ik_chain`.
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.chain import ANGLE, LOWER, UPPER, place_points, turn_between
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)

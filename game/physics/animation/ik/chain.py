@@ -19,9 +19,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.animation.skeleton import Array, Skeleton, SkeletonError
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 FULL_TURN = 2.0 * math.pi
 

@@ -12,6 +12,7 @@ Arrays as in `ik_chain`.
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.chain import (
     ANGLE,
     DAMPING,
@@ -27,7 +28,6 @@ from game.physics.animation.ik.chain import (
     pull_joints,
     turn_joints,
 )
-from game.physics.kernels.jit import kernel
 
 FIRST, LEAST = 1e-3, 1e-12  # λ² over Σ r_i²
 LESS, MORE = 0.1, 10.0  # change of λ² after a turn that helped, and one that did not

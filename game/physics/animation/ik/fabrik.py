@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.ccd import relax_by_cycle
 from game.physics.animation.ik.chain import (
     ANGLE,
@@ -28,7 +29,6 @@ from game.physics.animation.ik.chain import (
     turn_between,
 )
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)

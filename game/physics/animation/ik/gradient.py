@@ -10,8 +10,8 @@ Arrays as in `ik_chain`.
 
 from __future__ import annotations
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.chain import ANGLE, REACH_SQUARE, STEP, place_points, turn_joints
-from game.physics.kernels.jit import kernel
 
 
 @kernel(inline="always")

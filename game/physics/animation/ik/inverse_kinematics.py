@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.chain import (
     ANGLE,
     DAMPING,
@@ -27,7 +28,6 @@ from game.physics.animation.ik.chain import (
 from game.physics.animation.ik.solver import ENDINGS, METHODS, solve_links
 from game.physics.animation.skeleton import LARGEST, Array, Skeleton, SkeletonError
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
 
 Point = Sequence[float] | Array  # (2,)
 CLOSE = 1e-6  # m, of the target

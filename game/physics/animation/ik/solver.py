@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import kernel
 from game.physics.animation.ik.armijo import relax_by_armijo
 from game.physics.animation.ik.buss import relax_by_buss
 from game.physics.animation.ik.ccd import relax_by_cycle
@@ -41,7 +42,6 @@ from game.physics.animation.ik.chain import (
 from game.physics.animation.ik.damped import relax_adaptively, relax_damped
 from game.physics.animation.ik.fabrik import relax_by_reaching
 from game.physics.animation.ik.gradient import relax_by_gradient
-from game.physics.kernels.jit import kernel
 
 METHODS = ("gradient", "buss", "armijo", "damped", "ccd", "fabrik", "damped-fixed")
 GRADIENT, BUSS, ARMIJO, DAMPED, CCD, FABRIK, DAMPED_FIXED = range(7)

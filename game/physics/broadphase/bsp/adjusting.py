@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.broadphase.bsp.nodes import (
     AXIS,
     BOX,
@@ -33,8 +34,6 @@ from game.physics.broadphase.bsp.nodes import (
     walk,
 )
 from game.physics.kernels import elementary
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 FULL_LEAF = 10  # references; a leaf with more is split
 FEW = 5  # references of two leaves that are merged

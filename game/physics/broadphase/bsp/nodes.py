@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel, kernel
 
 NOBODY = -1
 # Columns of a node. A leaf has AXIS = LEAF; a node that is not in use FREE, and the next free one in LEFT.

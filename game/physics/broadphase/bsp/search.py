@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.broadphase.bsp.nodes import (
     AXIS,
     BOX,
@@ -18,8 +19,6 @@ from game.physics.broadphase.bsp.nodes import (
     STAMP,
     TESTS,
 )
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 SORTED = 24  # boxes of a leaf from which on they are sorted by x before they are compared
 

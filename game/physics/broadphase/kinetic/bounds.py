@@ -17,8 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel, kernel
 
 NOBODY = -1
 RING = 256  # steps; a bound that would hold longer is looked at again then

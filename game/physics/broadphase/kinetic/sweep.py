@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, kernel
 from game.physics.broadphase.kinetic.bounds import (
     AXIS,
     HELD,
@@ -24,8 +25,6 @@ from game.physics.broadphase.kinetic.bounds import (
     strip_of,
 )
 from game.physics.broadphase.ordering import LOW_HALF
-from game.physics.kernels.jit import kernel
-from game.physics.kernels.lean import inner_kernel
 
 MOST_KEY = 1 << 62
 FROM, TO, LOW, HIGH = range(4)  # rows of the order's extents: along the axis, and across it

@@ -18,9 +18,9 @@ from typing import Any
 
 from numba.extending import overload
 
+from game.compiler.decorator import kernel
 from game.physics.kernels.elementary import angles, others, powers, turns
 from game.physics.kernels.elementary.linking import linked
-from game.physics.kernels.jit import kernel
 
 _sin = linked("sin", 1, turns.sin)
 _cos = linked("cos", 1, turns.cos)

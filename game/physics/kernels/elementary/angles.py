@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, linked_kernel
 from game.physics.kernels.elementary.constants import arc_tangents, pair, pi
 from game.physics.kernels.elementary.extended import quick_two_sum, root, two_product, two_sum
-from game.physics.kernels.lean import inner_kernel, linked_kernel
 
 SECTIONS = 64
 ARC_HIGH, ARC_LOW = arc_tangents(SECTIONS)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 
 SPLITTER = 2.0**27 + 1.0
 

@@ -18,7 +18,10 @@ from numba.core.compiler_lock import global_compiler_lock
 from numba.core.typing import signature
 from numba.extending import lower_builtin, type_callable
 
-from game.physics.kernels import jit_cache
+from game.compiler.tried import is_plain
+
+if not is_plain():
+    from game.compiler.target.kept import BEFORE_LOADING
 
 PREFIX = "carom_"
 _functions: dict[str, tuple[Any, int]] = {}  # by name: dispatcher, number of arguments
@@ -27,8 +30,8 @@ _known: set[str] = set()
 
 
 def linked(name: str, count: int, function: Callable[..., float]) -> Callable[..., float]:
-    """What kernels call for a linked kernel of ``count`` floats: a symbol; itself if nothing is compiled."""
-    if config.DISABLE_JIT:
+    """What kernels call for a linked kernel of ``count`` floats: a symbol, or itself if kernels are plain."""
+    if config.DISABLE_JIT or is_plain():
         return function
 
     def symbol(*_arguments: float) -> float:
@@ -88,4 +91,5 @@ def make_symbol_known(symbol: str) -> None:
         make_known(symbol.removeprefix(PREFIX))
 
 
-jit_cache.BEFORE_LOADING.append(make_symbol_known)
+if not is_plain():
+    BEFORE_LOADING.append(make_symbol_known)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import linked_kernel
 from game.physics.kernels.elementary.constants import ln, pair, pi, square_root
 from game.physics.kernels.elementary.extended import quick_two_sum, root, two_product, two_sum
 from game.physics.kernels.elementary.powers import exp_parts, log_parts, scaled
 from game.physics.kernels.elementary.words import from_bits
-from game.physics.kernels.lean import linked_kernel
 
 LN2_HIGH, LN2_LOW = pair(ln(2))
 ERF_HIGH, ERF_LOW = pair(2 / square_root(pi()))

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, linked_kernel
 from game.physics.kernels.elementary.constants import exp_table, ln, log_table, pair
 from game.physics.kernels.elementary.extended import quick_two_sum, two_product, two_sum
 from game.physics.kernels.elementary.words import bits_of, from_bits
-from game.physics.kernels.lean import inner_kernel, linked_kernel
 
 TABLE = 128  # entries of each table, a power of two
 PLACES = 7  # its logarithm

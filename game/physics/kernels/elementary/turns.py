@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel, linked_kernel
 from game.physics.kernels.elementary.constants import pair, parts, pi, two_over_pi
 from game.physics.kernels.elementary.extended import quick_two_sum, two_product, two_sum
 from game.physics.kernels.elementary.words import bits_of
-from game.physics.kernels.lean import inner_kernel, linked_kernel
 
 QUARTER = float(pi()) / 4.0
 HALF_HIGH, HALF_LOW = pair(pi() / 2)

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel
 
 Floats = NDArray[np.float64]
 NX, NY, OFFSET = range(3)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.narrowphase.depth.sums import NX, NY, OFFSET
 
 PARALLEL = 1e-14  # sine below which a line does not cross an edge

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 
 ALONG = 1e-9  # of the radii: closer centres have no direction
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import touch_points
 
 SQUARE = -0.998  # cosine of the angle between normals of faces that look at each other squarely

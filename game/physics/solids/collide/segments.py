@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.collide.discs import touch_points
 from game.physics.solids.collide.polygons import clip_faces, facing, keep_points, nearest_on_segments
 

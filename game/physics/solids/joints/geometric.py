@@ -9,7 +9,7 @@ real-time constrained multibody dynamics"). This takes energy from such swings, 
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.joints.layout import (
     IMPULSES,
     JIIA,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.solids.effects import JOINTS_BIT
 from game.physics.solids.joints.distance import write_distance
 from game.physics.solids.joints.layout import (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.joints.points import (
     apart_now,
     levers_now,

@@ -10,6 +10,7 @@ A batch's last lanes, where rows are too few, repeat its first row without masse
 
 from __future__ import annotations
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels.lanes import (
     LANES,
     all_of,
@@ -23,7 +24,6 @@ from game.physics.kernels.lanes import (
     store,
     store_quads,
 )
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.rows import CHILLED, FIRST, SECOND, SINGLE, SIZE
 from game.physics.solids.solvers.impulses import OPEN, TILT
 from game.physics.solids.state import (

@@ -13,7 +13,7 @@ stiffness takes time to grow, so what is dropped or loaded sinks first and comes
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.solids.joints.layout import (
     DRIVING,
     HERTZ,

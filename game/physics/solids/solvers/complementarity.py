@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import lean_kernel
 from game.physics.kernels import linear
-from game.physics.kernels.lean import lean_kernel
 from game.physics.kernels.limits import LimitError
 from game.physics.solids.joints.layout import (
     DRIVE,

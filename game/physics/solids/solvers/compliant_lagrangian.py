@@ -17,7 +17,7 @@ remembered.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.solids.joints.layout import IMPULSES, LINE, LINE_WIDTH, OFF, SUBSTEP
 from game.physics.solids.joints.lines import prepare_joints, write_lines
 from game.physics.solids.joints.points import line_weight

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.islands import root_of, unite
 from game.physics.solids.rows import FIRST, SECOND
 from game.physics.solids.solvers.motion import cosine_sine

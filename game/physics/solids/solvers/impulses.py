@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.state import (
     COUPLING,
     CROSS_A,

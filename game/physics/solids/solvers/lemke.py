@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import linear
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 
 Floats = NDArray[np.float64]
 TINY = 1e-11

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import ASLEEP, DA, DC, DS, DX, DY, DYNAMIC, USED, VX, VY, W
 
 SMALL_TURN = 0.1  # rad, up to which a short series gives cosine and sine to 1e-12

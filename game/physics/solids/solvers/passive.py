@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.islands import is_moving, root_of, unite
 from game.physics.solids.joints.layout import SUBSTEP
 from game.physics.solids.rows import RESTLESS

@@ -5,7 +5,7 @@ Their impulses are per square of the substep while they work: j moves a body by 
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.solvers.impulses import gap_now
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.state import (

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels.lanes import LANES, choose, load_quads, store
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.rows import FIRST, SECOND, SINGLE, SIZE
 from game.physics.solids.solvers.abreast import column, levers
 from game.physics.solids.state import (

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.solids.joints.layout import (
     DAMPING,
     DRIVING,

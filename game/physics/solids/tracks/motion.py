@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.solids.tracks.curves import AROUND, FROM, TO, TRACK
 from game.physics.solids.tracks.places import FAR, along, nearest_on, place_on, walk
 

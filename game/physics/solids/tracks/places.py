@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.tracks.curves import CX, CY, FROM, KIND, PHI, SWEEP, TO, VERTEX
 
 FAR = 1e300

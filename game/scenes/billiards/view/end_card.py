@@ -5,12 +5,14 @@ from __future__ import annotations
 import pygame
 
 from game.billiards.game.frame import BestStroke, Frame, trajectory_of
+from game.billiards.game.games import Ghost
 from game.billiards.game.rules import ShotSummary, listed
 from game.billiards.game.tally import Tally, balls_between
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.table import Table
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, Play
+from game.scenes.billiards.view.beside.record import rating_words
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.view import draw_balls, draw_table, frame_of
 from game.ui.canvas.camera import Camera
@@ -23,6 +25,7 @@ WIDTH, HEIGHT = 700.0, 264.0  # design px
 TABLE_WIDTH, TABLE_HEIGHT = 330.0, 184.0  # of the picture of the best stroke
 REST_S = 1.2  # s that the balls rest at its end before it begins again
 HEADS = ("Potting rate", "Longest run", "Fouls")
+IN_MATCH = "All racks: rate"
 
 BOX = layout.Box(
     0.5 * (layout.TABLE.top + layout.TABLE.bottom - layout.metres(HEIGHT)),
@@ -48,12 +51,12 @@ def words_of(summary: ShotSummary) -> str:
     """What a stroke that scored did, in a line."""
     balls = summary.balls_down
     words = f"{listed(balls)} down".replace(" or ", " and ")
-    fallen = max(summary.pocketed, key=lambda one: (balls_between(one), one.cushions))
+    fallen = max(summary.pocketed, key=lambda one: (balls_between(one), one.rails))
     if balls_between(fallen):
         between = tuple(ball for ball in fallen.chain if ball not in (0, fallen.ball))
         words += f", by way of {listed(between)}".replace(" or ", " and ")
-    if fallen.cushions:
-        words += f", off {fallen.cushions} cushion{'s' * (fallen.cushions != 1)}"
+    if fallen.rails:
+        words += f", off {fallen.rails} cushion{'s' * (fallen.rails != 1)}"
     return words[0].upper() + words[1:]
 
 
@@ -128,7 +131,13 @@ def _draw_figures(surface: pygame.Surface, look: Look, frame: Frame, x: float, y
     for column, name in zip(columns, frame.game.players, strict=True):
         name = look.fonts.fit(name, 13, "semibold", round(0.34 * space))
         look.text(surface, name, (column, y), 13, "semibold", "text1", "right")
-    rows = zip(HEADS, *(figures_of(tally) for tally in frame.tallies), strict=True)
+    rows = [(HEADS[k], *(figures_of(tally)[k] for tally in frame.rack_tallies)) for k in range(len(HEADS))]
+    if isinstance(frame.game, Ghost):
+        won, lost = frame.game.won
+        if frame.game.set_over:
+            rows.append(("Rating", rating_words(won, lost), ""))
+    elif frame.tallies != frame.rack_tallies:
+        rows.append((IN_MATCH, *(figures_of(tally)[0] for tally in frame.tallies)))
     for row, (head, *figures) in enumerate(rows, start=1):
         height = y + px(28) * row
         look.text(surface, head, (x, height), 13, "medium", "text2")

@@ -79,7 +79,7 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> No
         below = (bar.centerx, bar.bottom + look.px(2 + 15 * row))
         look.text(surface, words, below, 12, "medium", "text2", "center")
     x, y = canvas.camera.to_screen(*layout.SPIN)
-    look.text(surface, "Spin", (x, y - look.px(44)), 13, "medium", "text2", "center")
+    look.text(surface, "Spin, mm", (x, y - look.px(44)), 13, "medium", "text2", "center")
     draw_spin(surface, (x, y), -stroke.tip_left, stroke.tip_up, theme, book)
     radius = float(frame.layout.balls.radii[CUE_BALL])
     _draw_offsets(look, surface, (x, y + look.px(46)), stroke.tip_left, stroke.tip_up, radius)
@@ -96,7 +96,7 @@ def _draw_offsets(
     """Where the tip strikes, mm from the middle of the ball. left, up: in ball radii; radius m."""
     lines = (("top" if up >= 0.0 else "draw", abs(up)), ("left" if left >= 0.0 else "right", abs(left)))
     for row, (word, value) in enumerate(lines):
-        text = f"{word} {1000.0 * value * radius:.1f} mm"
+        text = f"{word} {1000.0 * value * radius:.1f}"
         look.text(surface, text, (at[0], at[1] + look.px(18 * row)), 12, "medium", "text2", "center")
 
 

@@ -8,7 +8,8 @@ from typing import NamedTuple
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill, RunDrill
 from game.billiards.game.goals import described
-from game.billiards.game.rules import Call, Game, contact_fouls, listed
+from game.billiards.game.rules import CUE_BALL, Call, Game, contact_fouls, listed
+from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, ROLLING, STRIKING, Play
 from game.scenes.billiards.stroke.calling import call_for
@@ -21,15 +22,15 @@ def aim_words(azimuth: float) -> str:
     return f"{-degrees if degrees else 0.0:.2f}°".replace("-", "\u2212")
 
 
-def stroke_words(stroke: Stroke) -> tuple[str, ...]:
+def stroke_words(stroke: Stroke, radius: float = BALL_RADIUS) -> tuple[str, ...]:
     """How a stroke is set, in lines: power, and where the tip strikes; aim, and how far the cue is raised.
 
-    Nothing is left out that the instruments show as other than 0.
+    Nothing is left out that the instruments show as other than 0. radius of the cue ball, m.
     """
     offsets = [
-        f"{abs(value):.2f} R {more if value > 0.0 else less}"
+        f"{1000.0 * abs(value) * radius:.1f} mm {more if value > 0.0 else less}"
         for value, more, less in ((stroke.tip_up, "above", "below"), (stroke.tip_left, "left", "right"))
-        if abs(value) >= 0.005
+        if 1000.0 * abs(value) * radius >= 0.05
     ]
     power = f"{power_of(stroke.cue_speed):.1f} m/s, {' and '.join(offsets) or 'in the middle'}"
     degrees = math.degrees(stroke.elevation)
@@ -67,7 +68,7 @@ def line_of(play: Play, hint: Stroke | None) -> Line:
     if play.phase in (STRIKING, ROLLING):
         return Line(_announced(play))
     if hint is not None and play.phase == AIMING:
-        return Line(f"Hint: {', '.join(stroke_words(hint))}.")
+        return Line(f"Hint: {', '.join(stroke_words(hint, float(frame.layout.balls.radii[CUE_BALL])))}.")
     if frame.words:
         lead, *rest = frame.words if len(game.players) == 1 else (frame.words[-1], *frame.words[:-1])
         return Line(lead, " ".join((*_call_due(play), *rest)), frame.foul)

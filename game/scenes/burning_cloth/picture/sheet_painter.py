@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.cloth.layout import CHAR, FUEL, HOT, PATCH_ROWS, SALT, WATER
-from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.ui.raster.pixels import OPAQUE, blend
 
 # columns of vertices: px, px, red, green, blue (0 to 255), share of the cloth that is left

@@ -56,7 +56,7 @@ def standing_of(course: Course, thinker: Thinker, title: str) -> Standing:
     return Standing(
         name if two or not game.drill else "Practice", under, cards,
         f"{game.won[0]} : {game.won[1]}" if two else "",
-        (f"frames, best of {game.best_of}" if game.best_of else "frames") if two else "",
+        (f"best of {game.best_of}" if game.best_of else "frames") if two else "",
         chip, on, "" if game.over else f"{game.points_left} left",
     )  # fmt: skip
 

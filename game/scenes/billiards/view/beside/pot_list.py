@@ -49,6 +49,6 @@ def row_of(pot: Pot, lit: bool, faint: bool) -> Row:
     off = f", {pot.cushions} cushion{'s' * (pot.cushions != 1)}" if pot.cushions else ""
     return Row(
         f"{round(100.0 * pot.chance)} %", f"{pot.ball}, {layout.POCKETS[pot.pocket]}{by}{off}",
-        f"{power_of(pot.stroke.cue_speed):.1f} m/s, {tip_words(pot.stroke)}", lit=lit, faint=faint,
-        share=pot.chance,
+        f"{power_of(pot.stroke.cue_speed):.1f} m/s, {tip_words(pot.stroke, brief=True)}",
+        lit=lit, faint=faint, share=pot.chance,
     )  # fmt: skip

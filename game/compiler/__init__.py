@@ -1,0 +1,1 @@
+"""The compiler of kernels: the decorator, its cache on disk, and code that came prebuilt."""

@@ -1,0 +1,235 @@
+"""Code of inner kernels is optimised once, where it is used, and never made into machine code of its own.
+
+numba finishes each function by itself: it links in all that the function calls, optimises the whole, and
+makes machine code of it. An inner kernel five calls deep is optimised five times so, and its own machine code
+is never run. Here it stays as it was lowered; the kernel that Python calls links in all that it needs, from
+whatever depth, and is optimised with it once. A fifth of the time of compiling goes away.
+
+Each function's name in the code is its own in all processes (see contexts.py), so what two kept kernels hold
+under one name is the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import llvmlite.binding as llvm
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import Compiler, CompileResult
+from numba.core.environment import lookup_environment
+from numba.core.typed_passes import NativeLowering
+
+from game.compiler.target.short_lowering import ShortLowering
+
+_ENVIRONMENT = "_ZN08NumbaEnv"  # how the name of a function's environment begins, numba's table of constants
+_CIRCLE = ".numba.unresolved$"  # and that of a function that is called before it is there
+
+
+class KernelLibrary(JITCodeLibrary):
+    """Code of a kernel that Python may call."""
+
+    counts_references = True
+
+    def _optimize_functions(self, ll_module: Any) -> None:
+        # numba runs all passes on each function by itself as well, with a manager made anew for each, also
+        # for those that are declared only; the passes on the whole do all of that again
+        ll_module.data_layout = self._codegen._data_layout
+
+    def finalize(self) -> None:
+        """Link, optimise, make machine code."""
+        linked = _with_all_inner(self._linking_libraries)  # type: ignore[has-type]
+        self._linking_libraries = [_Own(one) if isinstance(one, InnerLibrary) else one for one in linked]
+        super().finalize()
+        for environment in environments_of(self._final_module):
+            self._codegen.set_env(environment.env_name, environment)
+
+    def _optimize_final_module(self) -> None:
+        # numba runs a cheaper set of passes before, so that counts of references meet and cancel each other
+        if self.counts_references:
+            super()._optimize_final_module()
+            return
+        manager, builder = self._codegen._module_pass_manager()
+        manager.run(self._final_module, builder)
+
+
+class InnerLibrary(KernelLibrary):
+    """Code of an inner kernel: for others to link in."""
+
+    @property
+    def codegen(self) -> Any:
+        """numba's, which is not asked for addresses of what has none."""
+        return _NoAddresses(self._codegen)
+
+    def finalize(self) -> None:
+        """Nothing more is added. Variables leave the memory, and what nobody uses goes."""
+        self._raise_if_finalized()
+        manager, builder = _tidying(self._codegen)
+        manager.run(self._final_module, builder)
+        if any(one.name.startswith(_CIRCLE) for one in self._final_module.global_variables):
+            raise NotImplementedError("inner kernels that call each other in a circle: use lean_kernel")
+        self._finalize_dynamic_globals()
+        self._finalized = True
+
+    def get_pointer_to_function(self, name: str) -> int:
+        """None: there is no machine code."""
+        return 0
+
+    def whole(self) -> Any:
+        """This code with all that it calls."""
+        whole = self._final_module.clone()
+        for library in _with_all_inner(self._linking_libraries):
+            one = _Own(library) if isinstance(library, InnerLibrary) else library
+            whole.link_in(one._get_module_for_linking(), preserve=True)
+        return whole
+
+    def own(self) -> Any:
+        """This code alone, to be linked where what it calls is linked as well."""
+        return super()._get_module_for_linking()
+
+    def _get_module_for_linking(self) -> Any:
+        # asked for by numba's own libraries, as those of a test, which look no deeper
+        module = self.whole()
+        for function in module.functions:
+            if not function.is_declaration and function.linkage == llvm.Linkage.external:
+                function.linkage = "linkonce_odr"
+        return module
+
+    @classmethod
+    def from_bitcode(cls, codegen: Any, bitcode: bytes) -> InnerLibrary:
+        """As it was when it was kept."""
+        library = cls(codegen, "inner")
+        library._final_module = llvm.parse_bitcode(bitcode)
+        library.finalize()
+        return library
+
+
+@cache
+def _tidying(codegen: Any) -> tuple[Any, Any]:
+    """Passes that take variables out of memory, and then drop what is not used any more.
+
+    The latter are, above all, the addresses of the kernels that are called, which numba mentions beside each
+    call and which are other ones in the next process: code that uses one cannot be kept.
+    """
+    manager = llvm.create_new_module_pass_manager()
+    manager.add_sroa_pass()
+    manager.add_simplify_cfg_pass()
+    manager.add_dead_code_elimination_pass()
+    manager.add_global_dead_code_eliminate_pass()
+    return manager, codegen._pass_builder(opt=0)
+
+
+class _Own:
+    """An inner library that hands over its own code only."""
+
+    def __init__(self, library: InnerLibrary):
+        self._reload_init = library._reload_init
+        self._get_module_for_linking = library.own
+
+
+class _NoAddresses:
+    """numba's code generator, for code that is nowhere in memory."""
+
+    def __init__(self, codegen: Any):
+        self._codegen = codegen
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._codegen, name)
+
+    def set_env(self, _name: str, _environment: Any) -> None:
+        """There is nothing to point at it; whoever links the code in does."""
+
+
+def _with_all_inner(libraries: Iterable[Any]) -> list[Any]:
+    """These and what inner ones of them call, each once, whoever is called after who calls it."""
+    found: dict[int, Any] = {}
+    waiting = list(libraries)[::-1]
+    while waiting:
+        library = waiting.pop()
+        if id(library) not in found:
+            found[id(library)] = library
+            if isinstance(library, InnerLibrary):
+                waiting.extend(library._linking_libraries[::-1])
+    return list(found.values())
+
+
+class OuterCompiler(Compiler):
+    """numba's compiler, into a library of this module."""
+
+    library_class: type[KernelLibrary] = KernelLibrary
+
+    def __init__(
+        self, typing: Any, target: Any, library: Any, arguments: Any, returned: Any, flags: Any, local: Any
+    ):
+        if library is None:
+            library = self.library_class(target.codegen(), "kernel")
+            library.counts_references = bool(flags.nrt)
+            library.enable_object_caching()
+        super().__init__(typing, target, library, arguments, returned, flags, local)
+
+    def define_pipelines(self) -> list[Any]:
+        """numba's steps, with the last one of this package."""
+        found: list[Any] = super().define_pipelines()
+        for pipeline in found:
+            pipeline.passes = [
+                (ShortLowering if step is NativeLowering else step, said) for step, said in pipeline.passes
+            ]
+            pipeline.finalize()
+        return found
+
+
+class InnerCompiler(OuterCompiler):
+    """The same for an inner kernel."""
+
+    library_class = InnerLibrary
+
+
+def environments_of(module: Any) -> list[Any]:
+    """Environments of the functions whose code is in a module."""
+    names = [one.name for one in module.global_variables if one.name.startswith(_ENVIRONMENT)]
+    return [found for found in map(lookup_environment, names) if found is not None]
+
+
+def symbols_of(module: Any) -> list[str]:
+    """Names of what the code in a module calls and does not hold."""
+    return sorted(function.name for function in module.functions if function.is_declaration)
+
+
+def kept_form(result: Any) -> tuple[list[str], tuple[Any, ...]]:
+    """Symbols that a compiled function calls, and what `rebuilt` makes it of; to be pickled."""
+    library = result.library
+    if not isinstance(library, InnerLibrary):
+        return symbols_of(library._get_module_for_linking()), tuple(result._reduce())
+    whole = library.whole()
+    result.fndesc.typemap = result.fndesc.calltypes = None  # large, and not to be pickled
+    environments = [one for one in environments_of(whole) if one.can_cache()]
+    parts = result.fndesc, result.environment, result.signature, result.reload_init, environments
+    return symbols_of(whole), (bytes(whole.as_bitcode()), *parts)
+
+
+def rebuilt(target: Any, parts: tuple[Any, ...]) -> Any:
+    """A compiled function from the second part of its `kept_form`; LLVM must know the symbols by now."""
+    if not isinstance(parts[0], bytes):
+        return CompileResult._rebuild(target, *parts)
+    bitcode, described, environment, signature, reload_init, environments = parts
+    for function in reload_init:
+        function()
+    library = InnerLibrary.from_bitcode(target.codegen(), bitcode)
+    return CompileResult(
+        typing_context=target.typing_context,
+        target_context=target,
+        entry_point=target.get_executable(library, described, environment),
+        typing_error=None,
+        type_annotation="",
+        signature=signature,
+        objectmode=False,
+        lifted=(),
+        fndesc=described,
+        library=library,
+        call_helper=None,
+        environment=environment,
+        metadata=None,
+        reload_init=reload_init,
+        referenced_envs=environments,
+    )
