@@ -21,6 +21,7 @@ FLOORS = (
         "folders",
         "files",
         "packed_text",
+        "naming",
         "arrays",
     ),  # where things lie and how they are read and written: for every floor
     *(

@@ -12,6 +12,7 @@ from numbers import Real
 from typing import Any, Generic, TypeVar, overload
 
 from game.definition import DefinitionError
+from game.naming import titled
 
 T = TypeVar("T")
 STEP_LENGTH = "step_length"  # a parameter of this name (s) is the length of a step
@@ -168,7 +169,7 @@ class Choice(Parameter[str]):
         for old, new in self.formerly.items():
             if old in options or new not in options:
                 raise ValueError(f"Choice: formerly {old!r}, now {new!r}: expected a name no longer in use")
-        self.labels = labels or tuple(option.replace("-", " ").capitalize() for option in options)
+        self.labels = labels or tuple(titled(option) for option in options)
         if len(self.labels) != len(options):
             raise ValueError("Choice: expected as many labels as options")
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)

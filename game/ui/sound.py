@@ -24,6 +24,7 @@ from game.stage import Hearing, Sound, Steady
 from game.ui.steady import RATE, Loops
 
 VOICES = 12  # most sounds that are mixed into one piece: the loudest
+WIND_S = 0.38  # s, a grain of the sound of wind
 CHANNELS = 16  # pieces that may sound at a time
 STEADY_CHANNELS = 8  # sounds that go on beside them
 LOWEST_PITCH = 0.35  # of slow motion
@@ -58,7 +59,7 @@ RAIL = (
 STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
 KINDS = (
     "tip", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
-    "steel", "rail", "roll",
+    "steel", "rail", "roll", "wind", "rustle",
 )  # fmt: skip
 
 
@@ -100,6 +101,10 @@ def sample_of(kind: str, layer: int) -> Floats:
         made = _tones(RAIL, 0.24, bright) + 0.1 * bright * _noise(0.24, 3000.0, 0.003, 8)
     elif kind == "roll":
         made = _rumble(bright)
+    elif kind == "wind":
+        made = _breath(bright)
+    elif kind == "rustle":
+        made = _rustle(bright)
     elif kind in ("mortar", "burst", "crackle"):
         made = _explosion(kind, bright)
     else:
@@ -146,6 +151,24 @@ def _rumble(bright: float) -> Floats:
     high = low - np.convolve(low, np.full(220, 1.0 / 220.0), "same")
     made: Floats = high * np.sin(math.pi * t) ** 2
     return made
+
+
+def _breath(bright: float) -> Floats:
+    """A grain of the sound of wind: noise that swells and fades, higher as it is faster; grains overlap."""
+    t = np.linspace(0.0, 1.0, int(WIND_S * RATE))
+    noise = _noise(WIND_S, 160.0 + 520.0 * bright, 1e3, 11) - 0.7 * _noise(WIND_S, 60.0, 1e3, 11)
+    made: Floats = noise * np.sin(math.pi * t[: len(noise)]) ** 2
+    return made
+
+
+def _rustle(bright: float) -> Floats:
+    """A dry leaf that is moved: a handful of ticks of high noise within a twentieth of a second."""
+    chance, made = np.random.default_rng(12), np.zeros(int(0.09 * RATE))
+    for _ in range(7):
+        tick = _noise(0.02, 3000.0 + 4000.0 * bright, 0.0025, int(chance.integers(1000)))
+        start = int(chance.random() * (len(made) - len(tick)))
+        made[start : start + len(tick)] += chance.uniform(0.3, 1.0) * tick
+    return made - np.convolve(made, np.full(24, 1.0 / 24.0), "same")
 
 
 def _explosion(kind: str, bright: float) -> Floats:

@@ -15,6 +15,7 @@ from game.worlds.entries.entry import LevelEntry
 
 SIZE, WEIGHT = 13, "semibold"
 FIRST, LINE = 14.0, 20.0  # design px down to the first line, and from line to line
+ROUNDING = 1e-9  # of a bound: what is measured and less is rounding
 HEADROOM, OF_A_LINE = 0.04, 0.045  # of the height in view, above captions and for each
 
 Number = Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)]
@@ -49,7 +50,8 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
             raise ValueError(f"expected[{i}].readout: no readout {entry.readout!r}; there are {known}")
         _, value, unit = measured[entry.readout]
         if entry.at_most:
-            bound, found_now = format_si(entry.value, unit), format_si(value, unit)
+            seen = value if abs(value) > ROUNDING * entry.value else 0.0  # no figures of rounding
+            bound, found_now = format_si(entry.value, unit), format_si(seen, unit)
             words = f"{entry.readout}: at most {bound}, measured {found_now}"
             found.append(Caption(words, abs(value) <= entry.value))
             continue

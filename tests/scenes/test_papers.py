@@ -6,11 +6,14 @@ import ast
 from importlib import import_module
 from pathlib import Path
 
+import numpy as np
 import pygame
 import pytest
 
 from game.levels import level_files
 from game.scenes import CATALOGUE
+from game.scenes.deformables.paper import mirrored_share
+from game.scenes.depth.figure import descent
 from game.scenes.papers import PAPERS, papers_of
 from game.scenes.solids.paper import slid
 from game.ui.canvas.pen import FIGURE, Pen
@@ -77,3 +80,13 @@ def test_a_block_that_slides_is_held_against_the_law():
     """Of first order: velocities are the law's, and places lag by half a step of them."""
     for steps in (60, 240):
         assert slid(steps) == pytest.approx(1.0 / steps, rel=1e-3)
+
+
+def test_a_third_of_the_cells_share_the_slot_of_their_mirror_image():
+    """Those whose two products end in as many zero bits: the sum of 1 / 4^k."""
+    assert mirrored_share() == pytest.approx(1.0 / 3.0, abs=0.02)
+
+
+def test_going_to_the_lower_neighbour_ends_in_the_valley_where_it_began():
+    valleys = np.array((3.0, 1.0, 2.0, 4.0, 2.5, 0.5, 0.8))
+    assert [descent(valleys, i) for i in range(7)] == [1, 1, 1, 1, 5, 5, 5]

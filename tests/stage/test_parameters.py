@@ -119,7 +119,7 @@ class TestOthers:
     def test_choice(self) -> None:
         assert Owner.method.check("explicit") == "explicit"
         assert Owner.method.parse(" explicit\n") == "explicit"
-        assert Owner.method.labels == ("Explicit", "Semi implicit")
+        assert Owner.method.labels == ("Explicit", "Semi-implicit")
         for value in ("Explicit", 1, None, ["explicit"], np.array(["explicit", "explicit"])):
             with pytest.raises(ParameterError, match="expected one of explicit, semi-implicit"):
                 Owner.method.check(value)

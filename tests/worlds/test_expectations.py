@@ -56,6 +56,8 @@ def test_words_and_whether_it_is_as_expected():
 
 def test_a_bound_is_told_with_what_is_measured():
     entries = [Expectation(readout="sinks", value=0.1, at_most=True)]
+    noise = captions_of(entries, [Readout("sinks", -8.38e-17, "m")])
+    assert noise[0] == ("sinks: at most 100 mm, measured 0 m", True)
     told = [captions_of(entries, [Readout("sinks", sinks, "m")])[0] for sinks in (0.05, 0.2, -0.2)]
     assert told[0] == ("sinks: at most 100 mm, measured 50.0 mm", True)
     assert [caption.met for caption in told] == [True, False, False]

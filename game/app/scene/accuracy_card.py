@@ -54,10 +54,9 @@ class AccuracyCard(PageScreen):
         _tables[study.name], _latest[:] = self.run.table, [self.run]
 
     def _data(self) -> AccuracyData:
-        study, level = self.run.study, self._stage.level
-        title = ", ".join(part for part in (study.title, level.title if level is not None else "") if part)
+        study = self.run.study
         names = tuple(one.short or one.title for one in self._studies) if len(self._studies) > 1 else ()
-        return accuracy_data(self.run, title)._replace(studies=names, study=self._studies.index(study))
+        return accuracy_data(self.run, study.title)._replace(studies=names, study=self._studies.index(study))
 
     def _choose(self, number: int) -> None:
         """Show and measure another study."""

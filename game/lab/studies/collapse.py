@@ -7,6 +7,7 @@ from typing import Any
 
 from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.naming import words_of
 from game.physics.accretion import strike_times
 from game.physics.solids import TIERS, Material, SolidSettings, SolidWorld, box
 
@@ -95,7 +96,7 @@ collapse_study = Study(
     error_unit="",
     counter="substeps",
     knob=Knob("substeps", "substeps", parts=True),
-    methods=tuple(Method(name, name.replace("-", " "), None) for name in SOLVERS),
+    methods=tuple(Method(name, words_of(name), None) for name in SOLVERS),
     settings=collapse_settings,
     trial=CollapseTrial,
     reference="momentum, floor by floor",

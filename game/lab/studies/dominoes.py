@@ -11,6 +11,7 @@ import numpy as np
 
 from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.naming import words_of
 from game.physics.dominoes import STANDARD_GRAVITY, domino_wave_speed
 from game.physics.solids import TIERS, Chain, Material, SolidSettings, SolidWorld, box
 
@@ -102,7 +103,7 @@ domino_study = Study(
     error_unit="",
     counter="substeps",
     knob=Knob("step_length", "substep", "s"),
-    methods=tuple(Method(name, name.replace("-", " "), None) for name in SOLVERS),
+    methods=tuple(Method(name, words_of(name), None) for name in SOLVERS),
     settings=domino_settings,
     trial=DominoTrial,
     reference="the speed of van Leeuwen (2010)",

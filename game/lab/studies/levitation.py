@@ -82,5 +82,5 @@ trap_study = Study(
     reference="1000 and 500 substeps, extrapolated.",
     expectation="The trap swings at about 100 Hz: with too few substeps a swing the grain is thrown out.",
     present=_present,
-    workload=Workload("one grain of 0.6 mm, led at 0.3 m/s along a circle of 20 mm"),
+    workload=Workload("one grain 1.2 mm across, led at 0.3 m/s along a circle of 20 mm"),
 )

@@ -10,6 +10,7 @@ import numpy as np
 
 from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.naming import words_of
 from game.physics.integrators import METHODS, ORDERS, integrate
 from game.physics.oscillators import (
     bead_positions,
@@ -22,7 +23,7 @@ from game.physics.oscillators import (
 
 FEWEST, MOST, POINTS = 20, 1_000, 10  # steps of a run
 SHORTEST, LONGEST = 1.0 / 2_000.0, 0.1  # s, steps that a scene can be set to
-INTEGRATORS = tuple(Method(name, name.replace("-", " "), ORDERS[name]) for name in METHODS)
+INTEGRATORS = tuple(Method(name, words_of(name), ORDERS[name]) for name in METHODS)
 
 
 class MotionTrial:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.naming import words_of
 from game.physics.plates import METHODS, Plate
 from game.physics.plates.regimes import drop
 
@@ -80,9 +81,7 @@ plate_study = Study(
     error_unit="a, U",
     counter="steps",
     knob=Knob("step", "step", "a/U"),
-    methods=tuple(
-        Method(name, name.replace("-", " "), ORDERS[name], NOTES.get(name, "")) for name in METHODS
-    ),
+    methods=tuple(Method(name, words_of(name), ORDERS[name], NOTES.get(name, "")) for name in METHODS),
     settings=_settings,
     trial=FallTrial,
     reference=f"RK4 in {FINEST} steps; half as many agree to 1e-12.",

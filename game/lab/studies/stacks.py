@@ -8,6 +8,7 @@ from typing import Any
 
 from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.naming import words_of
 from game.physics.kernels import elementary
 from game.physics.solids import SOLVERS, TIERS, SolidSettings, SolidWorld, box
 from game.physics.solids.effects import USUAL
@@ -77,7 +78,7 @@ stack_study = Study(
     error_unit="m",
     counter="substeps a second",
     knob=Knob("substeps", "substeps", parts=True),
-    methods=tuple(Method(name, name.replace("-", " ")) for name in SOLVERS),
+    methods=tuple(Method(name, words_of(name)) for name in SOLVERS),
     settings=_settings,
     trial=StackTrial,
     reference="rigid boxes do not sink.",

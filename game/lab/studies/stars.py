@@ -6,6 +6,7 @@ import math
 
 from game.lab.studies.motion import KnownMotion, motion_study
 from game.lab.study import Method
+from game.naming import words_of
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, QUADRATIC_DRAG
 from game.physics.generations import CALM, Kind, StarSystem
@@ -38,7 +39,7 @@ def throw(method: str, dt: float, steps: int) -> float:
 
 star_study = motion_study(
     "stars", "A star thrown straight up", throw,
-    tuple(Method(name, name.replace("-", " "), order) for name, order in ORDERS.items()),
+    tuple(Method(name, words_of(name), order) for name, order in ORDERS.items()),
     KnownMotion("a star thrown up at 60 m/s against quadratic drag", SECONDS, height_after(SECONDS)),
     reference="ln(cos(a − g t/v) / cos a), Bernoulli.",
     expectation="Split drag solves the drag alone exactly and is of second order in all.",

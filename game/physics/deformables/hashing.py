@@ -6,8 +6,9 @@ with the large primes of the paper. The table is never cleared: a slot counts as
 of the present pass. A first look over all things counts how many each slot gets; a second one gives each slot
 a stretch of one list, in the order in which slots are met, so that what hangs in a slot lies side by side.
 
-About the origin the print has a weakness: -a xor -b is nearly always a xor b, so cells (i, j) and (-i, -j)
-share slots however long the table is. That costs tests, and no errors.
+About the origin the print has a weakness: -a xor -b is a xor b where a and b end in as many zero bits, as a
+third of all pairs do. Cells (i, j) and (-i, -j) then share slots however long the table is. That costs tests,
+and no errors.
 
 slots (m, 4) int32: stamp, first place in the list, how many, how many so far.
 """

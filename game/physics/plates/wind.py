@@ -22,8 +22,8 @@ Floats = NDArray[np.float64]
 AT_X, AT_Y, BEGINS, LASTS, GOES_X, GOES_Y, SIZE, BLOWS_X, BLOWS_Y, TURNS = range(10)
 GUST = 10
 MOST_GUSTS = 64
-SHELTER_LEFT, SHELTER_RIGHT, SHELTER_TOP, SHELTER_REACH = range(4)  # m
-SHELTER = 4
+SHELTER_LEFT, SHELTER_RIGHT, SHELTER_TOP, SHELTER_REACH, SHELTER_SLANT = range(5)  # m; m/m
+SHELTER = 5
 FARTHEST, FASTEST = 1e6, 1e3  # m, m/s
 
 
@@ -87,9 +87,10 @@ def one_gust(air, i, away, goes, size, blows, share, change):
 def sample_wind(places, gusts, count, shelters, even, time, air):
     """Write the wind (WIND, n) at places: rows 0 and 1 of (k, n) m.
 
-    gusts (m, GUST), the first ``count``; shelters (k, SHELTER): between walls, where the wind dies away
-    below their top by e within each reach; even: wind (m/s) far above, height (m) within which the ground
-    slows it (0: nowhere), height of the ground (m), 1 if the ground mirrors gusts.
+    gusts (m, GUST), the first ``count``; shelters (k, SHELTER): between walls that lean outwards by a
+    slant, where the wind dies away below their top by e within each reach; even: wind (m/s) far above,
+    height (m) within which the ground slows it (0: nowhere), height of the ground (m), 1 if the ground
+    mirrors gusts.
     """
     speed, layer, floor, mirrors = even
     for i in range(places.shape[1]):
@@ -120,7 +121,8 @@ def sample_wind(places, gusts, count, shelters, even, time, air):
                 one_gust(air, i, away, goes, size, blows, share, change)
         for k in range(shelters.shape[0]):
             below = shelters[k, SHELTER_TOP] - y
-            if below > 0.0 and shelters[k, SHELTER_LEFT] < x < shelters[k, SHELTER_RIGHT]:
+            lean = shelters[k, SHELTER_SLANT] * below
+            if below > 0.0 and shelters[k, SHELTER_LEFT] + lean < x < shelters[k, SHELTER_RIGHT] - lean:
                 left = elementary.exp(-below / shelters[k, SHELTER_REACH])
                 for row in range(WIND):
                     air[row, i] *= left
@@ -140,7 +142,7 @@ class GustyWind:
         self.floor = floor
         self.shelters: Floats = np.array(shelters, dtype=np.float64).reshape(-1, SHELTER)
         if not np.isfinite(self.shelters).all() or (self.shelters[:, SHELTER_REACH] <= 0.0).any():
-            raise ValueError("shelters: expected left, right, top and a reach above 0, m")
+            raise ValueError("shelters: expected left, right, top, a reach above 0, m, and a slant")
         self.gusts: Floats = np.zeros((MOST_GUSTS, GUST))
         self.count = 0
         self.set_wind(wind, layer)

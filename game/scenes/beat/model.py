@@ -32,6 +32,12 @@ class Shown(NamedTuple):
     clicks: tuple[float, ...]
     sounds: tuple[Sound, ...]
 
+    @property
+    def after(self) -> int:
+        """Clicks that are heard after those for the last beat, until the shot is shown no more."""
+        last = self.rhythm.beats[-1]
+        return sum(click <= last + SHOWN_S for click in self.clicks) - len(self.rhythm.impacts)
+
 
 class BeatModel(Part):
     """The beat and its shot."""

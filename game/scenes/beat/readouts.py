@@ -14,7 +14,8 @@ def readouts_of(model: BeatModel) -> tuple[Readout, ...]:
     count = Readout("beats", len(model.beats))
     if shown is None:
         return (count, Readout("error", math.nan, "s"), Readout("largest error", math.nan, "s"),
-                Readout("impacts", math.nan), Readout("off the beat", math.nan))  # fmt: skip
+                Readout("impacts", math.nan), Readout("off the beat", math.nan),
+                Readout("after the last beat", math.nan))  # fmt: skip
     found = shown.rhythm
     return (
         count,
@@ -22,4 +23,5 @@ def readouts_of(model: BeatModel) -> tuple[Readout, ...]:
         Readout("largest error", max(map(abs, found.misses)), "s"),
         Readout("impacts", len(found.impacts)),
         Readout("off the beat", found.extras),
+        Readout("after the last beat", shown.after),
     )

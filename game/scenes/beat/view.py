@@ -130,5 +130,6 @@ def _draw_bar(canvas: Canvas, model: BeatModel, time: float) -> None:
     if not words and shown is not None:
         found = shown.rhythm
         off = f", {found.extras} off the beat" if found.extras else ""
-        words = f"{len(found.impacts)} impacts for {len(found.beats)} beats{off}"
+        late = f", {shown.after} after the last" if shown.after else ""
+        words = f"{len(found.impacts)} impacts for {len(found.beats)} beats{off}{late}"
     canvas.label((PAD.left + 0.035, left), words, "text1", 13, "semibold", anchor="left")

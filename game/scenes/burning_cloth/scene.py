@@ -22,7 +22,7 @@ from game.scenes.burning_cloth.picture.yard import warm_up_yard
 from game.scenes.burning_cloth.readouts import readouts_of
 from game.scenes.burning_cloth.saving import content_of
 from game.scenes.burning_cloth.sounds import hearing_of
-from game.scenes.burning_cloth.targets import story_targets
+from game.scenes.burning_cloth.targets import story_names, story_targets
 from game.scenes.burning_cloth.view import BurningClothView
 from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
 from game.worlds.painting.backdrops import warm_up_backdrop
@@ -154,6 +154,9 @@ class BurningCloth(BuiltScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return story_targets(self.model)
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return story_names(self.model)
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model)

@@ -10,7 +10,7 @@ from game.scenes.burning_cloth.tables import BOX, TABLE
 
 
 def story_targets(model: BurningClothModel) -> dict[str, tuple[float, float]]:
-    """The cloth's middle, the match's head, its box, the fronts' middle, each letter's foot; m."""
+    """The cloth's middle, the match's head, its box, the fronts' middle, letters' feet, what falls; m."""
     cloth = model.cloth
     (x, y), _ = model.match.place(model.time)
     found = {
@@ -21,6 +21,7 @@ def story_targets(model: BurningClothModel) -> dict[str, tuple[float, float]]:
     }
     for number, (right, down) in enumerate(model.letters.feet.tolist(), start=1):
         found[f"letter {number}"] = model.place_on(right, down)
+    found["piece"] = piece_of(model)
     found["lower edge"] = (0.0, float(np.min(cloth.nodes[X + 1, -1])))
     return found
 
@@ -34,3 +35,26 @@ def embers_of(model: BurningClothModel) -> tuple[float, float]:
         return 0.0, 1.1
     places = cloth.nodes[X : X + 2, rows // PER, columns // PER]
     return float(np.mean(places[0])), float(np.mean(places[1]))
+
+
+def piece_of(model: BurningClothModel) -> tuple[float, float]:
+    """The middle of what holds together and hangs on no hook any more, or of the cloth."""
+    cloth = model.cloth
+    loose = cloth.loose()
+    if not loose.any():
+        return 0.0, 1.1
+    rows, columns = np.nonzero(loose)
+    places = cloth.nodes[X : X + 2, rows, columns]  # each mesh by its upper left node
+    return float(np.mean(places[0])), float(np.mean(places[1]))
+
+
+def story_names(model: BurningClothModel) -> list[tuple[tuple[float, float], str]]:
+    """The match while it burns, the embers by their speed, and what has come loose."""
+    found = []
+    if model.match.lit(model.time):
+        (x, y), _ = model.match.place(model.time)
+        found.append(((x, y), "match"))
+    if model.alight and model.front_now > 0.0:
+        found.append((embers_of(model), f"embers, {1e3 * model.front_now:.0f} mm/s"))
+    loose = model.cloth.fallen()
+    return [*found, (piece_of(model), f"{loose} meshes, on no hook")] if loose else found

@@ -58,7 +58,7 @@ class BurningClothView:
         self._yard.draw(canvas, dark, spread)
         nodes = self._cloth.between(previous, alpha)
         self._cloth.draw(canvas, nodes, dark, light)
-        if canvas.teaching and model.parameters.marks:
+        if canvas.marks(model.parameters.marks):
             self._cloth.draw_threads(canvas, nodes)
         self._draw_match(canvas)
         if model.parameters.view == "gas":

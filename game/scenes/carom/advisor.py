@@ -13,11 +13,13 @@ from typing import NamedTuple
 from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
+from game.billiards.game.carom_frame import CaromFrame, Points
 from game.billiards.map.carom import CaromMap, Group, Position, draw_map
 from game.billiards.map.hand import noise_of
 from game.billiards.map.tolerance import Tolerance, tip_map, tolerance_of
 from game.billiards.players.carom import CAROM_GRADES, position_of
 from game.billiards.search.strokes import Noise
+from game.billiards.shot.physics import Physics
 from game.billiards.table.carom import BALL_RADIUS
 from game.scenes.carom.course import Course
 from game.scenes.carom.layout import ROWS
@@ -26,10 +28,21 @@ from game.scenes.shared.tables.course import AIMING
 from game.stage import Decision
 
 
-class Drawn(NamedTuple):
-    """A map, and of which position. key: equal for equal positions and hands."""
+class MapKey(NamedTuple):
+    """What a map is drawn of: equal for equal positions, rules, cloths and hands."""
 
-    key: object
+    places: Points
+    cue: int
+    cushions: int
+    opening: bool
+    physics: Physics
+    noise: Noise
+
+
+class Drawn(NamedTuple):
+    """A map, and of which position."""
+
+    key: MapKey
     position: Position
     map: CaromMap
 
@@ -47,7 +60,7 @@ class MapMaker:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._wanted: tuple[object, Callable[[], Position], Noise] | None = None
+        self._wanted: tuple[MapKey, Callable[[], Position], Noise] | None = None
         self._begun: object = None
         self._thread: threading.Thread | None = None
         self._latest: Drawn | None = None
@@ -59,7 +72,7 @@ class MapMaker:
         with self._lock:
             return self._latest
 
-    def ask(self, key: object, make: Callable[[], Position], noise: Noise) -> None:
+    def ask(self, key: MapKey, make: Callable[[], Position], noise: Noise) -> None:
         """Have a map drawn; asking again for the same costs nothing."""
         with self._lock:
             if self._begun == key or (self._wanted is not None and self._wanted[0] == key):
@@ -76,7 +89,7 @@ class MapMaker:
         if thread is not None:
             thread.join()
 
-    def answer(self, key: object, make: Callable[[], Position], noise: Noise) -> Drawn:
+    def answer(self, key: MapKey, make: Callable[[], Position], noise: Noise) -> Drawn:
         """The whole map here and now."""
         found = self.latest
         if found is None or found.key != key or not found.map.fine:
@@ -100,7 +113,7 @@ class MapMaker:
             except Exception as error:  # a map that fails must not stop the game
                 self.failure = f"{type(error).__name__}: {error}"
 
-    def _draw(self, key: object, make: Callable[[], Position], noise: Noise) -> None:
+    def _draw(self, key: MapKey, make: Callable[[], Position], noise: Noise) -> None:
         """Stage by stage, as long as nothing newer is wanted."""
         position = make()
         for drawn in draw_map(position, noise):
@@ -137,17 +150,17 @@ class Advisor:
         return own or CAROM_GRADES["club" if chosen == OWN else chosen].noise
 
     @property
-    def key(self) -> object:
-        """Equal for equal positions, rules, cloths and hands."""
+    def key(self) -> MapKey:
+        """What a map of the table would be drawn of."""
+        frame, game = self.course.model.frame, self.course.model.frame.game
+        return MapKey(frame.places, game.cue, game.cushions, game.opening, frame.physics, self.noise)
+
+    def frame_of(self, drawn: Drawn) -> CaromFrame | None:
+        """The table as it lay when a map was drawn of it; None if more than places has changed since."""
         frame = self.course.model.frame
-        return (
-            frame.places,
-            frame.game.cue,
-            frame.game.cushions,
-            frame.game.opening,
-            frame.physics,
-            self.noise,
-        )
+        if drawn.key._replace(places=frame.places) != self.key:
+            return None
+        return frame if drawn.key.places == frame.places else frame.replace(places=drawn.key.places)
 
     def _make(self) -> Callable[[], Position]:
         frame = self.course.model.frame

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.narrowphase.depth import Escape, Shape, ShapePair, preset
 from game.physics.narrowphase.minkowski import minkowski_difference
@@ -12,6 +13,7 @@ from game.scenes.depth.borders import border_of
 from game.scenes.shared.marks import dot, turn
 from game.ui.canvas.pen import Pen
 
+Floats = NDArray[np.float64]
 SCALE, X0, Y0 = 62.0, 126.0, 138.0
 
 
@@ -64,6 +66,37 @@ def draw_differences(pen: Pen) -> None:
     pen.arrow((148.0, 116.0), tip, "amber", 2.2)
     dot(pen, (148.0, 116.0), "text1", 4.0)
     pen.words("the origin: A as it is", 10.0, 16.0, "text2", "left")
+
+
+def draw_local(pen: Pen) -> None:
+    """Shorter from neighbour to neighbour: where that ends, from two beginnings."""
+    pair, far = slotted(), math.pi
+    angles = np.linspace(-far, far, 181)
+    sigmas = pair.sigmas(angles)
+    top = 1.1 * float(np.max(sigmas))
+
+    def at(i: int) -> tuple[float, float]:
+        return 148.0 + 130.0 * float(angles[i]) / far, 184.0 - 150.0 * float(sigmas[i]) / top
+
+    pen.line([at(i) for i in range(len(angles))], "chalk", 2.0)
+    for begin, color, row in ((36, "amber", 0), (122, "green", 1)):
+        end = descent(sigmas, begin)
+        pen.line([at(i) for i in range(min(begin, end), max(begin, end) + 1)], color, 3.0)
+        dot(pen, at(begin), color, 3.2, ring=1.4)
+        dot(pen, at(end), color, 4.5)
+        pen.words(f"ends at {sigmas[end]:.2f} m", 286.0, 18.0 + 18.0 * row, color, "right")
+    pen.formula(r"\sigma(\theta)", 40.0, 20.0)
+
+
+def descent(values: Floats, begin: int) -> int:
+    """Where one comes who goes to the lower neighbour from a place of a row, as long as there is one."""
+    at = begin
+    while True:
+        near = [i for i in (at - 1, at, at + 1) if 0 <= i < len(values)]
+        best = min(near, key=lambda i: float(values[i]))
+        if best == at:
+            return at
+        at = best
 
 
 def draw_bound(pen: Pen) -> None:

@@ -21,7 +21,7 @@ from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
 from game.scenes.fireplace.saving import content_of
 from game.scenes.fireplace.sounds import hearing_of
-from game.scenes.fireplace.targets import story_targets
+from game.scenes.fireplace.targets import story_names, story_targets
 from game.scenes.fireplace.view import FireplaceView
 from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
 from game.worlds.painting.backdrops import warm_up_backdrop
@@ -144,6 +144,9 @@ class Fireplace(BuiltScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return story_targets(self.model)
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return story_names(self.model)
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model)

@@ -25,3 +25,16 @@ def story_targets(model: FireplaceModel) -> dict[str, tuple[float, float]]:
         x, y = wood.places()[int(np.argmax(wood.nodes.nodes[TEMPERATURE, : wood.count]))].tolist()
         found["hottest"] = (x, y)
     return found
+
+
+def story_names(model: FireplaceModel) -> list[tuple[tuple[float, float], str]]:
+    """The hottest piece, and the flames by their height."""
+    found, wood = [], model.wood
+    if wood.count:
+        kelvin = wood.nodes.nodes[TEMPERATURE, : wood.count]
+        hottest = int(np.argmax(kelvin))
+        x, y = wood.places()[hottest].tolist()
+        found.append(((x, y), f"the hottest wood, {float(kelvin[hottest]):.0f} K"))
+    if model.flame_height() > 0.0:
+        found.append(((0.0, 0.25 + model.flame_height()), f"flames, {model.flame_height():.2f} m"))
+    return found

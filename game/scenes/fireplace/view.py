@@ -78,7 +78,7 @@ class FireplaceView:
         self._draw_damper(canvas)
         self._draw_sparks(canvas)
         canvas.bloom(0.85 if dark else 0.5)
-        if canvas.teaching and model.parameters.marks:
+        if canvas.marks(model.parameters.marks):
             self._draw_marks(canvas, places)
         self._draw_hand(canvas)
 

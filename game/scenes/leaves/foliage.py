@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.plates.law import BEND, THETA, X, Y
+from game.scenes.leaves.basket import Basket
 from game.scenes.leaves.model import DEPTH, FLIP, KIND, NAMES, SHADE, YAW
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
 from game.ui.canvas.canvas import Canvas
@@ -106,15 +107,19 @@ class Foliage:
 
     def leaves(
         self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, tint: tuple[float, float, float],
-        which: NDArray[np.bool_],
+        which: NDArray[np.bool_], basket: Basket | None = None,
     ) -> None:  # fmt: skip
-        """Those leaves, the farthest first."""
+        """Those leaves, the farthest first; ``basket``: between whose walls they are seen."""
         self._fit(own)
         order = np.flatnonzero(which)[np.argsort(-own[which, DEPTH], kind="stable")]
         if not len(order):
             return
         cut = self._cut
         places = self._corners(rows, own, halves)
+        if basket is not None:
+            rows = rows.copy()
+            rows[X] += self._pushed_in(places, basket)
+            places = self._corners(rows, own, halves)
         inks, veins = _shades(rows, own, tint)
         halves_of = (2 * order[:, None] + np.array((0, 1))).ravel()
         pieces = [places[cut.starts[k] : cut.starts[k + 1]] for k in halves_of.tolist()]
@@ -148,6 +153,17 @@ class Foliage:
     def _corners(self, rows: Floats, own: Floats, halves: Floats) -> Floats:
         cut = self._cut
         return self._bent(rows, cut.leaves, cut.points[:, 0], cut.points[:, 1], own, halves)
+
+    def _pushed_in(self, places: Floats, basket: Basket) -> Floats:
+        """How far (n,) m leaves are shifted so that none is seen through the walls of a basket: what is drawn
+        of a leaf is wider than the chord that the walls stop, and some of it lies before the plane.
+        """
+        out = np.abs(places[:, 0] - basket.x) - basket.half_at(places[:, 1])
+        shift = np.where(places[:, 0] < basket.x, 1.0, -1.0) * np.maximum(out, 0.0)
+        firsts = self._cut.starts[:-1:2]
+        inwards = np.maximum.reduceat(shift, firsts)
+        back = np.minimum.reduceat(shift, firsts)
+        return np.where((inwards > 0.0) & (back < 0.0), 0.5 * (inwards + back), inwards + back)
 
     def _ribs(
         self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, veins: NDArray[np.int64],

@@ -11,35 +11,35 @@ from numpy.typing import NDArray
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise, linear
 from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings, PlateState
-from game.physics.plates.law import VX, VY, X, Y
-from game.physics.plates.watch import Watch
+from game.physics.plates.law import X, Y
+from game.physics.plates.watch import NOTHING
+from game.scenes.leaves.basket import Basket
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.parameters import OF_LEAVES, LeavesParameters
+from game.scenes.leaves.sounds import blowing, landings, remembered, rubbing
 from game.scenes.leaves.species import SPECIES
+from game.scenes.leaves.ways import WAY, follow_ways, seen_of
 from game.stage import Part
+from game.worlds.hearing import HEARD_WIDTH
 
 Floats = NDArray[np.float64]
 LAYER = 0.4  # m of the lawn's slow air
 HOLLOW = 0.35  # m below the lawn where gusts are mirrored: air also flows in from before and behind the plane
-SHELTER = 0.12  # m: so fast the wind dies away below the basket's rim
 IN_THE_AIR = 0.12  # m
 MOST_LEAVES = 400
 FOLLOWS_S = 1.5  # s in which the camera comes after the middle of those that fly
-HEARD = 24
-HEARD_TIME, HEARD_SPEED, HEARD_X = range(3)
 NAMES = tuple(SPECIES)
 
 
 class LeavesState(NamedTuple):
-    """plates; events and counts of `Watch`; gusts (MOST_GUSTS, GUST); own (n, 6): see `LeavesModel.own`;
-    airborne (n,): s since it was last touched; heard (k, 3): s, m/s, m of the newest landings; tally (4,):
+    """plates; ways (n, WAY): see `ways`; gusts (MOST_GUSTS, GUST); own (n, 6): see `LeavesModel.own`;
+    airborne (n,): s since it was last touched; heard (k, HEARD_WIDTH): see `sounds`; tally (4,):
     how often leaves took off, the highest so far (m), and where the camera has the middle of those that fly
     (m).
     """
 
     plates: PlateState
-    events: Floats
-    counts: NDArray[np.int64]
+    ways: Floats
     gusts: Floats
     own: Floats
     airborne: Floats
@@ -58,24 +58,18 @@ class LeavesModel(Part):
     def __init__(self, content: LeavesContent, parameters: LeavesParameters, active: EffectSet, seed: int):
         self.content, self.parameters = content, parameters
         self.added = 0
-        basket = content.basket
-        self.left, self.right = basket.x - basket.half, basket.x + basket.half
-        shelter = (self.left, self.right, basket.height, SHELTER)
-        self.wind = GustyWind(parameters.wind, LAYER, -HOLLOW, [shelter])
+        self.basket = Basket.of(content.basket)
+        self.wind = GustyWind(parameters.wind, LAYER, -HOLLOW, [self.basket.shelter()])
         for gust in content.gusts:
             self.wind.add(gust.gust())
-        foot = 0.85 * basket.half
-        walls = [
-            (basket.x - foot, 0.0, self.left, basket.height, 0.006, 0.4),
-            (basket.x + foot, 0.0, self.right, basket.height, 0.006, 0.4),
-        ]
         self.plates = Plates(
-            effects=active, wind=self.wind, walls=walls, method=parameters.method, settings=self._settings()
-        )
-        self.watch = Watch(0)
+            effects=active, wind=self.wind, walls=self.basket.walls(), method=parameters.method,
+            settings=self._settings(),
+        )  # fmt: skip
+        self.ways: Floats = np.zeros((0, WAY))
         self.own: Floats = np.zeros((0, 6))
         self.airborne: Floats = np.zeros(0)
-        self.heard: Floats = np.zeros((0, 3))
+        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
         self.tally: Floats = np.array((0.0, 0.0, -0.6, 0.6))
         self.chance = seed
         self._lay()
@@ -116,7 +110,7 @@ class LeavesModel(Part):
         )  # fmt: skip
         self.own = np.concatenate([self.own, np.array([own])])
         self.plates.add(self._plate(len(self.own) - 1), place, angle)
-        self.watch.grow()
+        self.ways = np.concatenate([self.ways, np.zeros((1, WAY))])
         self.airborne = np.append(self.airborne, 0.0)
 
     def drop(self, kind: str, place: tuple[float, float]) -> None:
@@ -128,11 +122,13 @@ class LeavesModel(Part):
     def _plate(self, number: int) -> Plate:
         """The law of a leaf: its kind, its own shade of it, and what is chosen for all."""
         row, chosen = self.own[number], self.parameters
-        kind = SPECIES[NAMES[int(row[KIND])]].plate
-        curl = kind.curl + 0.3 * (row[SHADE] - 0.35) * (row[GROWN] != 1.0) + chosen.curl
+        species = SPECIES[NAMES[int(row[KIND])]]
+        kind = species.plate
+        unlike = (row[SHADE] - 0.4) * (row[GROWN] != 1.0)
+        curl = kind.curl + species.curls * unlike + chosen.curl
         return kind._replace(
             half_chord=kind.half_chord * row[GROWN],
-            inertia=kind.inertia * chosen.weight * (1.0 + 0.35 * (row[SHADE] - 0.4) * (row[GROWN] != 1.0)),
+            inertia=kind.inertia * chosen.weight * (1.0 + species.varies * unlike),
             curl=min(max(curl, -1.1), 1.1), bend_hz=kind.bend_hz * chosen.stiffness,
             balance=min(max(kind.balance + chosen.balance, -0.8), 0.8),
         )  # fmt: skip
@@ -170,14 +166,16 @@ class LeavesModel(Part):
         self.wind.forget(plates.time)
         plates.step(dt)
         plates.check()
-        self.watch.look(before, plates.rows, plates.time, dt)
         free = plates.touched <= 0.0
+        follow_ways(self.ways, plates.rows, plates.air, free, dt)
         landed = ~free & (self.airborne > 0.25)
         took_off = free & (self.airborne <= 0.25) & (self.airborne + dt > 0.25)
-        for i in np.flatnonzero(landed).tolist():
-            speed = elementary.hypot(float(before[VX, i]), float(before[VY, i]))
-            row = (plates.time, 0.5 * speed, float(plates.rows[X, i]))
-            self.heard = np.concatenate([self.heard, [row]])[-HEARD:]
+        rows, now = plates.rows, plates.time
+        sounds = [
+            landings(np.flatnonzero(landed), before, rows, now), rubbing(~free, rows, now, dt),
+            blowing(plates.air, now, dt),
+        ]  # fmt: skip
+        self.heard = remembered(self.heard, sounds, now)
         self.airborne = np.where(free, self.airborne + dt, 0.0)
         self.tally[0] += np.count_nonzero(took_off)
         if len(plates):
@@ -190,13 +188,16 @@ class LeavesModel(Part):
     # -- what is there --------------------------------------------------------------------------------
 
     def inside(self) -> NDArray[np.bool_]:
-        """(n,) whether a leaf is in the basket."""
-        x, y = self.plates.rows[X], self.plates.rows[Y]
-        return np.asarray((x > self.left) & (x < self.right) & (y < self.content.basket.height))
+        """(n,) whether a leaf's middle is in the basket."""
+        return self.basket.holds(self.plates.rows[X], self.plates.rows[Y])
 
     def flying(self) -> NDArray[np.bool_]:
         """(n,) whether a leaf is in the air."""
         return np.asarray((self.airborne > 0.1) & (self.plates.rows[Y] > IN_THE_AIR))
+
+    def seen(self) -> NDArray[np.int64]:
+        """(n,) what each leaf is seen to do in the air: of `plates.watch`, NOTHING for one that lies."""
+        return np.where(self.flying(), seen_of(self.ways, self.plates.laws), NOTHING)
 
     def gusts_now(self) -> float:
         """The strongest wind at a leaf, m/s."""
@@ -218,14 +219,14 @@ class LeavesModel(Part):
     def state(self) -> LeavesState:
         """All that later steps depend on."""
         return LeavesState(
-            self.plates.state(), self.watch.events, self.watch.counts,
-            self.wind.gusts[: self.wind.count], self.own, self.airborne, self.heard, self.tally,
+            self.plates.state(), self.ways, self.wind.gusts[: self.wind.count], self.own, self.airborne,
+            self.heard, self.tally,
         )  # fmt: skip
 
     def restore(self, state: LeavesState) -> None:
         """Take over a copy of a state."""
         self.plates.restore(state.plates)
-        self.watch.events, self.watch.counts = state.events.copy(), state.counts.copy()
+        self.ways = state.ways.copy()
         self.wind.gusts[:] = 0.0
         self.wind.count = len(state.gusts)
         self.wind.gusts[: self.wind.count] = state.gusts

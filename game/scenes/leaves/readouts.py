@@ -9,7 +9,7 @@ import numpy as np
 from game.physics.kernels import elementwise
 from game.physics.plates.flight import WY
 from game.physics.plates.law import DRAG, DRAG_TURN, HALF, UNIT, VY
-from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
+from game.physics.plates.watch import FLUTTER, GLIDE, TUMBLE
 from game.scenes.leaves.model import LeavesModel
 from game.stage import Readout
 
@@ -18,10 +18,7 @@ def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
     """Where the leaves are, what those in the air do, how fast they come down, and the error of a step."""
     plates = model.plates
     flying, inside = model.flying(), model.inside()
-    courses = [
-        model.watch.course(i, plates.rows, plates.time).regime if flies else 0
-        for i, flies in enumerate(flying.tolist())
-    ]
+    seen = model.seen()
     laws = plates.laws
     terminal = laws[UNIT] / np.sqrt((laws[DRAG] + laws[DRAG_TURN]) * laws[HALF])
     falling = flying & (plates.rows[VY] < 0.0)
@@ -33,10 +30,9 @@ def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
         Readout("in the air", int(np.count_nonzero(flying))),
         Readout("share in the basket", 100.0 * float(np.mean(inside)) if len(plates) else 0.0, "%"),
         Readout("took off", int(model.tally[0])),
-        Readout("fluttering", courses.count(FLUTTER)),
-        Readout("tumbling", courses.count(TUMBLE)),
-        Readout("gliding", courses.count(GLIDE)),
-        Readout("irregular", courses.count(CHAOS)),
+        Readout("fluttering", int(np.count_nonzero(seen == FLUTTER))),
+        Readout("tumbling", int(np.count_nonzero(seen == TUMBLE))),
+        Readout("gliding", int(np.count_nonzero(seen == GLIDE))),
         Readout("wind at leaves", model.gusts_now(), "m/s"),
         Readout("highest", float(model.tally[1]), "m"),
         Readout("descent", float(np.mean(descent[falling])) if falling.any() else math.nan, "m/s"),

@@ -11,9 +11,10 @@ from game.scenes.leaves import A18
 from game.scenes.leaves.figure import draw_gust
 from game.scenes.leaves.hand import LeavesHand
 from game.scenes.leaves.level import DEFAULT, LeavesContent
-from game.scenes.leaves.model import HEARD_SPEED, HEARD_TIME, HEARD_X, LeavesModel
+from game.scenes.leaves.model import LeavesModel
 from game.scenes.leaves.parameters import OF_PICTURE, LeavesParameters
 from game.scenes.leaves.readouts import readouts_of
+from game.scenes.leaves.sounds import HALF, NAMES
 from game.scenes.leaves.view import LeavesView
 from game.stage import (
     Equation,
@@ -21,10 +22,10 @@ from game.stage import (
     Hint,
     Readout,
     SceneAction,
-    Sound,
     Strip,
     WarmUp,
 )
+from game.worlds.hearing import sounds_of
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.scene import BuiltScene
 
@@ -88,7 +89,7 @@ class Leaves(BuiltScene):
     )
     try_this = (
         "Draw a gust along the lawn, slowly upwards at its end.",
-        "Make all leaves twice as heavy: those that swung turn over.",
+        "Make all leaves a little heavier: those that turned over begin to swing, irregularly.",
         "Move the balance: with their mass at one end all of them glide.",
         "Curl them by half a radian more: they come down like parachutes.",
         "Switch off gust inertia: leaves lag behind each gust.",
@@ -122,15 +123,7 @@ class Leaves(BuiltScene):
         return list(readouts_of(self.model))
 
     def hearing(self) -> Hearing:
-        return Hearing(
-            "leaves",
-            self.model.plates.time,
-            [
-                Sound(float(row[HEARD_TIME]), "crackle", 0.25 * float(row[HEARD_SPEED]),
-                      max(-1.0, min(1.0, float(row[HEARD_X]) / 3.0)))
-                for row in self.model.heard
-            ],
-        )  # fmt: skip
+        return Hearing("leaves", self.model.plates.time, sounds_of(self.model.heard, NAMES, HALF))
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return self.view.targets()

@@ -16,29 +16,35 @@ Floats = NDArray[np.float64]
 
 class Species(NamedTuple):
     """A kind of leaf. plate: its law, before each leaf's own variation; colors: 0xRRGGBB of upper sides;
-    wide: of its breadth beside its length."""
+    wide: of its breadth beside its length; varies: share of its inertia, and curls: rad of its curl, by
+    which the leaves of the kind differ."""
 
     plate: Plate
     colors: tuple[int, ...]
     wide: float
+    varies: float
+    curls: float
 
 
+# Light and curled ones flutter; flat ones with I* between `regimes.BORDERS` tumble; mass at one end glides.
 SPECIES = {
     "maple": Species(
-        Plate(0.050, 0.62, 0.03, curl=0.40, bend_hz=10.0), (0xD8431F, 0xC22A1C, 0xE8702A, 0xF0A03C), 1.0
+        Plate(0.045, 0.62, 0.03, curl=0.30, bend_hz=10.0),
+        (0xD8431F, 0xC22A1C, 0xE8702A, 0xF0A03C), 1.0, 0.3, 0.3,
     ),
     "oak": Species(
-        Plate(0.042, 1.35, 0.03, curl=-0.20, bend_hz=16.0), (0x9A5A2A, 0xB06A30, 0x7E4A24, 0xC4843C), 0.62
+        Plate(0.028, 1.38, 0.03, bend_hz=20.0), (0x9A5A2A, 0xB06A30, 0x7E4A24, 0xC4843C), 0.62, 0.06, 0.03
     ),
     "birch": Species(
-        Plate(0.028, 1.30, 0.03, curl=0.12, bend_hz=20.0), (0xF2C230, 0xE8B020, 0xF6D45C, 0xD89A1C), 0.72
+        Plate(0.022, 1.37, 0.03, bend_hz=20.0), (0xF2C230, 0xE8B020, 0xF6D45C, 0xD89A1C), 0.72, 0.06, 0.03
     ),
     "linden": Species(
-        Plate(0.038, 0.90, 0.03, curl=0.25, bend_hz=14.0), (0xE6B83A, 0xC9A227, 0xD98E2B, 0xB8A13A), 0.86
+        Plate(0.036, 0.75, 0.03, curl=0.15, bend_hz=14.0),
+        (0xE6B83A, 0xC9A227, 0xD98E2B, 0xB8A13A), 0.86, 0.3, 0.2,
     ),
     "ash": Species(
-        Plate(0.034, 0.50, 0.03, curl=0.10, bend_hz=20.0, balance=0.25),
-        (0xC7B24A, 0xA8963C, 0xD2A048, 0xE0C468), 0.42,
+        Plate(0.032, 1.0, 0.03, bend_hz=20.0, balance=0.65),
+        (0xC7B24A, 0xA8963C, 0xD2A048, 0xE0C468), 0.42, 0.2, 0.05,
     ),
 }  # fmt: skip
 

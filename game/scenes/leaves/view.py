@@ -11,19 +11,22 @@ from numpy.typing import NDArray
 
 from game.physics.plates.law import HALF, MASS_Y, X, Y
 from game.physics.plates.regimes import BORDERS
-from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, NOTHING, TUMBLE
+from game.physics.plates.watch import FLUTTER, GLIDE, NOTHING, TUMBLE
 from game.scenes.leaves.foliage import Foliage
 from game.scenes.leaves.hand import LeavesHand
 from game.scenes.leaves.landscape import DAY, Hour, Park
-from game.scenes.leaves.model import LeavesModel, LeavesState
+from game.scenes.leaves.model import DEPTH, KIND, NAMES, LeavesModel, LeavesState
+from game.scenes.leaves.ways import TOOK, TURNED
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[np.float64]
 MOTES, MOTE_STEPS, MOTE_S = 70, 10, 0.06  # of dust: how many, points and s of their way
-COLORS = {NOTHING: "text2", FLUTTER: "chalk", TUMBLE: "amber", CHAOS: "vermilion", GLIDE: "green"}
+COLORS = {NOTHING: "text2", FLUTTER: "chalk", TUMBLE: "amber", GLIDE: "green"}
+VERBS = {FLUTTER: "flutters", TUMBLE: "tumbles", GLIDE: "glides"}
 MAP = (0.12, 1.05, 1.55, 0.62)  # m from the view's upper left corner: right, down; width, height of the map
 LEAST, MOST = 0.3, 4.0  # inertias on it
 RIM = 0.13  # m, half the depth of the basket's rim as it is seen
+NEARER, NEAR_M = 0.45, 0.4  # share of its depth that a leaf has in the basket; m before it where that begins
 
 
 class LeavesView:
@@ -37,7 +40,7 @@ class LeavesView:
     def targets(self) -> dict[str, tuple[float, float]]:
         """What a story may look at."""
         tally = self.model.tally
-        basket = self.model.content.basket
+        basket = self.model.basket
         return {
             "cloud": (float(tally[2]), float(tally[3])),
             "basket": (basket.x, 0.75),
@@ -64,14 +67,12 @@ class LeavesView:
         blades = model.wind.sample(self.park.blade_places, model.plates.time)
         self.park.grass(canvas, blades, front=False)
         self.foliage.shadows(canvas, rows, own, halves)
-        low = rows[Y] < model.content.basket.height + 0.05
-        within = low & (np.abs(rows[X] - model.content.basket.x) < model.content.basket.half)
-        back = ~within & (own[:, 3] > 0.1)
+        own = self._nearer(rows, own)
+        within = model.basket.holds(rows[X], rows[Y])
+        back = ~within & (own[:, DEPTH] > 0.1)
         self.foliage.leaves(canvas, rows, own, halves, hour.leaves, back)
         self._basket_back(canvas, hour)
-        inner = own.copy()
-        inner[:, 3] *= 0.45
-        self.foliage.leaves(canvas, rows, inner, halves, hour.leaves, within)
+        self.foliage.leaves(canvas, rows, own, halves, hour.leaves, within, model.basket)
         self._basket_front(canvas, hour)
         self.foliage.leaves(canvas, rows, own, halves, hour.leaves, ~within & ~back)
         if model.parameters.streaks:
@@ -86,19 +87,28 @@ class LeavesView:
 
     # -- the basket -----------------------------------------------------------------------------------
 
+    def _nearer(self, rows: Floats, own: Floats) -> Floats:
+        """What leaves are, with the depths (n, 6) at which they are seen: the basket is less deep than the
+        lawn, and towards it they come into its plane.
+        """
+        near = 1.0 - np.minimum(self.model.basket.away(rows[X], rows[Y]) / NEAR_M, 1.0)
+        seen = own.copy()
+        seen[:, DEPTH] *= 1.0 - (1.0 - NEARER) * near * near * (3.0 - 2.0 * near)
+        return seen
+
     def _ring(self, height: float, share: float, front: bool) -> Floats:
         """Half an ellipse about the basket at a height, before or behind its middle."""
-        basket = self.model.content.basket
+        basket = self.model.basket
         turn = np.linspace(0.0, math.pi, 25)
         sign = -1.0 if front else 1.0
-        half = basket.half * (0.85 + 0.15 * height / basket.height)
+        half = basket.half_at(height)
         return np.stack(
             [basket.x + share * half * np.cos(turn), height + sign * share * RIM * np.sin(turn)], axis=1
         )
 
     def _basket_back(self, canvas: Canvas, hour: Hour) -> None:
-        basket = self.model.content.basket
-        foot = 0.85 * basket.half
+        basket = self.model.basket
+        foot = float(basket.half_at(0.0))
         shadow = np.array([(basket.x - 1.0 * foot, -0.05), (basket.x + 0.9 * foot, -0.07),
                            (basket.x + 0.2 * foot, 0.05), (basket.x - 2.1 * foot, 0.02)])  # fmt: skip
         canvas.polygon(shadow, fill=pygame.Color(20, 16, 8), fill_alpha=0.28)
@@ -108,7 +118,7 @@ class LeavesView:
         self._slats(canvas, hour.metal.lerp(pygame.Color(0, 0, 0), 0.25), False)
 
     def _basket_front(self, canvas: Canvas, hour: Hour) -> None:
-        basket = self.model.content.basket
+        basket = self.model.basket
         lit = hour.metal.lerp(pygame.Color(255, 230, 180), 0.22 if hour is DAY else 0.12)
         self._slats(canvas, hour.metal, True)
         for height in (0.03, 0.5 * basket.height):
@@ -117,7 +127,7 @@ class LeavesView:
         canvas.polyline(self._ring(basket.height + 0.006, 1.0, True), lit, 2.0)
 
     def _slats(self, canvas: Canvas, ink: pygame.Color, front: bool) -> None:
-        basket = self.model.content.basket
+        basket = self.model.basket
         top, foot = self._ring(basket.height, 1.0, front), self._ring(0.0, 1.0, front)
         canvas.segments(top[1:-1:2], foot[1:-1:2], ink, 3.0 if front else 2.0)
         if front:
@@ -160,27 +170,37 @@ class LeavesView:
     # -- what teaches ---------------------------------------------------------------------------------
 
     def _teach(self, canvas: Canvas, rows: Floats) -> None:
-        """Velocities of what flies by what it does, the wind, and the map with a dot for each leaf."""
+        """Velocities of what flies by what it does, a name at one of each, the wind, and the map."""
         model = self.model
-        flying = model.flying()
-        velocities = model.plates.velocities
-        found = []
-        for i in range(len(flying)):
-            regime = (
-                model.watch.course(i, model.plates.rows, model.plates.time).regime if flying[i] else NOTHING
-            )
-            found.append(regime)
-            if flying[i]:
-                canvas.arrow(rows[[X, Y], i], 0.12 * velocities[i], COLORS[regime], width=1.6)
+        seen = model.seen()
+        for i in np.flatnonzero(model.flying()).tolist():
+            canvas.arrow(rows[[X, Y], i], 0.12 * model.plates.velocities[i], COLORS[int(seen[i])], width=1.6)
+        self._names(canvas, rows, seen)
         x, y = np.meshgrid(np.linspace(-2.6, 2.6, 14), np.linspace(0.2, 2.4, 7))
         places = np.stack([x.ravel(), y.ravel()], axis=1)
         wind = model.wind.sample(places, model.plates.time)
         fast = np.hypot(*wind.T) > 0.25
         canvas.segments(places[fast], places[fast] + 0.09 * wind[fast], "green", 1.4, 0.55)
         canvas.discs(places[fast], canvas.px(1.8), "green", 0.55)
-        self._map(canvas, found)
+        self._map(canvas, seen)
 
-    def _map(self, canvas: Canvas, regimes: list[int]) -> None:
+    def _names(self, canvas: Canvas, rows: Floats, seen: NDArray[np.int64]) -> None:
+        """Beside the one leaf that does it longest what it is, what it does, and its inertia."""
+        ways = self.model.ways
+        for way, words in VERBS.items():
+            longest = np.where(seen == way, np.abs(ways[:, TURNED if way == TUMBLE else TOOK]) + 1.0, 0.0)
+            if not longest.any():
+                continue
+            i = int(np.argmax(longest))
+            inertia = float(self.model.plates.laws[MASS_Y, i]) - 1.0
+            name = NAMES[int(self.model.own[i, KIND])]
+            canvas.dot(rows[[X, Y], i], 3.0, COLORS[way])
+            canvas.label(
+                rows[[X, Y], i], f"{name} {words}: I* = {inertia:.2f}", COLORS[way], 13, "semibold", "left",
+                (10.0, -10.0), clear=True,
+            )  # fmt: skip
+
+    def _map(self, canvas: Canvas, seen: NDArray[np.int64]) -> None:
         off, down, wide, tall = MAP
         view = self.model.content.view
         left, bottom = view.left + off, view.top - down
@@ -208,6 +228,6 @@ class LeavesView:
             canvas.label((at(inertia), bottom - 0.05), f"{inertia:g}", "text2", 11)
         canvas.label((left + 0.5 * wide, bottom - 0.14), "inertia I* of each leaf", "text2", 12)
         spins = np.clip(np.abs(self.model.plates.spins) / 25.0, 0.0, 1.0)
-        for i, regime in enumerate(regimes):
+        for i, way in enumerate(seen.tolist()):
             inertia = float(self.model.plates.laws[MASS_Y, i]) - 1.0
-            canvas.dot((at(inertia), bottom + 0.04 + 0.8 * tall * float(spins[i])), 3.6, COLORS[regime])
+            canvas.dot((at(inertia), bottom + 0.04 + 0.8 * tall * float(spins[i])), 3.6, COLORS[way])

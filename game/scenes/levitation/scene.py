@@ -64,7 +64,7 @@ class Levitation(ModelScene):
     )
     try_this = (
         "Raise Speed until grains are left behind; the strip shows how far they lag before that.",
-        "Make the grains heavier: at 1000 kg/m³, as water, the usual strength does not carry them.",
+        "Make the grains heavier, step by step, and see from which nodes they sink first.",
         "Look at the wave itself, slowed down, and find the nodes where the grains sit.",
         "Open the lattice: four rows hold a grain at every half wave, both ways.",
     )

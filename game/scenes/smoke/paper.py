@@ -114,7 +114,7 @@ STABLE = Paper(
         "Each interpolation smears: a steady whirl loses energy that no viscosity took. Velocities in the "
         "middles of cells leave a checkerboard that the pressure does not see, so some divergence stays "
         "however well one solves. Splitting advection from projection is of first order, and it, more "
-        "than the interpolation, takes the whirls away: our own default carries a part of the old "
+        "than the interpolation, takes the whirls away: our time-centred step carries a part of the old "
         "pressure along instead.",
         "Twenty sweeps leave what is large: on 128 cells a sweep takes 0.06 % of the widest wave.",
     ),

@@ -17,9 +17,11 @@ from game.compiler.decorator import lean_kernel
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import ADVECTION, PRESSURE
 from game.physics.grid import Border, Borders, Grid
-from game.physics.kernels import elementary
+from game.physics.kernels import elementary, elementwise
+from game.physics.solids.state import Bodies
 from game.physics.surfaces.surface import Sample, empty_sample
 from game.scenes.tower.level import TowerContent
+from game.scenes.tower.tables import BODY, KIND, RUBBLE, SHARD, SLAB, TALL, WIDE
 from game.stage import Part
 
 Floats = NDArray[np.float64]
@@ -30,8 +32,11 @@ THICKER = 1.02  # cells: so thick is a floor at least, so that no air goes throu
 BESIDE, ABOVE = 33.0, 8.0  # m of air beside the tower and above it
 FADES = 6  # cells at the sides over which the picture of the dust fades
 FULL = 0.35  # kg/m³ of dust that hides what is behind it
+RISES = 0.35  # of a cell for each to the side: how steeply the light falls
+DIMS = 1.6  # kg/m² of dust that leave 1/e of the light
 SLOWS = 0.3  # 1/s
 QUICKEST = 50.0  # m/s: what is squeezed out of a gap far narrower than a cell would have no bound
+SLOWEST = 0.1  # m/s: slower pieces take no air along
 STILL = 0.03  # m/s: slower air, without dust, is not computed
 # of a floor: middle m, direction of its length, half its length and thickness m, velocity m/s, spin rad/s,
 # half its extent across and up m
@@ -100,6 +105,27 @@ def drag_along(pieces, u, v, lower, cell, dt, force):
         rate = rate / (1.0 + rate * dt)
         force[j, i, 0] += rate * dx
         force[j, i, 1] += rate * dy
+
+
+def solids_of(parts: Floats, bodies: Bodies, least: float) -> Floats:
+    """(k, FLOOR_WIDTH): bays of floors that are whole, as solids of the air, ``least`` m thick."""
+    whole = parts[(parts[:, KIND] == SLAB) & (parts[:, BODY] >= 0.0)]
+    own = whole[:, BODY].astype(np.int64)
+    long, thick = 0.5 * whole[:, WIDE], 0.5 * np.maximum(whole[:, TALL], least)
+    c, s = np.abs(bodies.rotations[own]).T
+    return np.column_stack([
+        bodies.positions[own], bodies.rotations[own], long, thick, bodies.velocities[own], bodies.spins[own],
+        c * long + s * thick, s * long + c * thick,
+    ])  # fmt: skip
+
+
+def loose_of(parts: Floats, bodies: Bodies) -> Floats:
+    """(n, 5): place m, velocity m/s, breadth m of what is broken and moves."""
+    loose = parts[(parts[:, BODY] >= 0.0) & ((parts[:, KIND] == SHARD) | (parts[:, KIND] == RUBBLE))]
+    own = loose[:, BODY].astype(np.int64)
+    breadth = 0.5 * (loose[:, WIDE] + loose[:, TALL])
+    found = np.column_stack([bodies.positions[own], bodies.velocities[own], breadth])
+    return np.ascontiguousarray(found[np.abs(found[:, 2:4]).max(axis=1, initial=0.0) > SLOWEST])
 
 
 class Floors:
@@ -192,10 +218,25 @@ class TowerAir(Part):
         return float(np.sqrt(np.max(w[..., 0] * w[..., 0] + w[..., 1] * w[..., 1])))
 
     def veil(self) -> NDArray[np.float32]:
-        """(ny, nx, 2): how thick the dust is, 0 to 1, and no light; good until the next call."""
+        """(ny, nx, 2): how thick the dust is, 0 to 1, and how much light from the right it scatters, 0 to 1;
+        good until the next call.
+        """
         share = self.density / FULL
         self._veil[..., 0] = 0.94 * share / (1.0 + share) * self._edge
+        self._veil[..., 1] = self._veil[..., 0] * self._lit()
         return self._veil
+
+    def _lit(self) -> Floats:
+        """(ny, nx): what is left, behind the dust it has come through, of light that comes in from the right,
+        a little from above; it has gone RISES of a cell down for each one to the left (Lambert's law).
+        """
+        depth, behind = np.zeros_like(self.density), np.zeros(self.grid.ny)
+        for i in range(self.grid.nx - 1, -1, -1):
+            above = np.concatenate([behind[1:], behind[-1:]])
+            behind = (1.0 - RISES) * behind + RISES * above
+            depth[:, i] = behind
+            behind = behind + self.density[:, i]
+        return elementwise.exp(-depth * self.grid.cell / DIMS)
 
     def box(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Lower left and upper right corner, m."""

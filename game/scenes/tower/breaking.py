@@ -12,6 +12,8 @@ from game.physics.kernels import elementwise, linear
 from game.physics.solids import Material, Polygon, SolidWorld
 
 Floats = NDArray[np.float64]
+STOP_S = 0.05  # s: what stops a body within about so long counts as one stop
+SCATTER = 0.35  # of the speed of a stop: that of the pieces it makes, apart
 SLANT = 0.35  # m of length for each m across, at most: how obliquely a piece breaks
 
 
@@ -52,6 +54,18 @@ def middle_of(corners: Floats) -> tuple[float, float, float]:
     return float(x), float(y), area
 
 
+def apart(pieces: Sequence[Floats], stopped: float, random: np.random.Generator) -> Floats:
+    """m/s (n, 2) at which pieces fly apart where a stop has taken ``stopped`` m/s from their body.
+
+    Those to the left fly to the left and those to the right to the right, all up by less: SCATTER squared of
+    the energy that was lost, at most.
+    """
+    middles = np.array([middle_of(corners)[0] for corners in pieces])
+    side = np.sign(middles - middles.mean())
+    speeds = SCATTER * stopped * linear.uniform(random, 0.3, 1.0, (len(pieces), 2))
+    return np.asarray(speeds * np.column_stack([side, np.full(len(pieces), 0.5)]))
+
+
 def break_up(
     world: SolidWorld, body: int, pieces: Sequence[Floats], material: Material, thrown: Floats | None = None
 ) -> list[tuple[int, float, float, float]]:
@@ -83,3 +97,22 @@ def break_up(
 def speed_of_stop(impulse: float, mass: float) -> float:
     """m/s that an impulse (N s) takes from a mass (kg)."""
     return impulse / mass if mass > 0.0 else math.inf
+
+
+def shocks_of(shocks: Floats, before: Floats, after: Floats, dt: float) -> Floats:
+    """m/s (n,) that bodies have lost of their speed lately, a step of dt (s) on: what was lost earlier fades.
+
+    before, after: velocities (n, 2) m/s. So a stop counts as one whether it takes one step or ten.
+    """
+    lost = elementwise.hypot(*before.T) - elementwise.hypot(*after.T)
+    return np.asarray(shocks / (1.0 + dt / STOP_S) + np.maximum(lost, 0.0))
+
+
+def grind(world: SolidWorld, bodies: Sequence[int], kilograms: float) -> Floats:
+    """Take so much mass from bodies, from each by its share of it; kg (n,) that they have then."""
+    rows, own = world.bodies, np.asarray(bodies, dtype=np.int64)
+    masses = 1.0 / rows.inverse_masses[own]
+    left = masses - kilograms * masses / masses.sum()
+    rows.inverse_inertias[own] *= masses / left
+    rows.inverse_masses[own] = 1.0 / left
+    return np.asarray(left)

@@ -35,14 +35,14 @@ def columns_mass(content: TowerContent) -> float:
     return DENSITY * content.column * (content.storey - content.slab) * (content.bays + 1)
 
 
-def frame_stuff(friction: float) -> Material:
-    """What floors and columns are made of."""
-    return Material(DENSITY, friction, 0.0, FLOORS, FLOORS)
+def frame_stuff(friction: float, density: float = DENSITY) -> Material:
+    """What floors and columns are made of; density: kg/m³, less of what has become dust in part."""
+    return Material(density, friction, 0.0, FLOORS, FLOORS)
 
 
-def rubble_stuff(friction: float) -> Material:
-    """What is left of columns: it meets the ground and itself."""
-    return Material(DENSITY, friction, 0.0, LOOSE, LOOSE)
+def rubble_stuff(friction: float, density: float = DENSITY) -> Material:
+    """What is left of columns that were cut: it meets the ground and itself."""
+    return Material(density, friction, 0.0, LOOSE, LOOSE)
 
 
 def build(world: SolidWorld, content: TowerContent, friction: float, joints: float) -> tuple[int, Floats]:
@@ -81,9 +81,9 @@ def build(world: SolidWorld, content: TowerContent, friction: float, joints: flo
             )
             world.add_joint("weld", below[k], body, (x, top - content.slab - tall))
             world.add_joint("weld", body, slabs[min(k, content.bays - 1)], (x, top - content.slab))
-            rows.append((body, COLUMN, storey, k, content.column, tall, DENSITY * content.column * tall))
+            rows.append((body, COLUMN, storey, k, content.column, tall, DENSITY * content.column * tall, 0.0))
         rows += [
-            (body, SLAB, storey, bay, content.bay, content.slab, DENSITY * content.bay * content.slab)
+            (body, SLAB, storey, bay, content.bay, content.slab, DENSITY * content.bay * content.slab, 0.0)
             for bay, body in enumerate(slabs)
         ]
         below = [slabs[min(k, content.bays - 1)] for k in range(content.bays + 1)]

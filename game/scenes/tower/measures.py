@@ -9,7 +9,7 @@ import numpy as np
 from game.physics.accretion import strike_times
 from game.scenes.tower.building import columns_mass, floor_height, slab_mass
 from game.scenes.tower.model import TowerModel
-from game.scenes.tower.tables import BODY, COLUMN, CUT, KIND, NOT_YET, STOREY, STRUCK
+from game.scenes.tower.tables import BODY, COLUMN, CUT, FREE_SPEED, KIND, NOT_YET, STOREY, STRUCK, Floats
 
 
 def pieces_of(model: TowerModel) -> int:
@@ -30,25 +30,64 @@ def standing(model: TowerModel) -> int:
     return int(np.count_nonzero(counts[1:] == model.content.bays + 1))
 
 
+def whole_columns(model: TowerModel) -> int:
+    """Columns that are in one piece, wherever they are."""
+    return int(np.count_nonzero((model.parts[:, KIND] == COLUMN) & (model.parts[:, BODY] >= 0.0)))
+
+
 def struck(model: TowerModel) -> int:
     """Floors below the charges that have been struck."""
     return int(np.count_nonzero(model.storeys[: model.first_storey() - 1, STRUCK] != NOT_YET))
 
 
 def fall_of(model: TowerModel) -> tuple[float, float, float]:
-    """s from the last cut of the first storey to the last floor struck, s by the law, m the front fell.
+    """s from when nothing carried what falls to the last floor struck, s by the law, m the front fell.
 
-    NaN before any floor was struck, and without gravity.
+    The law begins at the same moment, with the speed and the way that were measured then: while the charges
+    go off one after the other, the columns that are left still carry some. NaN before any floor was struck,
+    and without gravity.
     """
-    first, content = model.first_storey(), model.content
-    begun, count = model.storeys[first - 1, CUT], struck(model)
+    first, content, count = model.first_storey(), model.content, struck(model)
+    begun, speed, way = model.freed.tolist()
     if begun == NOT_YET or not count or model.gravity() <= 0.0:
         return math.nan, math.nan, math.nan
-    begun += model.parameters.delay * content.bays
     floor, above = slab_mass(content), content.storeys - first
-    moving, drop = floor + above * (floor + columns_mass(content)), content.storey - content.slab
-    law = strike_times(moving, [floor] * count, drop, model.gravity())
-    return float(model.storeys[: first - 1, STRUCK].max() - begun), law[-1], drop * count
+    moving, drop = floor + above * (floor + columns_mass(content)), drop_of(model)
+    if way >= drop:
+        return math.nan, math.nan, math.nan
+    law = strike_times(moving, [floor] * count, drop, model.gravity(), speed, way)
+    return float(strikes_of(model).max() - begun), law[-1], drop * count - way
+
+
+def drop_of(model: TowerModel) -> float:
+    """m that a floor falls until it strikes the next."""
+    return model.content.storey - model.content.slab
+
+
+def strikes_of(model: TowerModel) -> Floats:
+    """s at which floors below the charges were struck, in the order of time."""
+    times = model.storeys[: model.first_storey() - 1, STRUCK]
+    return np.sort(times[times != NOT_YET])
+
+
+def paces_of(model: TowerModel) -> Floats:
+    """m/s of the front, the mean from each floor to the next, the first from where it was freed."""
+    begun, _, way = model.freed.tolist()
+    strikes = strikes_of(model)
+    if begun == NOT_YET or not len(strikes):
+        return np.zeros(0)
+    ways = np.full(len(strikes), drop_of(model))
+    ways[0] -= way
+    return np.asarray(ways / np.diff(strikes, prepend=begun))
+
+
+def free_fall_of(model: TowerModel) -> float:
+    """s that the way of the front would take in free fall, from the same start; NaN as `fall_of`."""
+    _, law, way = fall_of(model)
+    if not math.isfinite(law):
+        return math.nan
+    speed, gravity = float(model.freed[FREE_SPEED]), model.gravity()
+    return (math.sqrt(speed * speed + 2.0 * gravity * way) - speed) / gravity
 
 
 def front_of(model: TowerModel) -> tuple[float, float]:

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
-from game.physics.kernels import elementwise, linear
+from game.physics.kernels import linear
 from game.physics.solids import SolidSettings, SolidState, SolidWorld
 from game.physics.solids.effects import SOLIDS
 from game.physics.solids.state import ASLEEP, DYNAMIC
-from game.scenes.tower.air import AirState, TowerAir
-from game.scenes.tower.breaking import break_up, cuts_of, halves_of, speed_of_stop
+from game.scenes.tower.air import AirState, TowerAir, loose_of, solids_of
+from game.scenes.tower.breaking import (
+    apart,
+    break_up,
+    cuts_of,
+    grind,
+    halves_of,
+    middle_of,
+    shocks_of,
+    speed_of_stop,
+)
 from game.scenes.tower.building import (
     build,
     floor_height,
@@ -25,7 +36,7 @@ from game.scenes.tower.dust import advance_dust, puffs
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
-from game.scenes.tower.sounds import heard_now
+from game.scenes.tower.sounds import air_heard, charges, impacts, remembered
 from game.scenes.tower.tables import (
     BODY,
     COLUMN,
@@ -38,6 +49,7 @@ from game.scenes.tower.tables import (
     PLACE,
     RUBBLE,
     SHARD,
+    SHOCK,
     SLAB,
     STOREY,
     STOREY_WIDTH,
@@ -56,12 +68,15 @@ PIECES_OF_COLUMN = 3
 LEAST_LONG = 1.0  # m: shorter shards do not break any more
 NOT_FIRED = -1.0
 SKIN, SLOWEST = 0.02, 0.1  # m; m/s
+LASTING = 1.5  # of what a strike may take from a body that bears it: what a stop of `STOP_S` may
+MOST_GROUND = 0.2  # of what it comes from may become dust at once
 OF_COLUMN, OF_STRIKE, ON_FLOOR = 4.0, 0.8, 3.0  # kg of dust of a column, of a hard strike; kg/m² on a floor
 
 
 class ModelState(NamedTuple):
     """world; parts (n, PART_WIDTH), storeys (s, STOREY_WIDTH), dust (d, DUST_WIDTH), heard (k, HEARD_WIDTH):
-    see `tables`; clock (2,): time of the firing s (NOT_FIRED), steps; air.
+    see `tables`; clock (3,): time of the firing s (NOT_FIRED), steps, kg that have become dust; freed (3,):
+    see `tables`; air.
     """
 
     world: SolidState
@@ -70,6 +85,7 @@ class ModelState(NamedTuple):
     dust: Floats
     heard: Floats
     clock: Floats
+    freed: Floats
     air: AirState
 
 
@@ -81,13 +97,20 @@ class TowerModel(Part):
             raise ValueError(f"first = {content.first}: there are {content.storeys} storeys")
         self.content, self.parameters, self.active = content, parameters, active
         self.watch = Stopwatch()
-        self.time, self.steps, self.fired = 0.0, 0, NOT_FIRED
+        self.time = 0.0
+        self.build()
+
+    def build(self) -> None:
+        """Build it, whatever is left of one before: nothing is fired, and there is no dust."""
+        content, parameters = self.content, self.parameters
+        self.steps, self.fired = 0, NOT_FIRED
         self.world = SolidWorld(self._settings())
         self.ground, self.parts = build(self.world, content, parameters.friction, parameters.joints)
         self.storeys = np.full((content.storeys, STOREY_WIDTH), NOT_YET)
         self.dust, self.heard = none_of(DUST_WIDTH), none_of(HEARD_WIDTH)
         self.world.check_solver()
         self.built_mass = float(self.parts[:, MASS].sum())
+        self.dusted, self.freed = 0.0, np.full(3, NOT_YET)
         self.air = TowerAir(content)
 
     # -- changes --------------------------------------------------------------------------------------
@@ -125,6 +148,7 @@ class TowerModel(Part):
         """Begin the schedule now."""
         if self.fired == NOT_FIRED:
             self.fired = self.time
+            self.steps = 0  # so things break as they would whenever it is fired
 
     def first_storey(self) -> int:
         """Whose columns are cut first."""
@@ -137,7 +161,7 @@ class TowerModel(Part):
         return np.random.default_rng((self.content.seed, self.steps, number))
 
     def cut(self, row: int) -> None:
-        """A charge turns a column into rubble that flies off to both sides."""
+        """A charge turns a column into rubble that flies off to both sides, and some of it into dust."""
         part = self.parts[row]
         storey, random = int(part[STOREY]), self._random(row)
         body = int(part[BODY])
@@ -147,25 +171,28 @@ class TowerModel(Part):
         thrown = np.stack(
             [side * linear.uniform(random, 0.6, 1.4, len(pieces)), np.zeros(len(pieces))], axis=1
         )
-        self._replace(row, pieces, RUBBLE, self.parameters.blast * thrown)
+        made = self._replace(row, pieces, RUBBLE, self.parameters.blast * thrown)
         if self.storeys[storey - 1, CUT] == NOT_YET:
             self.storeys[storey - 1, CUT] = self.time
         spread = linear.uniform(random, -0.5, 0.5, (10, 2)) * (1.0, 2.0)
         self._raise_dust(
             spread + np.array((x, y)), linear.uniform(random, -3.0, 3.0, (10, 2)), 0.8, 3.5, random,
-            OF_COLUMN,
+            (made, OF_COLUMN),
         )  # fmt: skip
 
-    def break_floor(self, row: int) -> None:
-        """A floor's bay, or a shard of one, breaks in two or three."""
+    def break_floor(self, row: int, stopped: float = 0.0) -> None:
+        """A floor's bay, a column or a shard of one breaks in two or three, which still meet the floors.
+
+        stopped: m/s that it has lost; some of it throws the pieces apart.
+        """
         part, random = self.parts[row], self._random(row)
         long = max(float(part[WIDE]), float(part[TALL]))
         count = 3 if long > 3.0 else 2
-        if part[KIND] == SLAB:
+        if part[KIND] != SHARD:
             pieces = cuts_of(float(part[WIDE]), float(part[TALL]), count, random)
         else:
             pieces = halves_of(self._corners(int(part[BODY])), random)
-        self._replace(row, pieces, SHARD)
+        self._replace(row, pieces, SHARD, apart(pieces, stopped, random))
 
     def _corners(self, body: int) -> Floats:
         """Corners (k, 2) m of a body's first shape in its own frame."""
@@ -173,21 +200,33 @@ class TowerModel(Part):
         start, count = int(self.world.shapes.starts[shape]), int(self.world.shapes.counts[shape])
         return self.world.pool.corners[start : start + count].copy()
 
-    def _replace(self, row: int, pieces: list[Floats], kind: int, thrown: Floats | None = None) -> None:
+    def _replace(
+        self, row: int, pieces: list[Floats], kind: int, thrown: Floats | None = None
+    ) -> list[int]:  # fmt: skip
+        """Pieces in the place of a part: their rows, or its own where there are too many bodies."""
         part, stuff = self.parts[row], rubble_stuff if kind == RUBBLE else frame_stuff
         if len(self.world.ids()) + len(pieces) > MOST_BODIES:
-            return
-        made = break_up(self.world, int(part[BODY]), pieces, stuff(self.parameters.friction), thrown)
-        rows = [(new, kind, part[STOREY], part[PLACE], wide, tall, mass) for new, mass, wide, tall in made]
+            return [row]
+        density = float(part[MASS]) / sum(middle_of(corners)[2] for corners in pieces)
+        material = stuff(self.parameters.friction, density)
+        made = break_up(self.world, int(part[BODY]), pieces, material, thrown)
+        rows = [(new, kind, part[STOREY], part[PLACE], w, h, mass, 0.0) for new, mass, w, h in made]
         self.parts[row, BODY], self.parts[row, MASS] = GONE, 0.0
         self.parts = np.concatenate([self.parts, np.array(rows)])
+        return list(range(len(self.parts) - len(rows), len(self.parts)))
 
     def _raise_dust(
         self, places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator,
-        kilograms: float,
+        source: tuple[Sequence[int] | NDArray[np.int64], float],
     ) -> None:  # fmt: skip
-        """Puffs that show it, and so much dust for the air to carry."""
+        """Puffs that show it, and dust for the air to carry. source: rows of parts, kg taken from them."""
         self.dust = np.concatenate([self.dust, puffs(places, speeds, size, life, random)])
+        rows = np.asarray(source[0], dtype=np.int64)
+        if not len(rows):
+            return
+        kilograms = min(source[1], MOST_GROUND * float(self.parts[rows, MASS].sum()))
+        self.parts[rows, MASS] = grind(self.world, self.parts[rows, BODY].astype(np.int64), kilograms)
+        self.dusted += kilograms
         if AIR in self.active:
             self.air.raise_dust(places, kilograms)
 
@@ -198,17 +237,21 @@ class TowerModel(Part):
         at = self.content.fired_at
         if at is not None and self.time >= at - 0.5 * dt:
             self.fire()
-        self._cut_on_schedule(dt)
+        charged = self._cut_on_schedule(dt)
         if self.parameters.gives_way:
             self._give_way(dt)
         before = self.world.bodies.velocities.copy()
         with self.watch.time("step"):
             self.world.step(dt)
-        self._break_columns(before)
         self.time += dt
         self.steps += 1
-        self.heard = heard_now(self.world, self.heard, self.time - dt)
+        began = self.time - dt
+        sounds = [charges(charged, began), impacts(self.world, began)]
+        if AIR in self.active:
+            sounds.append(air_heard(self.air.fastest(), self.time, dt))
+        self.heard = remembered(self.heard, sounds, began)
         self._break_by_impact()
+        self._break_by_stops(before, dt)
         self._blow(dt)
 
     def _blow(self, dt: float) -> None:
@@ -218,40 +261,35 @@ class TowerModel(Part):
             return
         if self.awake() or not self.air.is_still():
             with self.watch.time("air"):
-                self.air.advance(self.floors(), self.loose_pieces(), self.gravity(), dt)
+                solids = solids_of(self.parts, self.world.bodies, self.air.thickness(0.0))
+                self.air.advance(solids, loose_of(self.parts, self.world.bodies), self.gravity(), dt)
         self.dust = advance_dust(self.dust, dt, self.air.gas.sample)
 
-    def floors(self) -> Floats:
-        """(k, FLOOR_WIDTH): bays of floors that are whole, as solids of the air."""
-        parts, rows = self.parts, self.world.bodies
-        whole = parts[(parts[:, KIND] == SLAB) & (parts[:, BODY] >= 0.0)]
-        own = whole[:, BODY].astype(np.int64)
-        long = 0.5 * whole[:, WIDE]
-        thick = 0.5 * np.maximum(whole[:, TALL], self.air.thickness(0.0))
-        c, s = np.abs(rows.rotations[own]).T
-        return np.column_stack([
-            rows.positions[own], rows.rotations[own], long, thick, rows.velocities[own], rows.spins[own],
-            c * long + s * thick, s * long + c * thick,
-        ])  # fmt: skip
-
-    def loose_pieces(self) -> Floats:
-        """(n, 5): place m, velocity m/s, breadth m of what is broken and moves."""
-        parts, rows = self.parts, self.world.bodies
-        loose = parts[(parts[:, BODY] >= 0.0) & ((parts[:, KIND] == SHARD) | (parts[:, KIND] == RUBBLE))]
-        own = loose[:, BODY].astype(np.int64)
-        breadth = 0.5 * (loose[:, WIDE] + loose[:, TALL])
-        found = np.column_stack([rows.positions[own], rows.velocities[own], breadth])
-        return np.ascontiguousarray(found[np.abs(found[:, 2:4]).max(axis=1, initial=0.0) > SLOWEST])
-
-    def _cut_on_schedule(self, dt: float) -> None:
+    def _cut_on_schedule(self, dt: float) -> Floats:
+        """Cut the columns whose time it is; the places (k,) m of these charges."""
         if self.fired == NOT_FIRED:
-            return
+            return np.zeros(0)
         first = self.first_storey()
         parts = self.parts
         due = (self.time - self.fired + 0.5 * dt) / max(self.parameters.delay, 1e-9)
         mine = (parts[:, KIND] == COLUMN) & (parts[:, STOREY] == first) & (parts[:, BODY] >= 0.0)
-        for row in np.flatnonzero(mine & (parts[:, PLACE] <= due)).tolist():
+        now = np.flatnonzero(mine & (parts[:, PLACE] <= due))
+        places = self.world.bodies.positions[parts[now, BODY].astype(np.int64), 0].copy()
+        for row in now.tolist():
             self.cut(row)
+        if mine.any() and (parts[mine, PLACE] <= due).all():
+            self._set_free(first)
+        return places
+
+    def _set_free(self, storey: int) -> None:
+        """Nothing carries what is above a storey any more: note when, how fast it is, how far it has come."""
+        parts, bodies = self.parts, self.world.bodies
+        slabs = (parts[:, KIND] == SLAB) & (parts[:, STOREY] == storey) & (parts[:, BODY] >= 0.0)
+        own = parts[slabs, BODY].astype(np.int64)
+        if len(own):
+            way = floor_height(self.content, storey) - 0.5 * self.content.slab - bodies.positions[own, 1]
+            speed = -float(bodies.velocities[own, 1].mean())
+            self.freed[:] = self.time, max(speed, 0.0), max(float(way.mean()), 0.0)
 
     def _give_way(self, dt: float) -> None:
         """Columns of a storey break where the floor above has come down upon its own floor."""
@@ -280,22 +318,29 @@ class TowerModel(Part):
         half, random = half_width(self.content), self._random(100_000 + storey)
         side = np.where(np.arange(36) % 2 == 0, 1.0, -1.0)
         y = floor_height(self.content, storey) + linear.uniform(random, 0.1, 0.9, 36)
-        kilograms = ON_FLOOR * 2.0 * half
+        floors = np.isin(self.parts[:, KIND], (SLAB, SHARD)) & (self.parts[:, BODY] >= 0.0)
+        floors &= (self.parts[:, STOREY] == storey) | (self.parts[:, STOREY] == storey + 1)
+        source = np.flatnonzero(floors), ON_FLOOR * 2.0 * half
         if AIR in self.active:  # the air knows how fast, and takes it along from all over the floor
             x = linear.uniform(random, -half, half, 36)
-            self._raise_dust(np.stack([x, y], axis=1), np.zeros((36, 2)), 1.3, 9.0, random, kilograms)
+            self._raise_dust(np.stack([x, y], axis=1), np.zeros((36, 2)), 1.3, 9.0, random, source)
             return
         fast = min(max(speed, 0.0) * half / self.content.storey, 18.0)
         speeds = np.stack([side * fast, linear.uniform(random, -1.0, 2.0, 36)], axis=1)
-        self._raise_dust(np.stack([side * half, y], axis=1), speeds, 1.3, 9.0, random, kilograms)
+        self._raise_dust(np.stack([side * half, y], axis=1), speeds, 1.3, 9.0, random, source)
 
-    def _break_columns(self, before: Floats) -> None:
-        """Columns that ride on what falls break where it is stopped."""
-        columns = np.flatnonzero((self.parts[:, KIND] == COLUMN) & (self.parts[:, BODY] >= 0.0))
-        bodies = self.parts[columns, BODY].astype(np.int64)
-        lost = elementwise.hypot(*(self.world.bodies.velocities[bodies] - before[bodies]).T)
-        for row in columns[lost > self.parameters.strength].tolist():
-            self.cut(row)
+    def _break_by_stops(self, before: Floats, dt: float) -> None:
+        """Floors and columns that ride on what falls break where they are stopped faster than they bear."""
+        there = np.flatnonzero((self.parts[:, BODY] >= 0.0) & (self.parts[:, KIND] != RUBBLE))
+        parts, own = self.parts, self.parts[there, BODY].astype(np.int64)
+        known = own < len(before)
+        there, own = there[known], own[known]
+        now = self.world.bodies.velocities[own]
+        parts[there, SHOCK] = shocks_of(parts[there, SHOCK], before[own], now, dt)
+        long = np.maximum(parts[there, WIDE], parts[there, TALL])
+        breaks = (parts[there, SHOCK] > LASTING * self.parameters.strength) & (long > 2.0 * LEAST_LONG)
+        for row in there[breaks].tolist():
+            self.break_floor(row, float(parts[row, SHOCK]))
 
     def _break_by_impact(self) -> None:
         """Floors that were stopped faster than they bear break; what strikes raises dust."""
@@ -303,18 +348,21 @@ class TowerModel(Part):
         if not len(begun):
             return
         pairs = self.world.shapes.bodies[shapes]
-        order = np.argsort(self.parts[:, BODY], kind="stable")
-        random = self._random(200_000)
+        row_of = np.full(len(self.world.bodies.flags), -1)
+        there = np.flatnonzero(self.parts[:, BODY] >= 0.0)
+        row_of[self.parts[there, BODY].astype(np.int64)] = there
+        rows = row_of[pairs]
         hard = np.flatnonzero(begun[:, 3] > 2.0)[:24]
         if len(hard):
-            self._raise_dust(begun[hard, :2], np.tile((0.0, 0.8), (len(hard), 1)), 1.0, 6.0, random,
-                             OF_STRIKE * len(hard))  # fmt: skip
-        known = self.parts[order, BODY]
+            source = np.unique(rows[hard][rows[hard] >= 0])
+            self._raise_dust(
+                begun[hard, :2], np.tile((0.0, 0.8), (len(hard), 1)), 1.0, 6.0, self._random(200_000),
+                (source, OF_STRIKE * len(hard)),
+            )  # fmt: skip
         breaking: set[int] = set()
-        for (a, b), (_, _, impulse, _, _) in zip(pairs.tolist(), begun.tolist(), strict=True):
-            for body in (a, b):
-                row = int(order[min(int(np.searchsorted(known, body)), len(order) - 1)])
-                if self.parts[row, BODY] != body or self.parts[row, KIND] not in (SLAB, SHARD):
+        for pair, impulse in zip(rows.tolist(), begun[:, 2].tolist(), strict=True):
+            for row in pair:
+                if row < 0 or self.parts[row, KIND] not in (SLAB, SHARD):
                     continue
                 long = max(self.parts[row, WIDE], self.parts[row, TALL])
                 stopped = speed_of_stop(impulse, float(self.parts[row, MASS]))
@@ -335,15 +383,18 @@ class TowerModel(Part):
 
     def state(self) -> ModelState:
         """All that later steps depend on."""
-        clock = np.array([self.fired, float(self.steps)])
+        clock = np.array([self.fired, float(self.steps), self.dusted])
         return ModelState(
-            self.world.state(), self.parts, self.storeys, self.dust, self.heard, clock, self.air.state()
-        )
+            self.world.state(), self.parts, self.storeys, self.dust, self.heard, clock, self.freed,
+            self.air.state(),
+        )  # fmt: skip
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.world.restore(state.world)
         self.parts, self.storeys = state.parts.copy(), state.storeys.copy()
         self.dust, self.heard = state.dust.copy(), state.heard.copy()
-        self.fired, self.steps = float(state.clock[0]), int(state.clock[1])
+        fired, steps, self.dusted = state.clock.tolist()
+        self.fired, self.steps = fired, int(steps)
+        self.freed = state.freed.copy()
         self.air.restore(state.air)

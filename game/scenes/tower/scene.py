@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import ClassVar
 
+import msgspec
+
 from game.lab.studies.collapse import collapse_study
 from game.levels import Level
 from game.physics.fields import GRAVITY
@@ -17,9 +19,8 @@ from game.scenes.tower.level import TowerContent
 from game.scenes.tower.model import TowerModel
 from game.scenes.tower.parameters import OF_PICTURE, TowerParameters
 from game.scenes.tower.readouts import readouts
-from game.scenes.tower.saving import content_of
 from game.scenes.tower.sounds import hearing_of
-from game.scenes.tower.targets import story_targets
+from game.scenes.tower.targets import story_names, story_targets
 from game.scenes.tower.view import TowerView
 from game.stage import (
     Equation,
@@ -41,9 +42,12 @@ class Tower(BuiltScene):
     gravity, and a mass at the start makes it faster.
 
     Columns become rubble that flies off to both sides; their momenta sum to nothing. Bays of a floor are
-    welded: joints part beyond a load, and a bay that is stopped too fast breaks. Pieces together keep mass
-    and motion of what they were. Columns further down are cut by the scene the moment before the falling
-    floor meets theirs: a rigid column would stop the fall for a whole step before its joints part.
+    welded: joints part beyond a load, and a bay that is stopped too fast breaks. So does all that loses more
+    than one and a half times that speed within a twentieth of a second, and its pieces fly apart. Pieces and
+    dust together keep the mass of what they were. Columns further down are cut by the scene the moment before
+    the falling floor meets theirs: a rigid column would stop the fall for a whole step before its joints
+    part. The clock of the fall and the law begin when the last column is cut, with the speed and the way that
+    the floors have by then.
 
     The air flows on a coarse grid around floors that move with their true velocity: it is driven out from
     under them and carries the dust, whose mass is kept and which weighs on it. The air does not slow floors.
@@ -80,6 +84,7 @@ class Tower(BuiltScene):
     )
     actions = (
         SceneAction("fire", "fire the charges", "U"),
+        SceneAction("build", "build it again", "B"),
         SceneAction("tool-cut", "tool: cut a column", "1"),
         SceneAction("tool-break", "tool: break a floor", "2"),
     )
@@ -117,7 +122,8 @@ class Tower(BuiltScene):
         return super().why_idle(name)
 
     def save_content(self) -> TowerContent:
-        return content_of(self.model)
+        """The tower as it was built, with the storey that is cut first as chosen."""
+        return msgspec.structs.replace(self.model.content, first=self.model.first_storey())
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
@@ -127,6 +133,8 @@ class Tower(BuiltScene):
     def action(self, name: str) -> None:
         if name.startswith("tool-"):
             self.parameters.tool = name.removeprefix("tool-")
+        elif name == "build":
+            self.model.build()
         else:
             self.model.fire()
 
@@ -137,6 +145,9 @@ class Tower(BuiltScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return story_targets(self.model)
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return story_names(self.model)
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model.heard, self.model.time)

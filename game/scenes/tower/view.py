@@ -39,8 +39,8 @@ from game.worlds.painting.polygons import NO_EDGE, paint
 Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
 PANES = 3  # windows in a bay
-NO_LIGHT = ((0.0, pygame.Color(0, 0, 0)), (1.0, pygame.Color(0, 0, 0)))
 SPARED = 4  # of so many puffs one is drawn where the air's own dust is
+GROUND_BANDS, GROUND_M = 14, 16.0  # bands of the field, m below the horizon in all
 CHUNK = 160  # puffs that are painted at once, the oldest first
 
 
@@ -57,15 +57,16 @@ class Hour(NamedTuple):
     edge: int
     glass: tuple[int, int]  # no lamp is on: nobody is there; some panes mirror the sky
     dust: tuple[int, int]
+    sheen: int  # added where light from the sun or the moon falls on dust
 
 
 DAY = Hour(
     (0x8FB7DA, 0xC9DDE8, 0xF6E7CF), 0xFFF6DC, (0xA9BCCB, 0x8499AB), (0x8D9A78, 0x5E6B52),
-    0xB9B2A6, 0x9C968C, (0x8A847A, 0xA59E92), 0x4A463F, (0x8FB4C8, 0xBFD8E2), (0xE6DCCB, 0xA99F90),
+    0xB9B2A6, 0x9C968C, (0x8A847A, 0xA59E92), 0x4A463F, (0x8FB4C8, 0xBFD8E2), (0xE6DCCB, 0xA99F90), 0x38322A,
 )  # fmt: skip
 NIGHT = Hour(
-    (0x0A1024, 0x1C2444, 0x6E4A5C), 0xF0C9A0, (0x232A44, 0x161B2E), (0x20262A, 0x0D1012),
-    0x7F7C80, 0x65636A, (0x57555C, 0x6E6B70), 0x0A0B10, (0x2D3E58, 0x3A4A66), (0x9A8F8C, 0x4C464A),
+    (0x0A1024, 0x1C2444, 0x6E4A5C), 0xF0C9A0, (0x232A44, 0x161B2E), (0x3A3A44, 0x1B1F25),
+    0x7F7C80, 0x65636A, (0x57555C, 0x6E6B70), 0x0A0B10, (0x2D3E58, 0x3A4A66), (0x9A8F8C, 0x4C464A), 0x8A6E5C,
 )  # fmt: skip
 
 
@@ -80,13 +81,14 @@ class TowerView:
 
     def __init__(self, model: TowerModel):
         self.model = model
+        self._asked = False  # marks are asked for by key
         self._standing = Standing()
         random = np.random.default_rng(3)
         self._towns = [_town(random, scale) for _, scale in BEHIND]
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
-        if not self.model.parameters.marks:
+        if not (self.model.parameters.marks or self._asked):
             return []
         return [("disc:amber", "contact", ""), ("dash:vermilion", "front by the law", "")]
 
@@ -98,7 +100,8 @@ class TowerView:
         self._bodies(canvas, hour, previous, alpha)
         if self.model.parameters.dust:
             self._dust(canvas, hour)
-        if canvas.teaching and self.model.parameters.marks:
+        self._asked = canvas.asked
+        if canvas.marks(self.model.parameters.marks):
             self._marks(canvas)
 
     # -- behind ---------------------------------------------------------------------------------------
@@ -122,13 +125,26 @@ class TowerView:
             if len(kept) > 2:
                 outline = np.concatenate([[(kept[0, 0], -2.0)], kept, [(kept[-1, 0], -2.0)]])
                 canvas.polygon(outline, fill=_color(ink))
-        ground = np.array(
-            [(seen.left, 0.0), (seen.right, 0.0), (seen.right, low - 1.0), (seen.left, low - 1.0)]
-        )
-        canvas.polygon(ground, fill=_color(hour.ground[1]))
-        band = ground.copy()
-        band[2:, 1] = -0.5
-        canvas.polygon(band, fill=_color(hour.ground[0]))
+        self._paint_ground(canvas, hour, sun[0])
+
+    @staticmethod
+    def _paint_ground(canvas: Canvas, hour: Hour, sun_x: float) -> None:
+        """A field in bands, the nearer the darker, with the light of the sun or the moon on it."""
+        seen = canvas.camera.visible()
+        near, far = _color(hour.ground[1]), _color(hour.ground[0])
+        heights = -GROUND_M * np.linspace(0.0, 1.0, GROUND_BANDS + 1) ** 1.6
+        heights[-1] = min(seen.bottom, -GROUND_M) - 1.0
+        wide = 0.02 * (seen.right - seen.left)
+        for k in range(GROUND_BANDS):
+            ink = far.lerp(near, k / (GROUND_BANDS - 1.0))
+            top, low = float(heights[k]), float(heights[k + 1])
+            canvas.polygon(
+                [(seen.left, top), (seen.right, top), (seen.right, low), (seen.left, low)], fill=ink
+            )
+            half = wide * (0.8 + 0.22 * k)
+            lit = [(sun_x - half, top), (sun_x + half, top), (sun_x + half + 0.22 * wide, low),
+                   (sun_x - half - 0.22 * wide, low)]  # fmt: skip
+            canvas.polygon(lit, fill=_color(hour.sun), fill_alpha=0.12 * (1.0 - k / GROUND_BANDS) ** 2)
 
     def _facade(self, canvas: Canvas, hour: Hour) -> None:
         """Panes between the floors of storeys that stand."""
@@ -237,7 +253,8 @@ class TowerView:
         """
         dust, air = self.model.dust, AIR in self.model.active
         if air:
-            canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), NO_LIGHT)
+            sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, _color(hour.sheen)))
+            canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), sheen)
             dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
         if not len(dust):
             return
@@ -249,7 +266,7 @@ class TowerView:
             where = dust[part][:, [DX, DY]]
             shade, light = _color(hour.dust[1]), _color(hour.dust[0])
             for share, ink, veil in ((1.0, shade, 0.05), (0.72, shade, 0.06), (0.48, light, 0.08)):
-                shift = (0.0, 0.0) if ink is shade else (0.12, 0.2)
+                shift = (0.0, 0.0) if ink is shade else (0.3, 0.2)
                 canvas.discs(where + np.array(shift), radius[part] * share, ink, veil * min(1.0, 1.6 * fade))
 
     def _marks(self, canvas: Canvas) -> None:

@@ -86,7 +86,7 @@ def _cost(table: StudyTable, method: str, target: float) -> float:
     rows = table.of(method)
     if table.study.axes.up == "cpu":
         return min((row.cpu_s for row in rows), default=math.nan)
-    if table.study.axes.across == "knob":
+    if table.study.axes.across == "knob" or math.isnan(target):
         return math.nan
     return cost_to_reach(rows, target, table.study.envelope)
 
@@ -216,7 +216,7 @@ def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
     )
     labels = {_sentence_case(method.label): method.label for method in study.methods}
     inside = [row._replace(name=labels.get(row.name, row.name)) for row in rows]
-    if study.axes != ACCURACY or study.lesson:
+    if study.axes != ACCURACY or study.lesson or math.isnan(target):
         return study.expectation
     return sentence_for(inside, words) or study.expectation
 
@@ -227,7 +227,7 @@ def _notes(study: Study, series: Sequence[PlotSeries], trouble: str, place: str)
         notes.append("Orders are fitted to the upper envelope.")
     of_errors = study.axes.up == "error"
     if of_errors and any(0.0 <= point.y <= study.floor for one in series for point in one.points):
-        notes.append("At the foot: rounding only.")
+        notes.append("Points on the lower edge err by rounding only.")
     if any(point.pending for one in series for point in one.points):
         notes.append("Hollow: still to be measured.")
     notes.append("Click a point to set the scene to it.")

@@ -270,6 +270,7 @@ def test_a_tab_shows_and_measures_another_study(driver: Driver, monkeypatch: pyt
     driver.frames(40)
     page = driver.top.page
     assert page.data.studies == ("Of error", "Of cost") and page.data.study == 0
+    assert page.data.title == "Fake"  # what it is measured on, whatever level is open
     first = driver.top.run.table
     driver.click(*page.spots.find("study-1").rect.center)
     driver.top.run.wait(60.0)

@@ -3,6 +3,7 @@
 import pytest
 
 from game.levels import LevelError, level_files, load_level, parse_level
+from game.scenes.beat.model import SHOWN_S
 from game.scenes.beat.scene import Beat
 from game.scenes.beat.state import PLAYING, SEARCHING, SILENT, TAPPING
 from game.stage import Action, Decision, Pointer, Stage
@@ -38,6 +39,17 @@ def test_the_shot_of_a_level_meets_its_beat(path):
     assert readout(stage, "largest error") <= max((one.within for one in expected), default=1e-9)
     assert readout(stage, "off the beat") == 0.0
     assert bool(expected) == path.stem.startswith("hard")
+
+
+@pytest.mark.parametrize("path", LEVELS, ids=lambda path: path.stem)
+def test_every_click_that_is_heard_is_counted(path):
+    """While the shot is shown, from its stroke on: those for beats, those off them, those after the last."""
+    stage = Stage(Beat, level=load_level(path, "p22", Beat.content_type))
+    shown = stage.scene.model.shown
+    until = shown.rhythm.beats[-1] + SHOWN_S
+    heard = [click for click in shown.clicks if click <= until]
+    assert readout(stage, "impacts") + readout(stage, "after the last beat") == len(heard)
+    assert all(row[0] <= shown.trajectory.end_time for row in shown.sounds)
 
 
 def test_what_is_tapped_is_searched_for_and_played():

@@ -9,14 +9,19 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import LevelError, level_files, load_level, parse_level
+from game.physics.plates import Plate, Plates
 from game.physics.plates.law import BEND, HALF, MASS_Y, X, Y
+from game.physics.plates.watch import FLUTTER, GLIDE, NOTHING, TUMBLE
 from game.scenes.leaves import foliage
-from game.scenes.leaves.foliage import cut_outlines
+from game.scenes.leaves.basket import Basket
+from game.scenes.leaves.foliage import Foliage, cut_outlines
 from game.scenes.leaves.level import LeavesContent
+from game.scenes.leaves.model import NAMES
 from game.scenes.leaves.scene import Leaves
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.listening import heard_in
 
 pytestmark = pytest.mark.compiled
 LEVELS = {path.stem: path for path in level_files("a18") if not path.stem.startswith("story")}
@@ -65,23 +70,24 @@ def test_leaves_lie_still_until_a_wind_comes():
     assert most >= 8 and measured(stage)["highest"] > 0.8
 
 
-def test_each_kind_comes_down_as_its_shape_asks():
-    """A18.3: without wind a maple's leaf comes down softer than it would flat; an ash's glides away."""
-    ways, descents = {}, {}
-    for kind in SPECIES:
-        words = (
-            f'scene = "a18"\ntitle = "one"\n[parameters]\nwind = 0.0\n[content]\nbeds = [{{ '
-            f'kinds = ["{kind}"], '
-            "left = -2.0, right = -2.0, height = 20.0, alike = true }]\n"
-        )
-        stage = Stage(Leaves, level=parse_level(words, "a18", LeavesContent))
-        stage.run(120)
-        start = stage.scene.model.plates.positions[0]
-        stage.run(1200)
-        end = stage.scene.model.plates.positions[0]
-        ways[kind], descents[kind] = abs(end[0] - start[0]) / (start[1] - end[1]), (start[1] - end[1]) / 10.0
-    assert ways["ash"] > 0.7 and ways["maple"] < 0.4
-    assert max(descents.values()) < 1.3 and descents["maple"] == min(descents.values())
+@pytest.mark.parametrize(
+    ("kind", "way"),
+    [("maple", FLUTTER), ("linden", FLUTTER), ("oak", TUMBLE), ("birch", TUMBLE), ("ash", GLIDE)],
+)
+def test_each_kind_comes_down_as_its_shape_asks(kind, way):
+    """A18.3: let go in still air at any angle, all but a few of a kind are seen to do what it does."""
+    words = (
+        'scene = "a18"\ntitle = "some"\n[parameters]\nwind = 0.0\n[content]\nbeds = [{ '
+        f'kinds = ["{kind}"], count = 20, left = -19.0, right = 19.0, height = 6.0 }}]\n'
+    )
+    stage = Stage(Leaves, level=parse_level(words, "a18", LeavesContent))
+    counts = np.zeros(5)
+    model = stage.scene.model
+    for _ in range(20):
+        stage.run(30)
+        counts += np.bincount(model.seen()[model.flying()], minlength=5)
+    own, other = counts[way], counts.sum() - counts[way] - counts[NOTHING]
+    assert own > 5.0 * other and own > 0.4 * counts.sum(), counts
 
 
 def test_a_drag_draws_a_gust_that_takes_leaves_along():
@@ -130,7 +136,7 @@ def test_without_gust_inertia_leaves_lag():
     for on in (True, False):
         stage = opened("hard-01-storm")
         stage.post(SetEffect("gust-inertia", on))
-        stage.run(math.ceil(2.3 / stage.dt))
+        stage.run(math.ceil(1.015 / stage.dt))
         moved.append(float(np.mean(stage.scene.model.plates.velocities[:, 0])))
     assert moved[0] > moved[1] > 0.0
 
@@ -150,10 +156,61 @@ def test_a_step_back_and_on_again_is_equal():
 
 def test_landings_are_heard():
     stage = opened("hard-05-still-air")
-    stage.run(700)
-    sounds = stage.scene.hearing().sounds
-    assert len(sounds) > 10 and all(sound.kind == "crackle" for sound in sounds)
-    assert all(abs(sound.pan) <= 1.0 for sound in sounds)
+    kinds = {kind for kind, _ in heard_in(stage, [60] * 12)}
+    assert kinds == {"rustle"}  # the air is still
+    windy = opened("hard-01-storm")
+    windy.run(150)
+    assert {kind for kind, _ in heard_in(windy, [30] * 6)} == {"rustle", "wind"}
+
+
+def leaf_in_basket(half_chord: float, x: float, y: float, theta: float):
+    basket = Basket(1.5, 0.4, 0.6)
+    plates = Plates([Plate(half_chord, 0.6, 0.03)], [(x, y, theta)])
+    own = np.array([[float(NAMES.index("maple")), 0.3, 0.5, -0.4, 0.0, 1.0]])
+    return basket, plates, own
+
+
+def test_one_outline_stops_counts_and_draws_leaves():
+    """What is beside the foot, under the rim that overhangs it, is not in the basket; what is in it is not
+    drawn through its walls.
+    """
+    basket = Basket(1.5, 0.4, 0.6)
+    for side in (-1.0, 1.0):
+        x = 1.5 + side * 0.37
+        assert basket.holds(np.array([x]), np.array([0.59])).all()
+        assert not basket.holds(np.array([x, 1.5]), np.array([0.01, 0.61])).any()
+    (left, _, left_rim, top, *_), (right, *_) = basket.walls()
+    assert (left, left_rim, right) == pytest.approx((1.5 - 0.34, 1.5 - 0.4, 1.5 + 0.34)) and top == 0.6
+    assert basket.half_at(0.0) == pytest.approx(0.34) and basket.half_at(2.0) == pytest.approx(0.4)
+    _, plates, own = leaf_in_basket(0.05, 1.5 - 0.31, 0.05, 0.1)
+    leaves, halves = Foliage(), plates.laws[HALF]
+    leaves._fit(own)
+    before = leaves._corners(plates.rows, own, halves)
+    assert np.max(np.abs(before[:, 0] - 1.5) - basket.half_at(before[:, 1])) > 0.005
+    rows = plates.rows.copy()
+    rows[X] += leaves._pushed_in(before, basket)
+    after = leaves._corners(rows, own, halves)
+    assert np.max(np.abs(after[:, 0] - 1.5) - basket.half_at(after[:, 1])) < 1e-9
+
+
+def test_no_leaf_comes_into_the_basket_but_over_its_rim():
+    """A wind presses leaves at the wall from outside; the shelter does not reach beyond it."""
+    words = (
+        'scene = "a18"\n[parameters]\nwind = 3.0\n[content]\nbasket = { x = 1.5 }\n'
+        'beds = [{ kinds = ["maple", "oak", "ash"], count = 30, left = 0.3, right = 1.1 }]\n'
+    )
+    stage = Stage(Leaves, level=parse_level(words, "a18", LeavesContent))
+    model = stage.scene.model
+    was = model.inside()
+    for _ in range(480):
+        heights = model.plates.rows[Y].copy()
+        stage.run(1)
+        now = model.inside()
+        assert (heights[now & ~was] > model.basket.height - 0.03).all()
+        was = now
+    x, y = 1.5 - 0.37, 0.1
+    assert model.wind.sample([(x, y)])[0, 0] == pytest.approx(model.wind.sample([(x - 1.0, y)])[0, 0])
+    assert model.wind.sample([(1.5, y)])[0, 0] < 0.1 * model.wind.sample([(x, y)])[0, 0]
 
 
 def test_outlines_are_cut_in_halves_of_the_same_area():
@@ -205,4 +262,4 @@ def test_the_picture_is_drawn_in_both_themes_with_leaves_in_it():
     bare = np.asarray(picture_of_stage(empty, (480, 270), "light").get_buffer()).tobytes()
     assert len({*full, bare}) == 3
     laws = stage.scene.model.plates.laws
-    assert np.all(laws[HALF] > 0.02) and np.all(np.isfinite(stage.scene.model.plates.rows[[X, Y]]))
+    assert np.all(laws[HALF] > 0.015) and np.all(np.isfinite(stage.scene.model.plates.rows[[X, Y]]))

@@ -10,14 +10,20 @@ import pytest
 from game.levels import parse_level
 from game.physics.plates import Gust
 from game.physics.plates.law import CURL, DRAG, DRAG_TURN, HALF, THETA, UNIT, VX, VY, X, Y
+from game.physics.plates.regimes import BORDERS
+from game.physics.plates.watch import FLUTTER, GLIDE, NOTHING, TUMBLE
+from game.scenes.leaves.basket import WIRE
 from game.scenes.leaves.foliage import cut_outlines
 from game.scenes.leaves.hand import FARTHEST, LeavesHand
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.model import DEPTH, FLIP, GROWN, KIND, NAMES, SHADE, YAW, LeavesModel
 from game.scenes.leaves.readouts import readouts_of
 from game.scenes.leaves.scene import Leaves
+from game.scenes.leaves.sounds import LANDING, RUBBING, WIND
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
+from game.scenes.leaves.ways import ACROSS, CHANGES, DOWN, TOOK, TURNED
 from game.stage import Pointer
+from game.worlds.hearing import REMEMBERED_S
 
 DT = 1.0 / 120.0
 
@@ -45,7 +51,7 @@ def test_a_bed_lies_evenly_from_left_to_right_each_kind_by_turns():
     assert model.own[:, KIND].tolist() == [NAMES.index(("maple", "oak")[k % 2]) for k in range(7)]
     flat = np.minimum(np.abs(theta), np.abs(theta - math.pi))
     assert flat.max() <= 0.1 and len(set(np.round(theta / math.pi))) == 2  # rims up and rims down
-    assert len(model.airborne) == model.watch.counts.shape[1] == len(model.plates) == 7
+    assert len(model.airborne) == len(model.ways) == len(model.plates) == 7
     other = made(BED, seed=4)
     assert not np.array_equal(other.own, model.own) and np.array_equal(made(BED).own, model.own)
 
@@ -83,11 +89,11 @@ def test_a_leafs_law_is_its_kinds_by_its_own_shade_and_size_and_what_is_chosen(j
     model = made("", weight=2.0, curl=0.3, stiffness=3.0, balance=-0.1)
     model.add("ash", (0.0, 1.0), 0.4, np.random.default_rng(5), jitter)
     row, kind, law = model.own[0], SPECIES["ash"].plate, model._plate(0)
-    assert (row[GROWN] == 1.0) == (jitter == 0.0) and row[SHADE] not in (0.35, 0.4)
-    assert law.half_chord == pytest.approx(0.034 * row[GROWN])
-    assert law.inertia == pytest.approx(0.50 * 2.0 * (1.0 + jitter * 0.35 * (row[SHADE] - 0.4)))
-    assert law.curl == pytest.approx(0.10 + jitter * 0.3 * (row[SHADE] - 0.35) + 0.3)
-    assert law.bend_hz == pytest.approx(60.0) and law.balance == pytest.approx(0.15)
+    assert (row[GROWN] == 1.0) == (jitter == 0.0) and row[SHADE] != 0.4
+    assert law.half_chord == pytest.approx(0.032 * row[GROWN])
+    assert law.inertia == pytest.approx(1.0 * 2.0 * (1.0 + jitter * 0.2 * (row[SHADE] - 0.4)))
+    assert law.curl == pytest.approx(jitter * 0.05 * (row[SHADE] - 0.4) + 0.3)
+    assert law.bend_hz == pytest.approx(60.0) and law.balance == pytest.approx(0.55)
     assert law[2] == kind[2]
     laws = model.plates.laws[:, 0]
     assert laws[HALF] == pytest.approx(law.half_chord) and laws[CURL] == pytest.approx(law.curl)
@@ -119,8 +125,7 @@ def test_the_wind_is_the_levels_slowed_by_the_lawn_and_sheltered_in_the_basket()
     )
     wind = model.wind
     assert (wind.wind, wind.layer, wind.floor, wind.count) == (3.0, 0.4, -0.35, 1)
-    assert wind.shelters.tolist() == [[0.5, 1.5, 0.8, 0.12]]
-    assert model.left == 0.5 and model.right == 1.5
+    assert wind.shelters[0].tolist() == pytest.approx([0.5, 1.5, 0.8, 0.12, 0.15 * 0.5 / 0.8])
     free, inside = wind.sample([(-0.9, 0.4), (1.0, 0.4)])
     even = 3.0 * (1.0 - math.exp(-(0.4 + 0.35) / 0.4))
     assert free == pytest.approx((even, 0.0)) and inside[0] == pytest.approx(even * math.exp(-0.4 / 0.12))
@@ -176,7 +181,7 @@ class TestStep:
         words = (
             'beds = [{ kinds = ["oak"], count = 3, left = -1.0, right = 1.0, height = 3.0, alike = true }]\n'
         )
-        return made(words, wind=0.0, **parameters)
+        return made(words, **{"wind": 0.0, **parameters})
 
     def test_time_in_the_air_counts_from_the_last_touch(self):
         model = self.free()
@@ -187,20 +192,33 @@ class TestStep:
             assert model.tally[0] == (3 if k * DT > 0.25 else 0)
         assert model.tally[1] == pytest.approx(3.04, abs=0.01)
 
-    def test_a_landing_is_heard_by_half_its_speed_before_and_where(self):
+    def test_a_landing_is_heard_by_its_speed_before_and_where(self):
         model = self.free()
         model.airborne[:] = 0.3, 0.25, 0.3
         model.plates.rows[Y] = 0.004, 0.004, 2.0
         model.plates.rows[VX], model.plates.rows[VY] = 0.6, -0.8
         model.advance(DT)
         assert (model.plates.touched > 0.0).tolist() == [True, True, False]
-        assert model.heard.shape == (1, 3) and model.airborne[:2].tolist() == [0.0, 0.0]
-        assert model.heard[0] == pytest.approx([DT, 0.5, model.plates.rows[X, 0]])
-        model.heard = np.arange(72.0).reshape(24, 3)
+        assert model.heard.shape == (1, 4) and model.airborne[:2].tolist() == [0.0, 0.0]
+        assert model.heard[0] == pytest.approx([DT, LANDING, 0.125, model.plates.rows[X, 0]])
+        model.heard = np.tile((0.0, RUBBING, 0.5, 0.0), (24, 1))
+        model.heard[0, 0] = -REMEMBERED_S
         model.airborne[:] = 0.3, 0.3, 0.3
         model.plates.rows[Y, :2], model.plates.rows[VY, :2] = 0.004, -1.0
         model.advance(DT)
-        assert len(model.heard) == 24 and model.heard[0, 0] == 6.0
+        assert len(model.heard) == 24 and model.heard[:, 1].tolist() == [RUBBING] * 22 + [LANDING] * 2
+
+    def test_what_slides_and_the_wind_are_heard_now_and_then(self):
+        model = self.free(wind=4.0)
+        model.plates.rows[Y, :2], model.plates.rows[Y, 2] = 0.004, 2.0
+        model.plates.rows[VX, :2] = 1.0, 0.1
+        while not (model.heard[:, 1] == WIND).any():
+            model.advance(DT)
+        blown = model.heard[model.heard[:, 1] == WIND][0]
+        assert blown[0] == pytest.approx(0.2, abs=DT) and 0.0 < blown[2] < 0.16 * 4.0
+        rubbed = model.heard[model.heard[:, 1] == RUBBING]
+        assert len(rubbed) and rubbed[:, 2].min() > 0.06 * 0.15 and rubbed[:, 2].max() < 0.06 * 4.0
+        assert (rubbed[:, 3] < 0.5).all()  # the third is high up, at 0.67
 
     def test_the_camera_comes_after_the_middle_of_those_that_fly(self):
         model = self.free()
@@ -241,7 +259,7 @@ def test_a_state_brings_every_number_back():
     model = made(BED + "gusts = [{ place = [0.0, 0.3], begins = 0.0, lasts = 3.0, blows = [4.0, 3.0] }]\n")
     for _ in range(60):
         model.advance(DT)
-    model.heard = np.array([[0.1, 0.2, 0.3]])
+    model.heard = np.array([[0.5, 0.0, 0.2, 0.3]])
     kept = copied(model.state())
     for _ in range(20):
         model.advance(DT)
@@ -277,11 +295,17 @@ def test_readouts_say_what_is_counted_by_hand():
     for _ in range(30):
         model.advance(DT)
     rows = model.plates.rows
-    rows[X] = 0.5, 0.5001, 1.4999, 1.5, 1.0, 1.0
+    half = 0.5 * (0.85 + 0.15 * 0.3 / 0.8)  # between the slanted walls at 0.3 m
+    half -= WIRE
+    rows[X] = 1.0 - half, 1.0001 - half, 1.5749, 0.9999 + half, 1.0, 1.0
     rows[Y] = 0.3, 0.3, 0.12, 0.3, 0.8, 0.7999
+    model.ways[:, CHANGES] = 5.0  # all of them swing, but
+    model.ways[0, TURNED], model.ways[5, TURNED] = -6.3, 6.28  # one has turned over, one not yet
+    model.ways[3, ACROSS : DOWN + 1] = -0.7, 1.0
+    model.ways[4, TOOK] = 1.6
     model.airborne[:] = 1.0, 0.1, 1.0, 1.0, 1.0, 0.1001
     rows[VY] = -1.0, -1.0, -1.0, 1.0, -2.0, -0.5
-    assert model.inside().tolist() == [False, True, True, False, False, True]
+    assert model.inside().tolist() == [False, True, False, True, False, True]
     assert model.flying().tolist() == [True, False, False, True, True, True]
     model.tally[:2] = 5.0, 3.25
     found = measured(model)
@@ -290,6 +314,9 @@ def test_readouts_say_what_is_counted_by_hand():
     laws = model.plates.laws[:, falling]
     terminal = laws[UNIT] / np.sqrt((laws[DRAG] + laws[DRAG_TURN]) * laws[HALF])
     assert (found["leaves"], found["in the basket"], found["in the air"], found["took off"]) == (6, 3, 4, 5)
+    seen = [TUMBLE, NOTHING, NOTHING, GLIDE, NOTHING, FLUTTER]
+    assert model.seen().tolist() == seen
+    assert (found["fluttering"], found["tumbling"], found["gliding"]) == (1, 1, 1)
     assert found["share in the basket"] == 50.0 and found["highest"] == 3.25
     assert found["descent"] == pytest.approx(np.mean(wy[falling] - rows[VY, falling]))
     assert found["fastest"] == pytest.approx(np.hypot(*model.plates.velocities.T).max())
@@ -347,15 +374,18 @@ class TestHand:
 
 
 def test_kinds_differ_by_what_makes_them_come_down_differently():
-    """An oak's rims hang, all others stand; only an ash has its weight off its middle; a maple is the
-    lightest for its breadth but the ash, and gives way most easily.
+    """Light curled ones, flat ones whose inertia is that of plates that tumble, one with its weight at one
+    end; a maple is the broadest and gives way most easily.
     """
     laws = {name: kind.plate for name, kind in SPECIES.items()}
-    assert {name for name, law in laws.items() if law.curl < 0.0} == {"oak"}
+    flat = {name for name, law in laws.items() if law.curl == 0.0}
+    assert flat == {"oak", "birch", "ash"}
+    tumbling = {name for name, law in laws.items() if BORDERS[0] < law.inertia < BORDERS[1]}
+    assert tumbling == {"oak", "birch"} and all(SPECIES[name].varies < 0.1 for name in tumbling)
+    assert all(laws[name].inertia < BORDERS[0] for name in ("maple", "linden", "ash"))
     assert {name for name, law in laws.items() if law.balance != 0.0} == {"ash"} and laws["ash"].balance > 0.0
     assert max(laws, key=lambda name: laws[name].curl) == "maple"
-    assert sorted(laws, key=lambda name: laws[name].inertia) == ["ash", "maple", "linden", "birch", "oak"]
-    assert sorted(laws, key=lambda name: -laws[name].half_chord) == ["maple", "oak", "linden", "ash", "birch"]
+    assert sorted(laws, key=lambda name: -laws[name].half_chord) == ["maple", "linden", "ash", "oak", "birch"]
     assert min(laws, key=lambda name: laws[name].bend_hz) == "maple"
     wide = {name: kind.wide for name, kind in SPECIES.items()}
     assert sorted(wide, key=lambda name: wide[name]) == ["ash", "oak", "birch", "linden", "maple"]
@@ -434,8 +464,8 @@ def test_a_scenes_actions_are_a_gust_from_below_and_calm():
 
 def test_a_landing_sounds_by_its_speed_from_where_it_is():
     scene = Leaves()
-    scene.model.heard = np.array([(0.5, 2.0, 1.5), (0.6, 1.0, -9.0), (0.7, 0.4, 9.0)])
+    scene.model.heard = np.array([(0.5, LANDING, 0.5, 1.5), (0.6, RUBBING, 0.2, -9.0), (0.7, WIND, 0.1, 9.0)])
     hearing = scene.hearing()
     assert [(s.time, s.kind, s.speed, s.pan) for s in hearing.sounds] == [
-        (0.5, "crackle", 0.5, 0.5), (0.6, "crackle", 0.25, -1.0), (0.7, "crackle", pytest.approx(0.1), 1.0)
+        (0.5, "rustle", 0.5, 0.5), (0.6, "rustle", 0.2, -1.0), (0.7, "wind", 0.1, 1.0)
     ]  # fmt: skip

@@ -9,13 +9,29 @@ import numpy as np
 import pytest
 
 from game.levels import level_files, load_level, parse_level
+from game.physics.accretion import strike_times
 from game.physics.solids import Material, SolidWorld, box
-from game.scenes.tower.breaking import break_up, cuts_of, middle_of
+from game.scenes.tower.breaking import apart, break_up, cuts_of, middle_of, shocks_of
 from game.scenes.tower.building import floor_height
 from game.scenes.tower.dust import advance_dust, puffs
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import BODY, COLUMN, DVX, DX, GONE, KIND, RUBBLE, SHARD, SLAB, STOREY
+from game.scenes.tower.tables import (
+    BODY,
+    COLUMN,
+    DVX,
+    DX,
+    FREE,
+    FREE_SPEED,
+    FREE_WAY,
+    GONE,
+    KIND,
+    MASS,
+    RUBBLE,
+    SHARD,
+    SLAB,
+    STOREY,
+)
 from game.stage import Action, Pointer, Stage
 from tests.scenes.listening import heard_in
 
@@ -223,3 +239,97 @@ def test_the_hand_takes_what_has_turned_where_it_lies() -> None:
     model.world.set_pose(int(model.parts[row, BODY]), (40.0, 10.0), 0.5 * math.pi)
     assert hand.part_at((40.0, 12.3), (SLAB,)) == row
     assert hand.part_at((42.3, 10.0), (SLAB,)) == -1
+
+
+@pytest.mark.parametrize("delay", [0.04, 0.1])
+def test_clock_and_law_begin_when_nothing_carries_what_falls(delay: float) -> None:
+    """The columns that go first let it sink before: whatever the schedule, it falls as the law says."""
+    level = load_level(LEVELS["default"], "a08", TowerContent)
+    stage = Stage(Tower, level=level, parameters={"tier": "teach", "delay": delay})
+    stage.post(Action("fire"))
+    stage.run(100)
+    model, found = stage.scene.model, read(stage)
+    assert found["floors struck"] >= 1
+    assert model.freed[FREE] - model.fired == pytest.approx(3.0 * delay, abs=stage.dt)
+    assert model.freed[FREE_SPEED] > 0.1 and model.freed[FREE_WAY] > 0.0
+    assert abs(found["law error"]) < 2.5  # begun at rest it would be 4 and more
+    assert found["free fall"] <= found["law"]
+
+
+def test_law_begins_with_a_speed_and_a_way() -> None:
+    """From 2 m/s and 0.6 m on it is struck as if it had fallen from rest before that."""
+    rest = strike_times(2.0, [1.0, 1.0], 2.6)
+    speed = 2.0 * math.sqrt(1.0)
+    fallen = speed * speed / (2.0 * 9.81)
+    later = strike_times(2.0, [1.0, 1.0], 2.6, speed=speed, fallen=fallen)
+    assert later == pytest.approx([time - speed / 9.81 for time in rest])
+    with pytest.raises(ValueError, match="fallen"):
+        strike_times(1.0, [1.0], 2.6, fallen=2.6)
+
+
+def test_dust_is_taken_from_what_it_comes_from() -> None:
+    stage = small()
+    model = stage.scene.model
+    built = read(stage)["mass"]
+    stage.post(Action("fire"))
+    stage.run(200)
+    found = read(stage)
+    assert found["dust raised"] > 100.0
+    assert found["mass"] + 1e-3 * found["dust raised"] == pytest.approx(built, rel=1e-12)
+    alive = model.parts[:, BODY] >= 0.0
+    own = model.parts[alive, BODY].astype(int)
+    assert model.parts[alive, MASS] == pytest.approx(1.0 / model.world.bodies.inverse_masses[own])
+    assert found["mass lost"] < 1e-12
+
+
+@pytest.mark.parametrize("steps", [1, 5])
+def test_a_stop_counts_as_one_whether_it_takes_one_step_or_more(steps: int) -> None:
+    shocks, speed, dt = np.zeros(1), 9.0, 0.001
+    for k in range(steps):
+        before = np.array([[0.0, -speed * (1.0 - k / steps)]])
+        shocks = shocks_of(shocks, before, np.array([[0.0, -speed * (1.0 - (k + 1) / steps)]]), dt)
+    assert shocks[0] == pytest.approx(9.0, rel=0.06)
+    falling = shocks_of(np.zeros(1), np.array([[0.0, -3.0]]), np.array([[0.0, -3.1]]), dt)
+    assert falling[0] == 0.0
+
+
+def test_pieces_of_a_stop_fly_apart_with_less_energy_than_was_lost() -> None:
+    pieces = cuts_of(5.0, 0.4, 3, np.random.default_rng(3))
+    thrown = apart(pieces, 8.0, np.random.default_rng(4))
+    assert thrown[0, 0] < 0.0 < thrown[2, 0] and (thrown[:, 1] > 0.0).all()
+    assert (thrown**2).sum(axis=1).max() < 0.16 * 8.0**2
+    assert not apart(pieces, 0.0, np.random.default_rng(4)).any()
+
+
+def test_nothing_stands_whole_on_the_heap() -> None:
+    stage = Stage(Tower, level=load_level(LEVELS["default"], "a08", TowerContent))
+    stage.post(Action("fire"))
+    stage.run(360)
+    found = read(stage)
+    assert found["whole columns"] == 0.0 and found["storeys standing"] == 0.0
+    assert found["roof"] < 8.0 and found["faster floors"] >= 9.0
+    parts = stage.scene.model.parts
+    assert not ((parts[:, KIND] == SLAB) & (parts[:, BODY] != GONE) & (parts[:, STOREY] == 13)).any()
+
+
+def test_it_is_built_again_and_falls_again() -> None:
+    stage = small(tier="teach")
+    stage.run(6)
+    stage.post(Action("fire"))
+    stage.run(90)
+    first = read(stage)
+    stage.post(Action("build"))
+    stage.run(1)
+    again = read(stage)
+    assert again["storeys standing"] == 5 and again["dust raised"] == 0.0 and math.isnan(again["fall"])
+    stage.run(5)
+    stage.post(Action("fire"))
+    stage.run(90)
+    assert read(stage)["fall"] == pytest.approx(first["fall"], rel=0.02)
+
+
+def test_charges_and_the_air_are_heard() -> None:
+    stage = small()
+    stage.post(Action("fire"))
+    kinds = [kind for kind, _ in heard_in(stage, [10] * 12)]
+    assert kinds.count("burst") >= 3 and "wind" in kinds

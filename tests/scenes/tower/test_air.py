@@ -137,7 +137,8 @@ def test_the_fall_is_the_same_with_and_without_the_air():
         stage.run(100)
     assert np.array_equal(one.scene.model.world.bodies.positions, other.scene.model.world.bodies.positions)
     assert read(one, "dust in the air") > 10.0 and read(one, "fastest air") > 3.0
-    assert read(other, "dust in the air") == 0.0 == read(other, "fastest air") == read(other, "dust raised")
+    assert read(other, "dust in the air") == 0.0 == read(other, "fastest air")
+    assert read(other, "dust raised") == read(one, "dust raised") > 0.0  # what falls is lighter by it
     assert len(other.scene.model.dust) > 30
     other.post(SetEffect("air", True))
     other.run(20)

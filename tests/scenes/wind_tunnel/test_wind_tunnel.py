@@ -224,3 +224,33 @@ def test_the_picture_has_the_air_in_each_view_and_all_that_can_be_shown():
         stage.post(SetParameter("box", view == "smoke"))
         seen.add(np.asarray(picture_of_stage(stage, (480, 270), "light").get_buffer()).tobytes())
     assert len(seen) == 4
+
+
+@pytest.mark.parametrize("moment", [-0.3, 0.2, 5.0])
+def test_the_dot_of_the_moment_is_where_its_arc_ends(monkeypatch, moment: float):
+    """About the middle of the shape, as far as the arc goes, and against its own sense of turning."""
+    view = Stage(WindTunnel).scene.view
+    mean = view.model.mean()
+    force = np.array((1.1, 0.4, moment))
+    monkeypatch.setattr(view.model, "mean", lambda: mean._replace(book=force, wall=force))
+    drawn = {}
+
+    class Paper:
+        def arrow(self, at, vector, color, label):
+            drawn[label] = (at, vector)
+
+        def arc(self, center, radius, start, end, color, width):
+            drawn["arc"] = (center, radius, start, end)
+
+        def dot(self, place, radius, color):
+            drawn["dot"] = place
+
+    view._draw_forces(Paper(), (0.7, -0.2))
+    center, radius, start, end = drawn["arc"]
+    assert center == (0.7, -0.2) and (end - start) * moment < 0.0
+    away = np.subtract(drawn["dot"], center)
+    assert math.hypot(*away) == pytest.approx(radius)
+    assert away == pytest.approx([radius * math.cos(end), radius * math.sin(end)])
+    (_, along), (_, across) = drawn["D"], drawn["L"]
+    assert along[1] == across[0] == 0.0
+    assert along[0] / across[1] == pytest.approx(1.1 / 0.4)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.stage import Part, Scene
-from game.stage.checks.left_out import fields_left_out
+from game.stage.checks.left_out import _fields, fields_left_out
 
 DT = 0.01
 
@@ -112,3 +112,28 @@ class Geared(Whole):
 )
 def test_the_field_is_named(scene_type: type[Scene], names: list[str]) -> None:
     assert fields_left_out(scene_type(), DT) == names
+
+
+class Inner:
+    """Numbers in an object of one's own."""
+
+    def __init__(self, inner=None):
+        self.rate = 1.0
+        self.inner = inner
+
+
+def test_fields_are_named_by_their_way_through_objects_of_ones_own():
+    """And not those of what Python itself is made of, such as an error that is kept."""
+    outer = Inner(Inner(np.zeros(2)))
+    outer.error = ValueError()
+    outer.error.noted = 2.0
+    found = {name: (owner, attribute) for name, owner, attribute in _fields(outer)}
+    assert set(found) == {"rate", "inner.rate", "inner.inner"}
+    assert found["inner.rate"] == (outer.inner, "rate") and found["rate"] == (outer, "rate")
+
+
+def test_fields_are_looked_for_to_a_depth_and_no_farther():
+    chain = Inner()
+    for _ in range(8):
+        chain = Inner(chain)
+    assert {name for name, _, _ in _fields(chain)} == {"inner." * deep + "rate" for deep in range(5)}

@@ -142,3 +142,11 @@ def test_a_scene_without_a_place_among_the_points_is_told_why():
     rows = [row(s.method, s.knob) for s in made.settings()]
     data = study_data(table_of(made, rows), "A scene", place="No mark: nothing is turned.")
     assert data.present is None and data.notes[0] == "No mark: nothing is turned."
+
+
+def test_no_costs_are_compared_where_no_round_error_is_reached():
+    """Such as of errors that are all nothing but rounding: "For - m, ..." was said of them."""
+    made = study(floor=1.0)
+    data = study_data(table_of(made, [row(s.method, s.knob) for s in made.settings()]), "A scene")
+    assert math.isnan(data.target) and data.sentence == "It falls."
+    assert all(math.isnan(one.cost_s) for one in data.rows)

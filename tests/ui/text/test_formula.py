@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from game.scenes import CATALOGUE
 from game.ui.look.fonts import FontBook
-from game.ui.text.formula import measure, render_formula
+from game.ui.text.formula import _row, _Setter, measure, render_formula
+from game.ui.text.formula_boxes import Stroke
 from game.ui.text.markup import FormulaError, parse
 
 INK = pygame.Color("#ECE8DE")
@@ -122,3 +123,20 @@ def test_every_equation_of_every_scene_is_set(entry):
     fonts = FontBook(1.0)
     for equation in entry.load().equations:
         assert render_formula(fonts, equation.formula, INK).get_width() > 1
+
+
+@pytest.mark.parametrize("text", [r"\sqrt{x}", r"\sqrt{\frac{g}{l}}", r"\frac{a}{b}", r"\abs{x}"])
+def test_strokes_lie_in_the_box_and_end_close_to_its_end(text: str):
+    """Else what follows would stand upon them, or apart from them as if by a space."""
+    at = _Setter(FontBook(4.0), 20.0)
+    box = _row(parse(text), at)
+    ends = [max(mark.ax, mark.bx) for mark in box.marks if isinstance(mark, Stroke)]
+    assert min(min(mark.ax, mark.bx) for mark in box.marks if isinstance(mark, Stroke)) >= -0.02 * at.em
+    assert 0.0 <= box.width + box.slant - max(ends) <= 0.2 * at.em
+
+
+def test_a_root_ends_a_thin_line_behind_its_bar():
+    at = _Setter(FontBook(4.0), 20.0)
+    box = _row(parse(r"\sqrt{x}"), at)
+    bar = max(mark.bx for mark in box.marks if isinstance(mark, Stroke))
+    assert box.width - bar == pytest.approx(0.04 * at.em, abs=0.005 * at.em)

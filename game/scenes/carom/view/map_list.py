@@ -128,7 +128,8 @@ def _figures(course: Course, studied: Studied | None) -> list[tuple[str, str]]:
         return [
             ("Cue speed", f"{stroke.cue_speed:.2f} m/s"),
             ("Aim", f"{math.degrees(stroke.azimuth):.2f}°"),
-            ("Tip", tip_words(stroke).split(",")[0]),
+            ("Tip to the left", f"{stroke.tip_left:+.2f} R".replace("-", "\N{MINUS SIGN}")),
+            ("Tip up", f"{stroke.tip_up:+.2f} R".replace("-", "\N{MINUS SIGN}")),
         ]
     aim = [math.degrees(value) for value in studied.tolerance.aim]
     speed, left, up = studied.tolerance.speed, studied.tolerance.left, studied.tolerance.up

@@ -94,10 +94,10 @@ class CaromView:
         if not course.may_aim:
             return
         chosen = course.chosen
-        fresh = drawn is not None and drawn.key == self.advisor.key
-        if chosen is None and drawn is not None and fresh:
+        then = self.advisor.frame_of(drawn) if drawn is not None else None
+        if chosen is None and drawn is not None and then is not None:  # late while a ball is dragged
             for foresight, group in zip(self._faint, drawn.map.groups, strict=False):
-                sight = foresight.of(frame, group.stroke)
+                sight = foresight.of(then, group.stroke)
                 if sight is not None:
                     draw_faint(canvas, sight)
         elif chosen is not None and drawn is not None and course.parameters.ends:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from game.naming import titled, words_of
 from game.physics.solids import SOLVERS
 from game.stage import Choice, Param, Parameters, Toggle
 from game.worlds.members import solids
@@ -24,17 +25,6 @@ SHORT = {
 }
 # takes part unless one says otherwise: each solver has to be compiled, and the direct one is for few contacts
 FIRST = ("soft-step", "sequential-impulses", "xpbd", "compliant-lagrangian")
-
-
-def words_of(solver: str) -> str:
-    """A solver's name in words."""
-    return solver.replace("-", " ") if solver != "xpbd" else "XPBD"
-
-
-def titled(solver: str) -> str:
-    """A solver's name as a heading."""
-    words = words_of(solver)
-    return words[0].upper() + words[1:]
 
 
 def short_of(solver: str) -> str:

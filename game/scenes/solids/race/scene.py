@@ -8,12 +8,13 @@ from typing import Any
 
 from game.lab.studies.stacks import race_study
 from game.levels import Level
+from game.naming import titled
 from game.physics.solids import SOLVERS
 from game.physics.solids.effects import USUAL
 from game.scenes.solids import RACE
 from game.scenes.solids.race.figure import draw_loop_of_impulses
 from game.scenes.solids.race.model import RaceModel
-from game.scenes.solids.race.parameters import RaceParameters, field_of, short_of, titled
+from game.scenes.solids.race.parameters import RaceParameters, field_of, short_of
 from game.scenes.solids.race.view import RaceView, length_words
 from game.stage import Equation, Frame, Hint, Readout, SceneAction, SetParameter, Strip, Table, WarmUp
 from game.stage.messages import Messages

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
+from game.naming import titled
 from game.scenes.solids.hand import SolidHand
 from game.scenes.solids.race.model import RaceModel, RaceState
-from game.scenes.solids.race.parameters import titled
 from game.scenes.solids.view import SolidView
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
