@@ -13,6 +13,7 @@ from game.levels import parse_level
 from game.physics import effects
 from game.scenes import CATALOGUE
 from game.stage import ParameterError, SetParameter, Stage
+from game.stage.script.course import LEAST_S
 from game.stage.script.lines import VERBS
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import DARK
@@ -73,7 +74,8 @@ def test_a_story(capsys):
     names = run("Write a story")
     said = capsys.readouterr().out
     assert said.startswith("[] ['The lowest point'] ")
-    assert 8.0 < names["found"].film_s < 10.0 and names["found"].ended
+    assert names["found"].film_s == pytest.approx(2.0 + LEAST_S + 1.5 + 2.0, abs=0.1)  # title, say, do, end
+    assert names["found"].ended
 
 
 def test_verbs_of_a_story_it_names_are_all():

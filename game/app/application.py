@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -47,6 +47,8 @@ from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.toasts import Toasts
 
 if TYPE_CHECKING:
+    import pygame
+
     from game.app.stagehand.teaching_draft import Draft
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
@@ -84,7 +86,7 @@ class App:
         self.pictures = PictureSaver()
         self.running = True
         self.background = background
-        self.tour_due = False
+        self.tour_due = self.story_tour_due = False
         self.welcome_due = False
         self.menu_category = ""
         self._composition = Composition(self.screens, self.watch)
@@ -283,11 +285,13 @@ class App:
 
         self._open_card(TeachingCard.called, lambda: TeachingCard(self, draft, taken))
 
-    def open_tour(self, layout: Callable[[], Layout]) -> None:
-        """The tour of a window that is laid out so."""
+    def open_tour(
+        self, layout: Callable[[], Layout], bar: Callable[[], Mapping[str, pygame.Rect]] | None
+    ) -> None:
+        """The tour of a window that is laid out so; ``bar``: the parts of a story's bar, if it has one."""
         from game.app.scene.tour import TourScreen
 
-        self._open_card(TourScreen.called, lambda: TourScreen(self, layout))
+        self._open_card(TourScreen.called, lambda: TourScreen(self, layout, bar))
 
     def open_study(self, study: Study, stage: Stage, post: Callable[[StageEvent], object]) -> None:
         """What accuracy costs in a scene; ``post`` lets an event into it."""

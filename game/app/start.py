@@ -26,6 +26,7 @@ def start(window: Window, loaded: Loaded, scene_name: str = "", opening: Opening
     app = App(window, CATALOGUE, loaded.settings, user_folder())
     window.set_icon(logo(64, app.look.theme))
     app.tour_due = not loaded.settings.toured
+    app.story_tour_due = not loaded.settings.story_toured
     app.welcome_due = loaded.first_start and not scene_name
     app.open_menu()
     if scene_name:

@@ -14,6 +14,7 @@ from game.stage.scene import Scene
 
 # Of the menu's bar, in its order; one that is not among them comes after these.
 CATEGORIES = ("Play", "Course", "Lecture", "Examples", "Stories", "Papers", "Playgrounds", "Carom")
+STORIES = "Stories"  # category of scenes that open with their story
 
 
 class CloseUp(NamedTuple):
@@ -156,6 +157,13 @@ class Catalogue:
             if entry.category == category:
                 found[entry.topic] = (*found.get(entry.topic, ()), entry)
         return found
+
+    def after_in_category(self, name: str, category: str) -> Entry | None:
+        """The scene of a category that comes after one, or the first; None if there is no other."""
+        names = [entry.name for entry in self.entries if entry.category == category]
+        index = names.index(name) + 1 if name in names else 0
+        found = names[index % len(names)] if names else name
+        return None if found == name else self[found]
 
     def neighbour(self, name: str, offset: int) -> Entry:
         """The scene so many places on, round the end."""

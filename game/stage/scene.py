@@ -290,6 +290,10 @@ class Scene(SceneDeclaration):
         """
         return {}
 
+    def story_names(self) -> Sequence[tuple[tuple[float, float], str]]:
+        """What single things of a story are called, and what is measured of them: place (x, y), words."""
+        return ()
+
     def draw_story_row(self, surface: Any, look: Any, row: Any) -> None:
         """On film, draw what stands beside the captions, in the row below the picture (a Rect, px)."""
 

@@ -138,6 +138,10 @@ def _nowhere(model: Any) -> Mapping[str, Point]:
     return {}
 
 
+def _nameless(model: Any) -> Sequence[tuple[Point, str]]:
+    return ()
+
+
 def _silence(model: Any) -> None:
     return None
 
@@ -146,7 +150,8 @@ class Parts(NamedTuple):
     """What a `WorldScene` is made of: classes of its world, hand and view, and functions of the world.
 
     world(content, parameters, active, seed); hand(world); view(world, hand). readouts: what is measured;
-    saved: the content as it is now; targets: what a story may look at, m; hearing: what is heard.
+    saved: the content as it is now; targets: what a story may look at, m; hearing: what is heard; names: of
+    single things, where they are, m.
     """
 
     world: Callable[..., Any]
@@ -156,6 +161,7 @@ class Parts(NamedTuple):
     saved: Callable[[Any], Any] | None = None
     targets: Callable[[Any], Mapping[str, Point]] = _nowhere
     hearing: Callable[[Any], Hearing | None] = _silence
+    names: Callable[[Any], Sequence[tuple[Point, str]]] = _nameless
 
 
 class WorldScene(BuiltScene):
@@ -218,6 +224,9 @@ class WorldScene(BuiltScene):
 
     def story_targets(self) -> Mapping[str, Point]:
         return self.parts.targets(self.model)
+
+    def story_names(self) -> Sequence[tuple[Point, str]]:
+        return self.parts.names(self.model)
 
     def hearing(self) -> Hearing | None:
         return self.parts.hearing(self.model)

@@ -29,8 +29,8 @@ PARTS, FINE_PARTS = (4, 2), (16, 9)  # of the picture, across and down
 GOLDEN_RATIO = 0.5 * (math.sqrt(5.0) - 1.0)
 BEYOND = 1e3  # what stands for a number that is not finite
 ASIDE = {  # of the canvas: they say something, or prepare; what they give shows in a verb
-    "at_home", "begin", "color", "end", "figure", "ink", "magnified", "place", "place_all", "px", "room_for",
-    "speed_colors", "within",
+    "at_home", "begin", "color", "end", "figure", "ink", "magnified", "marks", "place", "place_all", "px",
+    "room_for", "speed_colors", "within",
 }  # fmt: skip
 OF_FONTS = ("draw", "render", "render_on_halo")
 

@@ -7,17 +7,25 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+import pygame
 import pytest
 
+from game.app.stagehand.headless import prepare
+from game.app.stagehand.story_picture import point_camera
+from game.app.stagehand.view import StageView
 from game.scenes import CATALOGUE
 from game.stage import Action, ParameterError, Pointer, Recording, Stage, replay_scene
 from game.stage.script.course import READING, Caption
+from game.stage.script.deeds import events_of
 from game.stage.script.lines import Moment, Story
 from game.stage.story.reading import stories_of
 from game.stage.story.rehearsal import Rehearsal, result_of, stage_of
 from game.stage.story.runner import Runner
+from game.ui.look.look import Look
+from game.ui.look.theme import theme_named
 
 LEAST_S = 60.0
+MARKED_EVERY_S, MARKED_PX = 9.0, 60
 LOOK_EVERY_S = 0.1
 REPLAYED_S = 24.0  # of a story: the rest is made twice in pieces, after each take-over
 TAKE_OVERS, BETWEEN_S, AFTER_S = 20, (0.5, 5.0), 0.4  # at least; s from one to the next, s that each lasts
@@ -42,6 +50,8 @@ class Performance(NamedTuple):
     taken_over: int
     harmed: list[str]  # what a take-over has broken, or changed for good
     beginning: Recording  # the first third or so
+    changed: list[bool]  # by what the story offers at its end
+    marked: list[tuple[float, int]]  # s of film; pixels that marks change there
 
 
 def _stories() -> list[tuple[str, str]]:
@@ -52,12 +62,14 @@ def _stories() -> list[tuple[str, str]]:
 def played(request: pytest.FixtureRequest) -> Performance:
     scene_type = CATALOGUE[request.param[0]].load()
     story = next(one for one in stories_of(scene_type) if one.name == request.param[1])
+    prepare()
     stage = stage_of(story, scene_type)
     runner = Runner(story, stage)
     off, outside, harmed = [], [], []
     every = max(1, round(LOOK_EVERY_S / stage.dt))
     random, taken_over, next_s = np.random.default_rng(18), 0, 1.0
     beginning = stage.recording
+    marked, next_look_s, changed = [], MARKED_EVERY_S, []
     while not runner.finished and stage.fault is None and stage.time_s < 600.0:
         stage.run(every)
         if stage.time_s >= next_s and not runner.finished:
@@ -65,6 +77,12 @@ def played(request: pytest.FixtureRequest) -> Performance:
             taken_over, next_s = taken_over + 1, stage.time_s + float(random.uniform(*BETWEEN_S))
         if stage.time_s >= REPLAYED_S and beginning.steps == 0:
             beginning = stage.recording
+        what_if = story.what_if
+        if what_if is not None and not changed and what_if.at in runner.course.reached:
+            changed.append(_try_what_if(runner))
+        if stage.time_s >= next_look_s:
+            marked.append((runner.film_s, _changed_by_marks(runner)))
+            next_look_s += MARKED_EVERY_S
         view, target = runner.view(runner.shown_s), runner.target()
         if not all(map(math.isfinite, view)):
             outside.append(runner.shown_s)
@@ -73,7 +91,25 @@ def played(request: pytest.FixtureRequest) -> Performance:
                 abs(target[0] - view.x) / (0.3 * view.width), abs(target[1] - view.y) / (0.16875 * view.width)
             )
             off.append((runner.shown_s, share))
-    return Performance(story, stage, runner, result_of(runner), off, outside, taken_over, harmed, beginning)
+    found = result_of(runner)
+    return Performance(
+        story, stage, runner, found, off, outside, taken_over, harmed, beginning, changed, marked
+    )
+
+
+def _changed_by_marks(runner: Runner) -> int:
+    """How many pixels of the picture are others once marks are asked for."""
+    look = Look(theme_named("dark"), 0.5)
+    view = StageView(runner.stage, look)
+    view.place(pygame.Rect(0, 0, 640, 360), look)
+    point_camera(view, runner, runner.shown_s)
+    pictures = []
+    for asked in (False, True):
+        surface = pygame.Surface((640, 360), 0, 32)
+        view.show_marks(asked)
+        view.draw(surface)
+        pictures.append(pygame.surfarray.array3d(surface))
+    return int(np.count_nonzero(np.any(pictures[0] != pictures[1], axis=2)))
 
 
 def test_it_ends_and_lasts_a_minute(played: Performance) -> None:
@@ -104,9 +140,19 @@ def test_captions_can_be_read_and_do_not_overlap(played: Performance) -> None:
         assert begins >= ends - 1e-9
 
 
+def test_no_words_are_dropped_for_want_of_time(played: Performance) -> None:
+    assert played.found.dropped == ()
+
+
 def test_the_camera_keeps_its_subject(played: Performance) -> None:
     assert played.outside == []
     assert [pair for pair in played.off_middle if pair[1] > 1.0 + 1e-9] == []
+
+
+def test_marks_show_something(played: Performance) -> None:
+    """With names at single things; not every moment has something to name, but most have."""
+    shown = [pixels for _, pixels in played.marked if pixels >= MARKED_PX]
+    assert len(shown) >= 0.6 * len(played.marked), played.marked
 
 
 def test_chapters_lie_apart(played: Performance) -> None:
@@ -126,6 +172,30 @@ def test_its_replay_is_equal(played: Performance) -> None:
 def test_whoever_takes_over_does_no_harm(played: Performance) -> None:
     assert played.harmed == []
     assert played.taken_over >= TAKE_OVERS
+
+
+def test_it_says_what_if(played: Performance) -> None:
+    """At a moment that comes, with one thing changed: a second after that the state is another one."""
+    what_if = played.story.what_if
+    assert what_if is not None and what_if.say.endswith("?")
+    assert played.changed == [True]
+
+
+def _try_what_if(runner: Runner) -> bool:
+    """Whether the change that the story offers changes anything; the story is given back as it was."""
+    stage, what_if = runner.stage, runner.story.what_if
+    assert what_if is not None
+    here = stage.step_number
+    stage.run(round(AFTER_S / stage.dt))
+    plain = stage.digest()
+    runner.return_to(here)
+    runner.take_over()
+    for event in events_of(what_if.do, (0.0, 0.0), (0.0, 0.0)):
+        stage.post(event)
+    stage.run(round(AFTER_S / stage.dt))
+    changed = stage.fault is None and stage.digest() != plain
+    runner.return_to(here)
+    return changed
 
 
 def _take_over(runner: Runner, random: np.random.Generator) -> list[str]:

@@ -53,7 +53,7 @@ class StoryFilm:
         self.runner = Runner(story, self.stage)
         self._player = player
         self._view = StageView(self.stage, self.look)
-        self._view.teaching = False
+        self._view.show_marks(False)
         picture = self.surface.get_rect()
         height = min(self.look.px(scene_type.story_row), picture.h // 3)
         picture.h -= height

@@ -1,4 +1,4 @@
-"""The card of the very first start: what this is, and two ways on."""
+"""The card of the very first start: what this is, and three ways on."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from game.app.menu.sketch import sketch
 from game.app.screens.card import CardScreen
 from game.app.screens.host import Host
 from game.app.window.guard import Failure
+from game.stage.catalogue import STORIES
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
 
 LINES = (
     "A game of billiards, and a laboratory of the physics in it.",
-    "Play a match, or watch step by step how motion and collisions are computed.",
+    "Play a match, watch a story that is computed as it plays, or see step by step how that is done.",
 )
 PLAY, COURSE = "billiards", "Course"  # the scene to play, and the category of the menu
 ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
@@ -28,7 +29,7 @@ TOP, CHOICE, GAP, WORDS, RADIUS = (
     68,
     12,
 )  # design px
-BESIDE_FROM = 420  # design px of the card's width below which one choice stands above the other
+BESIDE_FROM = 560  # design px of the card's width below which one choice stands above the next
 
 
 class Choice(NamedTuple):
@@ -41,17 +42,18 @@ class Choice(NamedTuple):
 
 
 CHOICES = (
-    Choice("play", "Play billiards", "alone, with a friend, or against the computer", PLAY),
-    Choice("course", "See the course", "from key-frames to soft bodies, one task a scene", "c04"),
+    Choice("play", "Play billiards", "alone, with a friend or the computer", PLAY),
+    Choice("stories", "Watch a story", "fireworks, fire, falling dominoes", "a09"),
+    Choice("course", "See the course", "from key-frames to soft bodies", "c04"),
 )
 
 
 class WelcomeCard(CardScreen):
-    """Two large choices; Esc, the cross or a press beside it close the card."""
+    """Three large choices; Esc, the cross or a press beside it close the card."""
 
     called: ClassVar[str] = "The first card"
     height: ClassVar[float] = TOP + CHOICE + 32.0
-    width: ClassVar[float] = 720.0
+    width: ClassVar[float] = 900.0
 
     def __init__(self, host: Host, show_category: Callable[[str], object]) -> None:
         """``show_category``: has the menu below go to a category."""
@@ -67,12 +69,13 @@ class WelcomeCard(CardScreen):
         card, px = self.veil.card, self.host.look.px
         left, top, gap = card.x + px(32), card.y + px(TOP), px(GAP)
         width, height = max(2, card.w - px(64)), max(2, min(px(CHOICE), card.bottom - px(16) - top))
+        count = len(CHOICES)
         if card.w < px(BESIDE_FROM):
-            half = max(1, (height - gap) // 2)
-            rects = [pygame.Rect(left, top + i * (half + gap), width, half) for i in range(2)]
+            part = max(1, (height - (count - 1) * gap) // count)
+            rects = [pygame.Rect(left, top + i * (part + gap), width, part) for i in range(count)]
         else:
-            half = max(1, (width - gap) // 2)
-            rects = [pygame.Rect(left + i * (half + gap), top, half, height) for i in range(2)]
+            part = max(1, (width - (count - 1) * gap) // count)
+            rects = [pygame.Rect(left + i * (part + gap), top, part, height) for i in range(count)]
         return [Hotspot(choice.name, rect) for choice, rect in zip(CHOICES, rects, strict=True)]
 
     def handle(self, event: pygame.Event) -> None:
@@ -80,7 +83,9 @@ class WelcomeCard(CardScreen):
         if event.type == pygame.MOUSEBUTTONDOWN and not self.veil.card.collidepoint(event.pos):
             self.close()
         elif key in (pygame.K_LEFT, pygame.K_RIGHT):
-            self.spots.focused = CHOICES[key == pygame.K_RIGHT].name
+            names = [choice.name for choice in CHOICES]
+            at = names.index(self.spots.focused) if self.spots.focused in names else 0
+            self.spots.focused = names[min(max(at + (1 if key == pygame.K_RIGHT else -1), 0), len(names) - 1)]
         elif key in ENTER and self.spots.focused is None:
             self.pressed(CHOICES[0].name)
         else:
@@ -92,7 +97,7 @@ class WelcomeCard(CardScreen):
         if name == "play":
             self.host.open_scene(PLAY)
         else:
-            self._show_category(COURSE)
+            self._show_category(STORIES if name == "stories" else COURSE)
             self.close()
 
     def paint(self, picture: pygame.Surface) -> None:

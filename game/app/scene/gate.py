@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from game.app.scene.in_play import InPlay
+from game.app.scene.keeping import presses
 from game.app.scene.pointer import ScenePointer
 from game.app.screens.host import Host
 from game.stage import ParameterError, Pointer, SetParameter, StageEvent
@@ -117,6 +118,28 @@ class Gate:
     def step_back(self) -> None:
         """One step back."""
         self._make(self._step_back)
+
+    def undo(self) -> None:
+        """Stand where the last press of a button came, without it and whatever came later."""
+        if self._hand.cancel():
+            self.post_hand()
+        self._hand.take()
+        self._record.errands.act(self._undo)
+
+    def _undo(self) -> None:
+        record = self._record
+        stage, done = record.stage, presses(record.stage)
+        if not stage.scene_type.builds or record.script is not None:
+            self._host.tell("Not undone.", "Here one goes back step by step.")
+            return
+        if not done:
+            self._host.tell("Nothing to undo.", "No button has been pressed in the scene since it began.")
+            return
+        step, events = done[-1]
+        if step < stage.first_step:
+            self._host.tell("Not undone.", "That is further back than is remembered.")
+            return
+        stage.return_to(step, events)
 
     def _make(self, step: Callable[[], Callable[[], object] | None]) -> None:
         """Make a step, which gives what is then to be said; in a thread if it takes long."""

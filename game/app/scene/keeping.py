@@ -1,7 +1,8 @@
-"""A game under way is kept as a level, so that it goes on after the program was closed, or killed.
+"""A game under way, and what was built in a scene, are kept as a level, from which it goes on.
 
-A thread writes, whole files or none, while the main one goes on drawing; of several states that wait only the
-newest is written.
+A game goes on after the program was closed, or killed; what was built is kept when its scene is left. A
+thread writes games, whole files or none, while the main one goes on drawing; of several states that wait only
+the newest is written.
 """
 
 from __future__ import annotations
@@ -14,16 +15,37 @@ from typing import TYPE_CHECKING
 from game.app.stagehand.files import present_level
 from game.folders import user_folder
 from game.levels import Level, save_level
+from game.stage.events import Pointer
 
 if TYPE_CHECKING:
     from game.stage import Stage
 
-TITLE = "Game in progress"
+TITLE, BUILT_TITLE = "Game in progress", "As it was left"
 
 
 def kept_path(scene_name: str) -> Path:
     """Where the game of a scene is kept."""
     return user_folder() / "levels" / scene_name / "autosave.toml"
+
+
+def presses(stage: Stage) -> list[tuple[int, int]]:
+    """Step, and number of events before it, of each press of a button since the scene began."""
+    return [
+        (stamped.step, number)
+        for number, stamped in enumerate(stage.recording.events)
+        if isinstance(stamped.event, Pointer) and stamped.event.kind == "down"
+    ]
+
+
+def keep_built(stage: Stage) -> str:
+    """Keep what was built by hand since the scene began, if anything was; why it could not be, or ""."""
+    if not stage.scene_type.builds or stage.fault is not None or not presses(stage):
+        return ""
+    try:
+        save_level(present_level(stage, BUILT_TITLE), kept_path(stage.scene.name))
+    except (ValueError, OSError) as error:
+        return str(error)
+    return ""
 
 
 class Keeper:

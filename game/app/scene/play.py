@@ -12,6 +12,7 @@ from game.app.scene.caption import LevelCaption
 from game.app.scene.film.films import Films
 from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
+from game.app.scene.keeping import keep_built
 from game.app.scene.lesson.lesson import Lesson
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
@@ -91,6 +92,7 @@ class ScenePlay:
             "pause": self.gate.pause,
             "step": self.gate.step,
             "step-back": self.gate.step_back,
+            "undo": self.gate.undo,
             "reset": self.gate.reset,
             "defaults": self.gate.set_defaults,
             "slower": lambda: self.change_speed(-1),
@@ -141,6 +143,8 @@ class ScenePlay:
         self.native.stop()
         self.films.close()
         self.record.errands.close()
+        if self.story is None and not self.record.borrowed and (complaint := keep_built(self.stage)):
+            self.host.tell("What was built is not kept.", complaint, "warning")
         self._leave_story()
         self.host.sounds.follow(None)
         self.steps.close()
@@ -367,7 +371,8 @@ class ScenePlay:
             self._draw(surface)
         if self.story is not None:
             self.story.draw_bar(surface)
-        self.standstill.tell(surface, self.host.look, self.shell.layout.free_stage, errands.seconds)
+        if self.story is None or self.story.journey.share is None:  # its bar says how far a jump has come
+            self.standstill.tell(surface, self.host.look, self.view.rect, errands.seconds)
 
     def _draw(self, surface: pygame.Surface) -> None:
         self.steps.seen = True

@@ -15,7 +15,7 @@ from game.app.screens.screen import Screen
 from game.app.stagehand.opening import Opening
 from game.app.window.commands import COMMANDS, Actions, perform
 from game.app.window.guard import Failure
-from game.stage.catalogue import Entry
+from game.stage.catalogue import STORIES, Entry
 from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.wishes import Wish
 
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from game.app.scene.play import ScenePlay
 
 
-STORIES = "Stories"  # category of scenes that open with their story
 TOUR_AFTER_S = 1.5  # s in which a scene comes to something worth showing
 WITHOUT_A_SCENE = frozenset(("menu", "panel"))  # of the bar's buttons, those that work while it loads
 
@@ -42,7 +41,7 @@ class SceneScreen(Screen):
         self.opening = opening
         if entry.category == STORIES and opening == Opening():
             self.opening = opening = Opening(story="")
-        self.goes_on = entry.roomy and opening == Opening() and kept_path(entry.name).exists()
+        self.goes_on = opening == Opening() and kept_path(entry.name).exists()
         if self.goes_on:
             self.opening = Opening(level=kept_path(entry.name))
         self.shell = Shell(host, entry)
@@ -129,11 +128,19 @@ class SceneScreen(Screen):
         self.restyle()
 
     def _open_tour(self) -> None:
-        """The tour, which from now on comes only when it is asked for."""
-        self.host.tour_due = False
-        self.host.settings.toured = True
+        """The tour, which from now on comes only when it is asked for; a story has one of its own."""
+        story = self.play.story if self.play is not None else None
+        if story is None:
+            self.host.tour_due, self.host.settings.toured = False, True
+        else:
+            self.host.story_tour_due, self.host.settings.story_toured = False, True
         self.host.save_settings()
-        self.host.open_tour(lambda: self.shell.layout)
+        self.host.open_tour(lambda: self.shell.layout, story.tour_places if story is not None else None)
+
+    @property
+    def _tour_due(self) -> bool:
+        story = self.play is not None and self.play.story is not None
+        return self.host.story_tour_due if story else self.host.tour_due
 
     def _open_pause_menu(self) -> None:
         """All that can be done, as a list; the scene stands still under it."""
@@ -192,14 +199,17 @@ class SceneScreen(Screen):
 
     def update(self, elapsed_s: float) -> None:
         if self.load(elapsed_s) and self.goes_on and self.play is not None:
-            self.host.tell("Your game goes on.", "N begins a new one.")
+            if self.play.stage.scene_type.builds:
+                self.host.tell("As you left it.", "The list of levels begins anew.")
+            else:
+                self.host.tell("Your game goes on.", "N begins a new one.")
         if self.play is not None:
             self.play.update(elapsed_s)
             self._age_s += elapsed_s
             # a game begins with its own card, and the tour can wait for another scene
             if (
                 not self.entry.start
-                and self.host.tour_due
+                and self._tour_due
                 and self._age_s >= TOUR_AFTER_S
                 and not self.play.hand.held
             ):
@@ -212,7 +222,7 @@ class SceneScreen(Screen):
         self.loader = None
         if loader.stage is None and self.goes_on:
             self.goes_on, self.opening = False, Opening()
-            self.host.tell("The kept game cannot be read.", loader.error, "warning")
+            self.host.tell("What was kept cannot be read.", loader.error, "warning")
             self.loader = self._load()
             return
         if loader.stage is None:

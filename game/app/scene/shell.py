@@ -225,12 +225,21 @@ class Shell:
             reached=self.pace.speed, filming=self.filming,
         )  # fmt: skip
 
+    @property
+    def _clear_stage(self) -> pygame.Rect:
+        """The part of the stage that the bar, with its way back, does not lie over."""
+        stage = pygame.Rect(self.layout.free_stage)
+        if self.layout.overlaid:
+            top = self.layout.top_bar.bottom
+            stage.y, stage.h = top, max(stage.bottom - top, 0)
+        return stage
+
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
         """Draw the widgets round and over the picture of the scene."""
         self.lesson.draw(surface)
         hidden = self.lesson.teaching is not None and "legend" in self.lesson.teaching.hidden
         if not hidden and not (stage.scene.legend_in_panel and self.layout.panel.w):
-            self.legend.draw(surface, self.layout.free_stage, tuple(legend), self.beat.fresh)
+            self.legend.draw(surface, self._clear_stage, tuple(legend), self.beat.fresh)
         if self.strips is not None:
             self.strips.draw(surface)
         self.draw_foot(surface)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import pygame
@@ -59,6 +59,25 @@ STOPS = (
     ),
 )  # fmt: skip
 
+STORY_STOPS = (
+    Stop(
+        "track", "Any moment of it",
+        "All that you see is computed as it plays. Drag along the bar, and go to another moment; "
+        "a small picture shows what you have seen already.",
+    ),
+    Stop(
+        "pause", "Stop and go on", "",
+        ((("pause",), "stop and go on"), (("step", "step-back"), "one step, one step back")),
+    ),
+    Stop("story-speed", "How fast", "From a quarter to four times, beside the slow motion of the story."),
+    Stop("story-chapters", "Chapters", "A click lists them by name, and leads to each."),
+    Stop(
+        "", "Touch it", "A touch makes the scene yours at any moment, and the story waits.",
+        ((("story",), "take over, go on"), (("marks",), "names and measures"), (("tour",), "this tour"),
+         (("back",), "all scenes")),
+    ),
+)  # fmt: skip
+
 PANEL_OFF = (("panel",), "all that can be chosen and set")
 
 
@@ -68,9 +87,12 @@ class TourScreen(Screen):
     called: ClassVar[str] = "The tour"
     overlay: ClassVar[bool] = True
 
-    def __init__(self, host: Host, layout: Callable[[], Layout]):
+    def __init__(
+        self, host: Host, layout: Callable[[], Layout], bar: Callable[[], Mapping[str, pygame.Rect]] | None
+    ):
+        """layout, bar: of the window now; ``bar``: parts of a story's bar, None where no story plays."""
         super().__init__(host)
-        self._layout = layout  # of the window now
+        self._layout, self._bar = layout, bar
         self.at = 0
         self.spots = Hotspots()
         self.restyle()
@@ -79,13 +101,16 @@ class TourScreen(Screen):
     def stops(self) -> list[Stop]:
         """The parts that there are in this window; a panel that is off is named last by its key."""
         layout = self._layout()
+        if self._bar is not None:
+            return [stop for stop in STORY_STOPS if not stop.part or self._place(layout, stop.part).w > 0]
         stops = [stop for stop in STOPS if not stop.part or self._place(layout, stop.part).w > 0]
         if not layout.panel.w:
             stops[-1] = stops[-1]._replace(keys=(PANEL_OFF, *stops[-1].keys))
         return stops
 
-    @staticmethod
-    def _place(layout: Layout, part: str) -> pygame.Rect:
+    def _place(self, layout: Layout, part: str) -> pygame.Rect:
+        if self._bar is not None:
+            return self._bar().get(part, pygame.Rect(0, 0, 0, 0))
         rect: pygame.Rect = layout.free_stage if part == "stage" else getattr(layout, part)
         return rect if rect.h > 0 else pygame.Rect(0, 0, 0, 0)
 

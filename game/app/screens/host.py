@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -22,6 +22,8 @@ from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.toasts import Toasts
 
 if TYPE_CHECKING:
+    import pygame
+
     from game.app.stagehand.teaching_draft import Draft
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
@@ -45,6 +47,7 @@ class Host(Protocol):
     canvas_warming: CanvasWarming
     background: bool  # whether work may be done in the background
     tour_due: bool  # the next scene opened begins with the tour
+    story_tour_due: bool  # the next story opened begins with that of stories
     welcome_due: bool  # the menu begins with the card of the very first start
     menu_category: str  # of the menu's card that was opened last: there its scene leads back to
 
@@ -150,8 +153,10 @@ class Host(Protocol):
         """The card on which a teaching level is made; ``taken`` saves it, or says why it cannot."""
         ...
 
-    def open_tour(self, layout: Callable[[], Layout]) -> None:
-        """The tour of a window that is laid out so."""
+    def open_tour(
+        self, layout: Callable[[], Layout], bar: Callable[[], Mapping[str, pygame.Rect]] | None
+    ) -> None:
+        """The tour of a window that is laid out so; ``bar``: the parts of a story's bar, if it has one."""
         ...
 
     def open_study(self, study: Study, stage: Stage, post: Callable[[StageEvent], object]) -> None:

@@ -37,6 +37,7 @@ class StageView:
         self._words = words
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.teaching = True  # whether what explains is drawn: grids, exact curves, vectors, their words
+        self.asked = False  # whether marks are asked for by key, beside those that the scene shows by itself
         self.camera = Camera(y_up=scene_type.y_up, quarter_turns=scene_type.quarter_turns)
         self._canvas = self._make_canvas()
 
@@ -57,11 +58,18 @@ class StageView:
         """
         self._canvas.fresh = fresh
         self._canvas.teaching = self.teaching
+        self._canvas.asked = self.asked
         self._canvas.begin(surface, self.rect, self.camera)
         try:
             self.stage.scene.draw(self._canvas, self.stage.alpha if alpha is None else alpha)
+            if self.asked:
+                draw_names(self._canvas, self.stage.scene)
         finally:
             self._canvas.end()
+
+    def show_marks(self, asked: bool, otherwise: bool = False) -> None:
+        """Marks and names on what is seen, or the bare picture; ``otherwise``: what explains stays."""
+        self.asked, self.teaching = asked, asked or otherwise
 
     def _make_canvas(self) -> Canvas:
         canvas = Canvas(self.look)
@@ -69,3 +77,21 @@ class StageView:
         canvas.unit = self.stage.scene_type.unit
         canvas.covered = self.stage.scene_type.covers
         return canvas
+
+
+def draw_names(canvas: Canvas, scene: Scene) -> None:
+    """The names of single things, each beside a ring about it, clear of one another and of the edges."""
+    seen = canvas.camera.visible()
+    for number, ((x, y), words) in enumerate(scene.story_names()):
+        if seen.left < x < seen.right and seen.bottom < y < seen.top:
+            canvas.ring((x, y), 8.0, "chalk", 1.4)
+            canvas.label(
+                (x, y),
+                canvas.figure(("name", number), words),
+                "text1",
+                12,
+                "semibold",
+                "left",
+                (12.0, 0.0),
+                clear=True,
+            )

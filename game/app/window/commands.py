@@ -40,6 +40,7 @@ COMMANDS = (
     Command("pause", "pause and go on", "space", "pause", helps=True),
     Command("step", "one step", "period", "step", helps=True, repeats=True),
     Command("step-back", "one step back", "comma", "step back", helps=True, repeats=True),
+    Command("undo", "undo the last thing done by hand", "ctrl+z", helps=True),
     Command("reset", "begin again", "backspace", helps=True, choice=True),
     Command("pause-menu", "what can be done", "p", helps=True),
     Command("slower", "slower", "minus", repeats=True),

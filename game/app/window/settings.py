@@ -40,6 +40,7 @@ class Settings(msgspec.Struct, forbid_unknown_fields=True):
     panel_in_games: bool = False  # a game has all of the window until its panel is asked for
     volume: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] = 0.7  # of sounds; 0 is silence
     toured: bool = False  # the tour has been shown
+    story_toured: bool = False  # that of stories has
     favourites: SceneNames = []  # scenes with a star, as starred; one that there is no more is kept too
     recent: SceneNames = []  # scenes opened, the last one first
     keys: dict[str, str] = {}

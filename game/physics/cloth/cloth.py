@@ -164,10 +164,13 @@ class Cloth:
                 found.add(int(self.names[0, (self.whole.shape[1] - 1) * k]))
         return found - {NOBODY}
 
+    def loose(self) -> NDArray[np.bool_]:
+        """(rows, columns) of meshes: which still hold together, but on no hook."""
+        return (self.whole > 0.0) & ~np.isin(self.names, sorted(self.hanging_pieces()))
+
     def fallen(self) -> int:
         """Meshes that still hold together, but on no hook."""
-        there = self.whole > 0.0
-        return int(np.count_nonzero(there & ~np.isin(self.names, sorted(self.hanging_pieces()))))
+        return int(np.count_nonzero(self.loose()))
 
     def holes(self) -> float:
         """m² of the cloth that is not there any more."""

@@ -13,7 +13,7 @@ from game.scenes.domino.hand import domino_hand
 from game.scenes.domino.landscape import warm_up_landscape
 from game.scenes.domino.level import DominoContent, FloorEntry, PieceEntry, RowEntry, View
 from game.scenes.domino.parameters import OF_PICTURE, TOOLS, DominoParameters
-from game.scenes.domino.told import hearing, readouts, saved, targets
+from game.scenes.domino.told import hearing, names, readouts, saved, targets
 from game.scenes.domino.view import DominoView
 from game.scenes.domino.world import DominoWorld
 from game.stage import Equation, Hint, SceneAction, Strip
@@ -41,7 +41,7 @@ class Domino(WorldScene):
     parameters_type = DominoParameters
     parameters: DominoParameters
     model: DominoWorld
-    parts = Parts(DominoWorld, domino_hand, DominoView, readouts, saved, targets, hearing)
+    parts = Parts(DominoWorld, domino_hand, DominoView, readouts, saved, targets, hearing, names)
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = DominoContent
     not_of_model = OF_PICTURE

@@ -87,6 +87,21 @@ def targets(model: DominoWorld) -> dict[str, Point]:
     return found
 
 
+def names(model: DominoWorld) -> list[tuple[Point, str]]:
+    """Balls by name and speed; blocks by friction, and by weight beside the first one's."""
+    rows, found = model.world.bodies, []
+    balls = zip(model.content.balls, model.ball_ids, model.ball_speeds().tolist(), strict=True)
+    for entry, body, speed in balls:
+        x, y = rows.positions[body].tolist()
+        found.append(((x, y), f"{entry.name or 'ball'}, {speed:.1f} m/s"))
+    table = model.blocks.table
+    for body, mu in zip(table.body.tolist(), table.mu.tolist(), strict=True):
+        x, y = rows.positions[body].tolist()
+        heavier = float(rows.inverse_masses[table.body[0]] / rows.inverse_masses[body])
+        found.append(((x, y), f"μ = {mu:.2f}, {heavier:.3g} m"))
+    return found
+
+
 def hearing(model: DominoWorld) -> Hearing:
     """Contacts that began in the last moments and what rolls and slides, to the sides of the front."""
     middle = model.front()[0]

@@ -45,6 +45,7 @@ class DominoView:
 
     def __init__(self, model: DominoWorld, hand: Hand):
         self.model, self.hand = model, hand
+        self._asked = False  # marks are asked for by key
         self._landscape = Landscape()
         floors, points = model.content.floors, model.floors
         boards = [one for one, floor in zip(points, floors, strict=True) if floor.look == "board"]
@@ -62,7 +63,7 @@ class DominoView:
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
-        if not self.model.parameters.marks:
+        if not (self.model.parameters.marks or self._asked):
             return []
         rows = [("disc:amber", "contact", ""), ("line:chalk", "velocity", "")]
         if len(self.model.content.sliders):
@@ -85,7 +86,8 @@ class DominoView:
         for edge in self._edges:
             paint_shapes(canvas, edge, tones[2])
         self._draw_balls(canvas, places, turned)
-        if canvas.teaching and self.model.parameters.marks:
+        self._asked = canvas.asked
+        if canvas.marks(self.model.parameters.marks):
             draw_marks(canvas, self.model, places)
         if self.hand.held != NOBODY and self.hand.point is not None:
             canvas.ring(self.hand.point, 9.0, "amber", 2.0)

@@ -13,18 +13,23 @@ from game.physics.generations import BURNING
 from game.physics.generations.step import BORN, VX, VY, X, Y
 from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.fireworks.model import FireworksModel
-from game.scenes.fireworks.shells import HEADS, SHELLS
+from game.scenes.fireworks.shells import BURSTS, HEADS, SHELLS
 
 PIECES = 64  # of Simpson's rule for stars that burn away
 
 
 class BurstNow(NamedTuple):
-    """The newest burst: age s, radius m, what ballistics say m, net momentum (share of the sum of all)."""
+    """The newest burst: age s, radius m, what ballistics say m, net momentum (share of the sum of all).
+
+    stars: all that it threw and that still burn. fastest: m/s, of those that are measured.
+    """
 
     age: float
     radius: float
     ballistics: float
     momentum: float
+    stars: int
+    fastest: float
 
 
 def reach_of(speed: float, drag: float, burnt: float, age: float) -> float:
@@ -53,6 +58,13 @@ def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:
     return stars[:, stars[BORN] == instant]
 
 
+def thrown_now(model: FireworksModel) -> int:
+    """Stars of all kinds that the newest burst threw and that still burn."""
+    instant, shell = float(model.burst[0]), int(model.burst[4])
+    kinds = sorted({birth.kind for birth in BURSTS[SHELLS[shell]]}) if shell >= 0 else []
+    return sum(int(np.count_nonzero(model.system.stars(kind)[BORN] == instant)) for kind in kinds)
+
+
 def burst_now(model: FireworksModel) -> BurstNow | None:
     """The newest burst; None when none of it burns."""
     stars = stars_of_burst(model)
@@ -66,12 +78,15 @@ def burst_now(model: FireworksModel) -> BurstNow | None:
     burnt = kind.burns / kind.life_s if BURNING in model.active else 0.0
     x, y = stars[X] - stars[X].mean(), stars[Y] - stars[Y].mean()
     sum_x, sum_y = math.fsum(stars[VX].tolist()), math.fsum(stars[VY].tolist())
-    speeds = float(elementwise.hypot(stars[VX], stars[VY]).sum())
+    speed = elementwise.hypot(stars[VX], stars[VY])
+    speeds = float(speed.sum())
     return BurstNow(
         age,
         math.sqrt(float(np.max(x * x + y * y))),
         reach_of(head.speed, drag, burnt, age),
         elementary.hypot(sum_x, sum_y) / speeds if speeds > 0.0 else 0.0,
+        thrown_now(model),
+        float(np.max(speed)),
     )
 
 

@@ -197,6 +197,9 @@ class Fireworks(Scene):
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return self.view.targets()
 
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return self.view.names()
+
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend()
 

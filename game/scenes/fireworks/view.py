@@ -35,6 +35,8 @@ FLASH_S = 1.6  # s, for which a flash is drawn
 SOUND_S = 4.0  # s, for which a wave of sound is drawn
 NOWHERE = (0.0, 100.0)
 
+NAMED_S = 3.0  # s after which a burst is not named any more
+
 
 class FireworksView:
     """Draws the show; keeps the arrays that drawing needs."""
@@ -57,6 +59,15 @@ class FireworksView:
             "smoke": (float(smoke[X].mean()), float(smoke[Y].mean())) if smoke.shape[1] else NOWHERE,
             "listener": self.hand.listener_place(),
         }
+
+    def names(self) -> list[tuple[tuple[float, float], str]]:
+        """The newest burst by its shell and radius, the listener by the distance."""
+        model, newest = self.model, burst_now(self.model)
+        found = [(self.hand.listener_place(), f"listener, {model.parameters.distance:.0f} m off")]
+        if newest is not None and newest.age < NAMED_S:
+            shell = SHELLS[int(model.burst[4])]
+            found.append((self._burst_middle(), f"{shell}, {newest.stars} stars, {newest.radius:.0f} m"))
+        return found
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
@@ -183,7 +194,7 @@ class FireworksView:
         """The measured burst in its ballistic circle, waves of sound, wind and listener."""
         model = self.model
         newest = burst_now(model)
-        if newest is not None and newest.age < 3.0:
+        if newest is not None and newest.age < NAMED_S:
             center = self._burst_middle()
             canvas.circle(center, newest.ballistics, outline="text1", width=1.2, dash=EXACT_DASH, alpha=0.6)
         waves = model.thunder.waves[: int(model.thunder.counts[WAITING])]

@@ -16,7 +16,7 @@ from game.scenes.fountain.level import FountainContent
 from game.scenes.fountain.model import FountainModel
 from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
-from game.scenes.fountain.targets import story_targets
+from game.scenes.fountain.targets import story_names, story_targets
 from game.scenes.fountain.view import FountainView
 from game.scenes.shared.repeats import Repeat
 from game.stage import (
@@ -183,6 +183,9 @@ class Fountain(ModelScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return story_targets(self.model)
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return story_names(self.model)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend()

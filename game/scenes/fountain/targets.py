@@ -19,3 +19,9 @@ def story_targets(model: FountainModel) -> dict[str, tuple[float, float]]:
 
 def _numbered(name: str, index: int) -> str:
     return f"{name} {index + 1}" if index else name
+
+
+def story_names(model: FountainModel) -> list[tuple[tuple[float, float], str]]:
+    """The stones by their numbers."""
+    rows = model.system.solids.rows[:, :2].tolist()
+    return [((x, y), _numbered("stone", i)) for i, (x, y) in enumerate(rows)]

@@ -13,7 +13,7 @@ from game.scenes.metal.figure import draw_forces
 from game.scenes.metal.hand import metal_hand
 from game.scenes.metal.level import BallEntry, Box, FloorEntry, MetalContent
 from game.scenes.metal.parameters import OF_PICTURE, OF_TOOLS, TOOLS, MetalParameters
-from game.scenes.metal.told import hearing, readouts, saved, targets
+from game.scenes.metal.told import hearing, names, readouts, saved, targets
 from game.scenes.metal.view import MetalView
 from game.scenes.metal.world import MetalWorld
 from game.stage import Equation, Hint, SceneAction, Strip
@@ -45,7 +45,7 @@ class MetalBalls(WorldScene):
     parameters_type = MetalParameters
     parameters: MetalParameters
     model: MetalWorld
-    parts = Parts(MetalWorld, metal_hand, MetalView, readouts, saved, targets, hearing)
+    parts = Parts(MetalWorld, metal_hand, MetalView, readouts, saved, targets, hearing, names)
     tool_prefix = ""
     painters = (("polygons", warm_up_painter), ("wall", warm_up_wall), ("steel", warm_up_steel))
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from game.arrays import Floats, Point
-from game.physics.kernels import elementwise
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import motion as m
 from game.scenes.metal.balls import NONE, NOT_YET, RIDES
 from game.scenes.metal.gauges import VALUE, exact_of, names_of
@@ -117,6 +117,16 @@ def targets(model: MetalWorld) -> dict[str, Point]:
     if model.block_ids:
         x, y = np.mean(model.world.bodies.positions[model.block_ids], axis=0).tolist()
         found["blocks"] = (x, y)
+    return found
+
+
+def names(model: MetalWorld) -> list[tuple[Point, str]]:
+    """Each ball that the level names, and its speed."""
+    found = []
+    for entry, row in zip(model.content.balls, model.balls.rows, strict=False):
+        if entry.name:
+            speed = elementary.hypot(float(row[m.VX]), float(row[m.VY]))
+            found.append(((float(row[m.X]), float(row[m.Y])), f"{entry.name}, {speed:.1f} m/s"))
     return found
 
 

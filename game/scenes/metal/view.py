@@ -46,6 +46,7 @@ class MetalView:
 
     def __init__(self, model: MetalWorld, hand: Hand):
         self.model, self.hand = model, hand
+        self._asked = False  # marks are asked for by key
         self._wall = Wall(bench_of(model.content))
         self._of: Pieces | None = None
         self._rails: list[Rail] = []
@@ -59,7 +60,7 @@ class MetalView:
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean, and what the tool in the hand does next."""
         rows = []
-        if self.model.parameters.marks:
+        if self.model.parameters.marks or self._asked:
             rows = [
                 ("disc:amber", "contact", ""),
                 ("line:chalk", "velocity", ""),
@@ -90,7 +91,8 @@ class MetalView:
         self._draw_holders(canvas, places)
         draw_steel(canvas, places[there], radii[there], angles[there], dark)
         self._draw_floors(canvas, dark, glass=True)
-        if canvas.teaching and self.model.parameters.marks:
+        self._asked = canvas.asked
+        if canvas.marks(self.model.parameters.marks):
             draw_marks(canvas, self.model, places)
         self._draw_hand(canvas)
 

@@ -43,6 +43,7 @@ class Solids(WorldScene):
     tool_prefix = ""
     painters = (("polygons", warm_up_painter),)
     covers = False
+    builds = True
     not_of_model = (*OF_PICTURE, *OF_TOOLS)
     effects = USUAL
     content_type = SolidContent

@@ -20,7 +20,7 @@ from game.scenes.tower.model import TowerModel
 from game.scenes.tower.parameters import OF_PICTURE, TowerParameters
 from game.scenes.tower.readouts import readouts
 from game.scenes.tower.sounds import hearing_of
-from game.scenes.tower.targets import story_targets
+from game.scenes.tower.targets import story_names, story_targets
 from game.scenes.tower.view import TowerView
 from game.stage import (
     Equation,
@@ -145,6 +145,9 @@ class Tower(BuiltScene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return story_targets(self.model)
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return story_names(self.model)
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model.heard, self.model.time)

@@ -20,3 +20,10 @@ def story_targets(model: TowerModel) -> dict[str, tuple[float, float]]:
         "middle": (0.0, 0.5 * floor_height(content, content.storeys)),
         "rubble": (0.0, max(RUBBLE_M, 0.8 * front_of(model)[1])),
     }
+
+
+def story_names(model: TowerModel) -> list[tuple[tuple[float, float], str]]:
+    """The roof by its height, and where the floors meet."""
+    roof, (x, y) = roof_of(model), front_of(model)
+    found = [((0.0, roof), f"roof, {roof:.1f} m")]
+    return found if roof - y < 0.5 * model.content.storey else [*found, ((x, y), f"front, {y:.1f} m")]

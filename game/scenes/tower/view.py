@@ -81,13 +81,14 @@ class TowerView:
 
     def __init__(self, model: TowerModel):
         self.model = model
+        self._asked = False  # marks are asked for by key
         self._standing = Standing()
         random = np.random.default_rng(3)
         self._towns = [_town(random, scale) for _, scale in BEHIND]
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
-        if not self.model.parameters.marks:
+        if not (self.model.parameters.marks or self._asked):
             return []
         return [("disc:amber", "contact", ""), ("dash:vermilion", "front by the law", "")]
 
@@ -99,7 +100,8 @@ class TowerView:
         self._bodies(canvas, hour, previous, alpha)
         if self.model.parameters.dust:
             self._dust(canvas, hour)
-        if canvas.teaching and self.model.parameters.marks:
+        self._asked = canvas.asked
+        if canvas.marks(self.model.parameters.marks):
             self._marks(canvas)
 
     # -- behind ---------------------------------------------------------------------------------------

@@ -44,6 +44,7 @@ class Tracks(WorldScene):
     tool_prefix = ""
     takes = frozenset()
     covers = False
+    builds = True
     not_of_model = (*OF_PICTURE, *OF_TOOLS)
     effects = EffectSet([GRAVITY])
     content_type = TrackContent

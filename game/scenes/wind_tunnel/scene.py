@@ -43,6 +43,7 @@ class WindTunnel(ModelScene):
     effects = TUNNEL.known
     content_type = WindTunnelContent
     covers = True
+    builds = True
     default_content = DEFAULT
     study = drag_study
     dt = 1.0 / 60.0

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.stage.script.entries import Begun, Dropped, Ended, Entry, Found, Held, Reached, Turned
 from game.stage.script.lines import Do, Follow, HandOver, Look, Moment, Say, Slow, Story, Title
 
 READING = 17.0  # characters that one reads in a second
@@ -15,48 +16,9 @@ LEAST_S = 1.8  # s that the shortest caption stays
 SLACK_S = 1e-9
 
 
-class Begun(NamedTuple):
-    """A line has begun. text: a caption with its numbers. start, place, to: of a deed that takes time."""
-
-    step: int
-    time_s: float
-    film_s: float
-    line: int
-    text: str = ""
-    start: float = 0.0
-    place: tuple[float, float] = (0.0, 0.0)
-    to: tuple[float, float] = (0.0, 0.0)
-
-
-class Reached(NamedTuple):
-    """A moment was reached, or its deadline was (``missed``)."""
-
-    step: int
-    time_s: float
-    film_s: float
-    line: int
-    missed: bool = False
-
-
-class Ended(NamedTuple):
-    """A deed that takes time has ended."""
-
-    step: int
-    film_s: float
-    line: int
-
-
-class Found(NamedTuple):
-    """What an expectation came to."""
-
-    step: int
-    time_s: float
-    expectation: int
-    value: float
-    holds: bool
-
-
-Entry = Begun | Reached | Ended | Found
+LATE_S = 0.3  # s simulated: what is told later than that after it came is over, and the story is late
+SLOWEST = 1.0 / 16.0  # pace of a clock that waits for words
+MARGIN_S = 0.05  # s of `LATE_S` that are left for what lies between two looks
 
 
 class Caption(NamedTuple):
@@ -100,34 +62,77 @@ class Course:
         self.speed = 1.0
         self._anchor = (0.0, 0.0)  # s simulated, s of film
         self._paces = [(0.0, 0.0, 1.0)]
+        self.dropped: list[int] = []  # lines
+        self.since: dict[int, float] = {}  # moments to come whose condition has become true, s simulated
+        self.true: set[int] = set()  # moments whose condition is true now
+        self._told_pace = 1.0
+        self._held: Held | None = None
         self._words: list[int] = []  # lines that show words, as they began
         self._last = -1  # line that has begun in its turn
         for entry in self.entries:
             self._take(entry)
 
     def _take(self, entry: Entry) -> None:
-        lines = self.story.lines
         if isinstance(entry, Found):
             self.found[entry.expectation] = entry
-            return
-        line = lines[entry.line]
-        if isinstance(entry, Ended):
+        elif isinstance(entry, Turned):
+            self._turn(entry)
+        elif isinstance(entry, Ended):
             del self.under_way[entry.line]
             self._ended[entry.line] = entry.film_s
+        elif isinstance(entry, Dropped):
+            self.dropped.append(entry.line)
+        elif isinstance(entry, Held):
+            self._held = entry
+            self._set_pace(entry.time_s, entry.film_s, entry.pace)
         elif isinstance(entry, Reached):
-            assert isinstance(line, Moment)
-            self.reached[line.moment] = entry
+            self._reach(entry)
         else:
-            self.begun[entry.line] = entry
-            if not line.at:
-                self._last = entry.line
-            if isinstance(line, (Say, Title, HandOver)):
-                self._words.append(entry.line)
-            elif isinstance(line, Slow):
-                self._anchor, self.speed = (entry.time_s, entry.film_s), line.slow
-                self._paces.append((entry.time_s, entry.film_s, line.slow))
-            elif isinstance(line, Do) and line.do.over:
-                self.under_way[entry.line] = entry
+            self._take_begun(entry)
+
+    def _take_begun(self, entry: Begun) -> None:
+        line = self.story.lines[entry.line]
+        self.begun[entry.line] = entry
+        if not line.at:
+            self._last = entry.line
+        if isinstance(line, (Say, Title, HandOver)):
+            self._words.append(entry.line)
+        if isinstance(line, Slow):
+            self._told_pace = line.slow
+            if self._held is None or line.slow < self.speed:
+                self._set_pace(entry.time_s, entry.film_s, line.slow)
+        elif isinstance(line, Do) and line.do.over:
+            self.under_way[entry.line] = entry
+        if self._held is not None and self._held.line == entry.line:
+            self._held = None
+            self._set_pace(entry.time_s, entry.film_s, self._told_pace)
+
+    def _set_pace(self, time_s: float, film_s: float, pace: float) -> None:
+        self._anchor, self.speed = (time_s, film_s), pace
+        self._paces.append((time_s, film_s, pace))
+
+    def _turn(self, entry: Turned) -> None:
+        """A condition came or went. One that went before its moment could be awaited is of no account."""
+        if entry.true:
+            self.true.add(entry.line)
+            self.since.setdefault(entry.line, entry.time_s)
+        else:
+            self.true.discard(entry.line)
+            if not self.follows_reached(entry.line):
+                self.since.pop(entry.line, None)
+
+    def _reach(self, entry: Reached) -> None:
+        line = self.story.lines[entry.line]
+        assert isinstance(line, Moment)
+        self.reached[line.moment] = entry
+        for number in [number for number in self.since if number not in self.true]:
+            if self.story.moment_before(number) == line.moment:
+                del self.since[number]
+
+    def follows_reached(self, number: int) -> bool:
+        """Whether the moment before a moment has come: from then on the story waits for this one."""
+        before = self.story.moment_before(number)
+        return not before or before in self.reached
 
     # -- time ---------------------------------------------------------------------------------------
 
@@ -152,12 +157,43 @@ class Course:
             for i, line in enumerate(lines)
             if line.at and i not in self.begun and line.at in self.reached
         ]
-        coming = next((i for i in range(self._last + 1, len(lines)) if not lines[i].at), None)
+        coming = self.coming
         if coming is not None:
             free = self._free_after(self._last)
             if free < math.inf:
                 found.append((free + lines[coming].after, coming))
         return [(i, self._with_words(i, from_s)) for from_s, i in sorted(found)]
+
+    @property
+    def coming(self) -> int | None:
+        """The line whose turn is next; None after the last one."""
+        lines = self.story.lines
+        return next((i for i in range(self._last + 1, len(lines)) if not lines[i].at), None)
+
+    def overtaken(self, number: int) -> list[int] | None:
+        """Lines before a moment whose turn has not come, if it may come before them; else None.
+
+        It may not come before what is still to be done to the scene, or before an earlier moment.
+        """
+        lines = self.story.lines
+        if lines[number].at or number <= self._last:
+            return None
+        between = [i for i in range(self._last + 1, number) if not lines[i].at]
+        if any(isinstance(lines[i], (Do, Moment)) for i in between):
+            return None
+        last = lines[self._last] if self._last >= 0 else None
+        if isinstance(last, Moment) and last.moment not in self.reached:
+            return None
+        return between
+
+    def hold_for(self, number: int, time_s: float, film_s: float, since_s: float) -> Held | None:
+        """The pace at which a line's words come in time, where those before cannot be read till then."""
+        rest_s = self._least_end(self._words[-1]) - film_s if self._words else 0.0
+        left_s = max(LATE_S - MARGIN_S - (time_s - since_s), 0.0)
+        if rest_s * self.speed <= left_s:
+            return None
+        pace = max(left_s / rest_s, SLOWEST)
+        return Held(0, time_s, film_s, number, pace) if pace < self.speed else None
 
     def _with_words(self, number: int, film_s: float) -> float:
         """Words wait until those before could be read."""

@@ -164,6 +164,17 @@ class Expect(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defau
         return f"at least {low:g}" if high is None else f"{low:g} to {high:g}"
 
 
+class WhatIf(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """What the end card offers: back to a moment, one thing changed, and on without the script.
+
+    say: what is changed, as a question. at: the moment; "" is the beginning.
+    """
+
+    say: Annotated[str, msgspec.Meta(min_length=1, max_length=60)]
+    do: Deed
+    at: Name | Literal[""] = ""
+
+
 StoryLine = Title | Look | Follow | Do | Say | Moment | Slow | HandOver
 VERBS: dict[str, type[StoryLine]] = {
     "title": Title, "look": Look, "follow": Follow, "do": Do, "say": Say, "moment": Moment, "slow": Slow,
@@ -178,6 +189,7 @@ class Story(msgspec.Struct, frozen=True, kw_only=True):
     level: Level
     lines: tuple[StoryLine, ...]
     expectations: tuple[Expect, ...] = ()
+    what_if: WhatIf | None = None
 
     @property
     def scene(self) -> str:
@@ -188,3 +200,26 @@ class Story(msgspec.Struct, frozen=True, kw_only=True):
     def title(self) -> str:
         """Its title."""
         return self.level.title
+
+    def moment_before(self, number: int) -> str:
+        """The moment that stands before a line, or at which it begins; "" if there is none."""
+        if self.lines[number].at:
+            return self.lines[number].at
+        before = (line for line in reversed(self.lines[:number]) if isinstance(line, Moment) and not line.at)
+        return next((line.moment for line in before), "")
+
+    def first_words(self, number: int) -> list[int]:
+        """The lines that tell of a moment: the first caption after it, and those at it."""
+        moment = self.lines[number]
+        assert isinstance(moment, Moment)
+        found = [i for i, line in enumerate(self.lines) if isinstance(line, Say) and line.at == moment.moment]
+        if moment.at:
+            return found
+        for i, line in enumerate(self.lines[number + 1 :], number + 1):
+            if line.at:
+                continue
+            if isinstance(line, (Moment, Title, HandOver)):
+                break
+            if isinstance(line, Say):
+                return [i, *found]
+        return found

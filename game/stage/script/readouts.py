@@ -9,12 +9,12 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from game.stage.declarations import Readout
+from game.stage.script.numbers import number_words
 
 COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 _CONDITION = re.compile(r"\s*(.+?)\s*(<=|>=|<|>)\s*(\S+)\s*")
-_NUMBER = re.compile(r"\{([^{}:]+)(:\.\d[feg])?\}")
-_PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
-_SCALED = frozenset(("m", "s", "J", "W", "N", "Hz", "Pa", "m/s"))  # units that take a prefix
+_NUMBER = re.compile(r"\{(\|?)([^{}:|]+)\1(:\.\d[feg])?\}")
+_NEAR = 0.05  # of a threshold: a measured value so near to it says the threshold
 
 
 class Condition(NamedTuple):
@@ -49,31 +49,34 @@ def named_in(caption: str) -> list[str]:
     rest = _NUMBER.sub("", caption)
     if "{" in rest or "}" in rest:
         raise ValueError(f"{caption!r}: expected {{READOUT}} or {{READOUT:.1f}} between braces")
-    return [found[1] for found in _NUMBER.finditer(caption)]
+    return [found[2] for found in _NUMBER.finditer(caption)]
 
 
 def filled(caption: str, readouts: Iterable[Readout]) -> str:
-    """A caption with its numbers; a dash for what is not measured now."""
+    """A caption with its numbers; a dash for what is not measured now. {|READOUT|} leaves the sign out."""
     values = {readout.name: readout for readout in readouts}
 
     def words(found: re.Match[str]) -> str:
-        readout = values.get(found[1])
-        if readout is None or not math.isfinite(readout.value):
-            return "–"
-        if found[2]:
-            return format(readout.value, found[2][1:]).replace("-", "−")
-        return _with_unit(readout.value, readout.unit)
+        readout = values.get(found[2])
+        value, unit = (readout.value, readout.unit) if readout is not None else (math.nan, "")
+        return number_words(abs(value) if found[1] else value, unit, (found[3] or "")[1:])
 
     return _NUMBER.sub(words, caption)
 
 
-def _with_unit(value: float, unit: str) -> str:
-    """Three digits and the unit."""
-    prefix = ""
-    if unit in _SCALED and value:
-        rows = (row for row in _PREFIXES if abs(value) >= 0.9995 * row[0])
-        factor, prefix = next(rows, _PREFIXES[-1])
-        value /= factor
-    whole = float(value).is_integer() and abs(value) < 1e7
-    number = f"{value:,.0f}".replace(",", "\u202f") if whole or abs(value) >= 1000.0 else f"{value:.3g}"
-    return f"{number} {prefix}{unit}".strip().replace("-", "−")
+def thresholds_in(caption: str, conditions: Iterable[Condition], values: Mapping[str, Readout]) -> list[str]:
+    """The readouts of a caption of which it would give no more than what its moment waited for.
+
+    As a moment is the step at which a readout passes a number, the readout has that number then; a count
+    excepted, which is what it is.
+    """
+    named = set(named_in(caption))
+    found = []
+    for condition in conditions:
+        readout = values.get(condition.readout)
+        if readout is None or condition.readout not in named:
+            continue
+        counted = not readout.unit and float(readout.value).is_integer()
+        if not counted and abs(readout.value - condition.number) <= _NEAR * abs(condition.number):
+            found.append(condition.readout)
+    return found

@@ -8,6 +8,10 @@ A story's file is that of a level with lines and expectations below it:
     level = "foam-in-the-wind"            # a level of the scene to begin with; or [content] as in a level
     [parameters]
     wind = 0.0
+    [what_if]
+    say = "What if the wind were stronger?"
+    at = "the wind rises"                 # a moment
+    do = { parameter = "wind", value = 20.0 }
     [[line]]
     title = "A fountain in the wind"
     [[line]]
@@ -38,7 +42,21 @@ from game.stage.checks.validation import checked_event
 from game.stage.parameters import ParameterError
 from game.stage.scene import Scene
 from game.stage.script.deeds import events_of
-from game.stage.script.lines import VERBS, WHOLE, Do, Expect, Follow, HandOver, Line, Look, Moment, Say, Story
+from game.stage.script.lines import (
+    VERBS,
+    WHOLE,
+    Deed,
+    Do,
+    Expect,
+    Follow,
+    HandOver,
+    Line,
+    Look,
+    Moment,
+    Say,
+    Story,
+    WhatIf,
+)  # fmt: skip
 from game.stage.script.lines import StoryLine as AnyLine
 from game.stage.script.readouts import named_in, parse_condition
 
@@ -103,7 +121,7 @@ def _plain(line: msgspec.Struct) -> dict[str, Any]:
 
 
 def _story(raw: dict[str, Any], name: str, scene_type: type[Scene], path: Path | None) -> Story:
-    head = {key: value for key, value in raw.items() if key not in ("line", "expect", "level")}
+    head = {key: value for key, value in raw.items() if key not in ("line", "expect", "level", "what_if")}
     level = level_of(head, scene_type.name, scene_type.content_type, path)
     if not level.title:
         raise LevelError(path, "title", "missing")
@@ -115,7 +133,10 @@ def _story(raw: dict[str, Any], name: str, scene_type: type[Scene], path: Path |
     )
     _check_lines(lines, scene_type, path)
     _check_expectations(expectations, lines, path)
-    return Story(name=name, level=level, lines=lines, expectations=expectations)
+    what_if = convert(raw["what_if"], WhatIf, path, "what_if") if "what_if" in raw else None
+    if what_if is not None:
+        _check_what_if(what_if, lines, scene_type, path)
+    return Story(name=name, level=level, lines=lines, expectations=expectations, what_if=what_if)
 
 
 def _tables(raw: dict[str, Any], key: str, path: Path | None) -> list[Any]:
@@ -173,7 +194,7 @@ def _check_lines(lines: Sequence[AnyLine], scene_type: type[Scene], path: Path |
         except ValueError as error:
             raise LevelError(path, f"{field}.{_verb(line)}", str(error)) from None
         if isinstance(line, Do):
-            _check_deed(line, scene_type, path, f"{field}.do")
+            _check_deed(line.do, scene_type, path, f"{field}.do")
     if not lines:
         raise LevelError(path, "line", "a story has at least a hand_over")
 
@@ -190,8 +211,17 @@ def _check_words(line: AnyLine, moments: Sequence[str]) -> None:
             parse_condition(words)
 
 
-def _check_deed(line: Do, scene_type: type[Scene], path: Path | None, field: str) -> None:
-    deed = line.do
+def _check_what_if(
+    what_if: WhatIf, lines: Sequence[AnyLine], scene_type: type[Scene], path: Path | None
+) -> None:
+    if what_if.at and what_if.at not in [line.moment for line in lines if isinstance(line, Moment)]:
+        raise LevelError(path, "what_if.at", f"no moment is called {what_if.at!r}")
+    if what_if.do.over or isinstance(what_if.do.place, str) or isinstance(what_if.do.to, str):
+        raise LevelError(path, "what_if.do", "expected something done at once, at a place in metres")
+    _check_deed(what_if.do, scene_type, path, "what_if.do")
+
+
+def _check_deed(deed: Deed, scene_type: type[Scene], path: Path | None, field: str) -> None:
     said = [name for name in ("action", "parameter", "effect", "pointer") if getattr(deed, name)]
     if len(said) != 1:
         raise LevelError(path, field, "expected one of action, parameter, effect, pointer")

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from game.stage.script.lines import Expect, Moment, Story
+from game.stage.script.course import LATE_S
+from game.stage.script.lines import Expect, Moment, Say, Story
 from game.stage.story.runner import Runner
 
 if TYPE_CHECKING:
@@ -21,7 +22,11 @@ BEGINNING = "Beginning"
 
 
 class MomentTime(msgspec.Struct, frozen=True):
-    """When a moment came. missed: its deadline came before it."""
+    """When a moment came. missed: its deadline came before it.
+
+    late_s: since its condition was true, s simulated. said_late_s: from then to its
+    first words, s simulated; None if there are none. typed: readouts that these words only repeat.
+    """
 
     name: str
     chapter: str
@@ -29,6 +34,23 @@ class MomentTime(msgspec.Struct, frozen=True):
     time_s: float
     film_s: float
     missed: bool = False
+    late_s: float = 0.0
+    said_late_s: float | None = None
+    typed: tuple[str, ...] = ()
+
+    @property
+    def failures(self) -> list[str]:
+        """What is wrong with it, in words."""
+        if self.missed:
+            return [f"the moment {self.name!r} was not reached by {self.time_s:.2f} s"]
+        found = []
+        if self.late_s > LATE_S:
+            found.append(f"the moment {self.name!r} is {self.late_s:.2f} s late: it was so before its turn")
+        elif self.said_late_s is not None and self.said_late_s > LATE_S:
+            found.append(f"the words of {self.name!r} come {self.said_late_s:.2f} s after it")
+        if self.typed:
+            found.append(f"the words of {self.name!r} repeat what it waited for: {', '.join(self.typed)}")
+        return found
 
 
 class Outcome(msgspec.Struct, frozen=True):
@@ -55,16 +77,13 @@ class Rehearsal(msgspec.Struct, frozen=True):
     expectations: tuple[Outcome, ...]
     ended: bool
     paces: tuple[tuple[float, float, float], ...] = ((0.0, 0.0, 1.0),)  # see `Course.paces`
+    dropped: tuple[str, ...] = ()  # words that were over before they could be said
 
     @property
     def failures(self) -> list[str]:
         """What is not as the story says, a line each."""
         found = [] if self.ended else [f"{self.story}: it has not ended after {self.time_s:.0f} s"]
-        found += [
-            f"{self.story}: the moment {one.name!r} was not reached by {one.time_s:.2f} s"
-            for one in self.moments
-            if one.missed
-        ]
+        found += [f"{self.story}: {words}" for one in self.moments for words in one.failures]
         for one in self.expectations:
             if not one.holds:
                 value = "is not measured" if one.value is None else f"is {one.value:.6g}"
@@ -124,6 +143,7 @@ def result_of(runner: Runner) -> Rehearsal:
         expectations=tuple(_outcome(runner, i) for i in range(len(story.expectations))),
         ended=ended,
         paces=course.paces(),
+        dropped=tuple(line.say for i in course.dropped if isinstance(line := story.lines[i], Say)),
     )
 
 
@@ -133,8 +153,20 @@ def moments_of(runner: Runner) -> list[MomentTime]:
     for name, reached in runner.course.reached.items():
         line = runner.story.lines[reached.line]
         assert isinstance(line, Moment)
+        since_s = reached.time_s if reached.missed else reached.since_s
+        said_s = [begun.time_s for i in reached.texts if (begun := runner.course.begun.get(i)) is not None]
         found.append(
-            MomentTime(name, line.heading, reached.step, reached.time_s, reached.film_s, reached.missed)
+            MomentTime(
+                name,
+                line.heading,
+                reached.step,
+                reached.time_s,
+                reached.film_s,
+                reached.missed,
+                reached.time_s - since_s,
+                max(said_s) - since_s if said_s else None,
+                reached.typed,
+            )
         )
     return found
 

@@ -6,18 +6,18 @@ or headless it is the same, event for event.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from game.physics.kernels import elementary
-from game.stage.declarations import Readout
 from game.stage.events import StageEvent
 from game.stage.parameters import ParameterError
 from game.stage.script.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
-from game.stage.script.course import SLACK_S, Begun, Course, Ended, Found, Reached
+from game.stage.script.course import SLACK_S, Course
 from game.stage.script.deeds import RATE_HZ, begin_of, end_of, on_the_way
-from game.stage.script.lines import WHOLE, Do, Expect, Follow, HandOver, Look, Moment, Say, Story
-from game.stage.script.readouts import filled, parse_condition
+from game.stage.script.entries import Begun, Dropped, Ended
+from game.stage.script.lines import WHOLE, Do, Follow, HandOver, Look, Say, Story, Title
+from game.stage.script.readouts import filled
+from game.stage.story.moments import MomentWatch
 from game.stage.story.reading import check_names
 
 if TYPE_CHECKING:
@@ -45,12 +45,7 @@ class Runner:
         self.stopped_at: int | None = None  # step at which somebody has taken over
         self._looks = looks
         self.turned = stage.scene_type.quarter_turns % 2 == 1
-        self._conditions = {
-            i: tuple(parse_condition(words) for words in line.conditions)
-            for i, line in enumerate(story.lines)
-            if isinstance(line, Moment)
-        }
-        self._readouts: dict[str, Readout] | None = None  # of the present step
+        self.watch = MomentWatch(story, stage, self.course)
         self.restart()
         stage.cue = self
 
@@ -75,7 +70,7 @@ class Runner:
         if step == self._done:
             return
         self._done = step
-        self._readouts = None
+        self.watch.forget_readouts()
         regular = step % max(1, round(1.0 / (RATE_HZ * self.stage.dt))) == 0
         if regular and self.stopped_at is None:
             self._go_on()
@@ -86,8 +81,8 @@ class Runner:
     def conclude(self) -> None:
         """Look at what is expected at the end, where the end has come and no further step follows."""
         if self.stopped_at is None and self.finished:
-            self._readouts = None
-            self._measure()
+            self.watch.forget_readouts()
+            self.watch.measure()
 
     def follow(self) -> None:
         """Where the stage has gone back, forget what came after the step at which it stands."""
@@ -176,9 +171,10 @@ class Runner:
     def _go_on(self) -> None:
         for number, begun in list(self.course.under_way.items()):
             self._carry_on(number, begun)
-        while self._reach_moments() or self._begin_one():
+        self.watch.look()
+        while self.watch.reach() or self._overtake() or self._begin_one():
             pass
-        self._measure()
+        self.watch.measure()
 
     def _begin_one(self) -> bool:
         """Begin the first line that may; False if none may."""
@@ -193,7 +189,7 @@ class Runner:
         stage, line = self.stage, self.story.lines[number]
         entry = Begun(stage.step_number, stage.time_s, self.film_s, number)
         if isinstance(line, Say):
-            entry = entry._replace(text=filled(line.say, stage.scene.readouts()))
+            entry = entry._replace(text=self._said(number, line))
         elif isinstance(line, Do):
             place, to = self._place(line.do.place), self._place(line.do.to)
             start = (
@@ -207,6 +203,26 @@ class Runner:
             self._post(number, begin_of(line.do, entry.place))
             if not line.do.over and line.do.pointer == "drag":
                 self._post(number, end_of(line.do, entry.to))
+
+    def _overtake(self) -> bool:
+        """Let a moment come whose condition is true before its turn: words that are late are dropped."""
+        number, between = self.watch.overtaking()
+        if number is None:
+            return False
+        for i in between:
+            if isinstance(self.story.lines[i], (Say, Title)):
+                self.course.add(Dropped(self.stage.step_number, self.film_s, i))
+            else:
+                self._begin(i)
+        self._begin(number)
+        return True
+
+    def _said(self, number: int, line: Say) -> str:
+        """A caption's words. The first ones of a moment have the numbers of the step at which it came."""
+        before = self.course.reached.get(self.story.moment_before(number))
+        if before is not None and number in before.texts:
+            return before.texts[number]
+        return filled(line.say, self.stage.scene.readouts())
 
     def _carry_on(self, number: int, begun: Begun) -> None:
         """Go on with a deed that takes time."""
@@ -232,51 +248,6 @@ class Runner:
             middle = 0.5 * (frame.left + frame.right), 0.5 * (frame.bottom + frame.top)
             return middle if place == WHOLE else self.stage.scene.story_targets().get(place, middle)
         return place if place is not None else (0.0, 0.0)
-
-    # -- moments and expectations -------------------------------------------------------------------
-
-    def _measured(self) -> dict[str, Readout]:
-        if self._readouts is None:
-            self._readouts = {readout.name: readout for readout in self.stage.scene.readouts()}
-        return self._readouts
-
-    def _reach_moments(self) -> bool:
-        """Note the moments that have come, or that will not come any more; True if there is one."""
-        stage, noted = self.stage, False
-        for number in self.course.awaited:
-            line, begun = self.story.lines[number], self.course.begun[number]
-            assert isinstance(line, Moment)
-            come = all(condition.holds(self._measured()) for condition in self._conditions[number])
-            late = stage.time_s > begun.time_s + line.deadline + SLACK_S
-            if come or late:
-                self.course.add(
-                    Reached(stage.step_number, stage.time_s, self.film_s, number, missed=not come)
-                )
-                noted = True
-        return noted
-
-    def _measure(self) -> None:
-        """Look at the expectations whose time it is."""
-        ends = self.film_s >= self.course.end_s - SLACK_S
-        for i, one in enumerate(self.story.expectations):
-            if i in self.course.found:
-                continue
-            due = ends or self._is_due(one)
-            if not due and one.by is None:
-                continue
-            readout = self._measured().get(one.expect)
-            value = readout.value if readout is not None else math.nan
-            if due or one.holds(value):
-                stage = self.stage
-                self.course.add(Found(stage.step_number, stage.time_s, i, value, one.holds(value)))
-
-    def _is_due(self, one: Expect) -> bool:
-        when = one.by if one.at is None else one.at
-        if when is None:
-            return False
-        if isinstance(when, str):
-            return when in self.course.reached
-        return self.stage.time_s >= when - SLACK_S
 
     # -- camera -------------------------------------------------------------------------------------
 

@@ -34,6 +34,7 @@ class CanvasBase:
         self.unit = "m"
         self.words = True  # whether labels and formulas are drawn; a small picture has no space for them
         self.teaching = True  # whether what explains is drawn: grids, handles, vectors, their words
+        self.asked = False  # whether marks are asked for, whatever the scene's own switch for them says
         self.covered = False  # what is drawn covers all, so that no ground is laid
         self.fresh = True  # measured numbers are those of now; else those of the last picture stay
         self._figures: dict[Hashable, str] = {}
@@ -44,6 +45,10 @@ class CanvasBase:
         self._pair = np.empty((2, 2))
         self._labels = LabelPlaces()
         self._old_clip = pygame.Rect(0, 0, 1, 1)
+
+    def marks(self, own: bool) -> bool:
+        """Whether marks are drawn that the scene shows by a switch of its own (``own``)."""
+        return self.asked or (self.teaching and own)
 
     def begin(self, surface: pygame.Surface, rect: pygame.Rect, camera: Camera) -> None:
         """Draw on this part of a 32-bit surface, through this camera, until ``end``; it is cleared first."""

@@ -1,4 +1,4 @@
-"""The time bar of a story: how far it is, its chapters, and buttons to take over and to go on."""
+"""The time bar of a story: pause, clock, chapters, speed, buttons, a small picture of what one points at."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import pygame
 
+from game.ui.look.icons import icon
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box, draw_disc
 from game.ui.widgets.hotspots import Hotspot, Hotspots
@@ -13,6 +14,8 @@ from game.ui.widgets.wishes import Wish
 
 HEIGHT = 44  # design px
 SIDE, CLOCK, BUTTON = 16, 92, 108  # design px: to the edges; of the clock; of a button
+PAUSE, CHAPTERS, SPEED, CONTROL_GAP = 32, 84, 52, 8  # design px, widths of the controls
+SMALL = (160, 90)  # design px, of the small picture
 SNAP = 7.0  # design px from a chapter's mark that still mean it
 
 
@@ -20,7 +23,8 @@ class TimeBarState(NamedTuple):
     """What the bar shows, s of film. chapters: (title, begins). length: what is known of it so far.
 
     taken_over: the scene is the viewer's. share: how far a jump has come, 0 to 1; None if there is none.
-    free: the camera is in the viewer's hand.
+    free: the camera is in the viewer's hand. speed: that the viewer has set, in words. picture: of the moment
+    that is pointed at, if there is one.
     """
 
     now_s: float = 0.0
@@ -30,15 +34,19 @@ class TimeBarState(NamedTuple):
     ended: bool = False
     share: float | None = None
     free: bool = False
+    paused: bool = False
+    speed: str = "1×"
+    picture: pygame.Surface | None = None
 
 
 class TimeBar:
-    """A widget at the foot of the stage; ``handle`` gives wishes: seek (s of film), story-..., camera."""
+    """A widget at the foot of the stage; ``handle`` gives wishes: seek (s of film), pause, story-..."""
 
     def __init__(self, look: Look) -> None:
         self.look = look
         self.rect = pygame.Rect(0, 0, 0, 0)
         self.spots = Hotspots()
+        self.controls = Hotspots()
         self.state = TimeBarState()
         self.pointed: float | None = None  # s of film under the pointer
         self._dragging = False
@@ -54,9 +62,37 @@ class TimeBar:
     def track(self) -> pygame.Rect:
         """Where the time runs from left to right."""
         px, rect = self.look.px, self.rect
-        left, right = rect.x + px(SIDE + CLOCK), rect.right - px(SIDE)
-        right -= sum(spot.rect.w + px(8) for spot in self.spots.spots)
+        left, right = self._clock_left + px(CLOCK), rect.right - px(SIDE)
+        places = [spot.rect.x for spot in (*self.spots.spots, *self.controls.spots) if spot.name != "pause"]
+        right = min([place - px(CONTROL_GAP) for place in places], default=right)
         return pygame.Rect(left, rect.centery - px(3), max(right - left, 1), px(6))
+
+    @property
+    def _clock_left(self) -> int:
+        return self.rect.x + self.look.px(SIDE + (PAUSE + CONTROL_GAP if self.controls.spots else 0))
+
+    @property
+    def _small(self) -> tuple[int, int]:
+        """Size of the small picture, px."""
+        return self.look.px(SMALL[0]), self.look.px(SMALL[1])
+
+    def _place_controls(self, right: int) -> None:
+        """Pause at the left; speed and chapters left of the buttons, if there is room for all of them."""
+        px, rect = self.look.px, self.rect
+        room = right - px(PAUSE + CHAPTERS + SPEED + 3 * CONTROL_GAP + SIDE + CLOCK + 120) - rect.x
+        spots = []
+        if room >= 0:
+            ready = self.state.share is None
+            pause = pygame.Rect(rect.x + px(SIDE), rect.centery - px(16), px(PAUSE), px(32))
+            spots.append(Hotspot("pause", pause, ready, "Pause or go on"))
+            for name, width, tip in (
+                ("story-speed", SPEED, "How fast it goes"),
+                ("story-chapters", CHAPTERS, "Chapters"),
+            ):
+                place = pygame.Rect(right - px(width), rect.centery - px(14), px(width), px(28))
+                spots.append(Hotspot(name, place, ready, tip))
+                right = place.x - px(CONTROL_GAP)
+        self.controls.place(spots)
 
     def _place_spots(self) -> None:
         px, rect, state = self.look.px, self.rect, self.state
@@ -74,6 +110,7 @@ class TimeBar:
                 spots.append(Hotspot(name, place, state.share is None, words))
                 right = place.x - px(8)
         self.spots.place(spots)
+        self._place_controls(right)
 
     def update(self, elapsed_s: float, state: TimeBarState) -> None:
         """Let time pass; what the bar shows now."""
@@ -83,10 +120,13 @@ class TimeBar:
         if other != before:
             self._place_spots()
         self.spots.update(elapsed_s, self.look)
+        self.controls.update(elapsed_s, self.look)
 
     def handle(self, event: pygame.Event) -> tuple[bool, Wish | None]:
         """Whether the bar took the event, and what it asks for."""
-        name = self.spots.handle(event) if event.type != pygame.KEYDOWN else None
+        name = None
+        if event.type != pygame.KEYDOWN:
+            name = self.spots.handle(event) or self.controls.handle(event)
         if name is not None:
             return True, Wish(name)
         position = getattr(event, "pos", None)
@@ -97,7 +137,8 @@ class TimeBar:
             self.pointed = self._time_at(position[0]) if inside or self._dragging else None
             return inside or self._dragging, None
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and inside:
-            self._dragging = self.spots.pressed is None and self.state.share is None
+            held = self.spots.pressed is not None or self.controls.pressed is not None
+            self._dragging = not held and self.state.share is None
             return True, None
         if event.type == pygame.MOUSEBUTTONUP and event.button == 1 and self._dragging:
             self._dragging = False
@@ -124,6 +165,7 @@ class TimeBar:
         if self.rect.w < px(SIDE + CLOCK + 60) or self.rect.h < px(HEIGHT) // 2:
             return
         surface.fill(theme.panel, self.rect)  # hints may lie below it
+        self._draw_controls(surface)
         self._draw_clock(surface)
         track, now = self.track, self._x_of(state.now_s)
         draw_box(surface, track, px(3), theme.inset)
@@ -144,9 +186,21 @@ class TimeBar:
             words = look.fonts.fit(spot.tip, 13, "semibold", spot.rect.w - px(8))
             look.text(surface, words, spot.rect.center, 13, "semibold", color, "center")
 
+    def _draw_controls(self, surface: pygame.Surface) -> None:
+        look, theme, px = self.look, self.look.theme, self.look.px
+        for spot in self.controls.spots:
+            lit = self.controls.hover(spot.name)
+            draw_box(surface, spot.rect, px(8), theme.inset.lerp(theme.text1, 0.15 * lit))
+            if spot.name == "pause":
+                sign = icon("play" if self.state.paused else "pause", px(20), theme.text1)
+                surface.blit(sign, sign.get_rect(center=spot.rect.center))
+            else:
+                words = self.state.speed if spot.name == "story-speed" else "Chapters"
+                look.text(surface, words, spot.rect.center, 13, "semibold", theme.text1, "center")
+
     def _draw_clock(self, surface: pygame.Surface) -> None:
         words = f"{clock(self.state.now_s)} / {clock(self.state.length_s)}"
-        left = self.rect.x + self.look.px(SIDE)
+        left = self._clock_left
         self.look.text(surface, words, (left, self.rect.centery), 12, "medium", "text2")
 
     def _draw_words(self, surface: pygame.Surface, track: pygame.Rect) -> None:
@@ -160,8 +214,17 @@ class TimeBar:
         else:
             return
         half = look.fonts.size(words, 12, "semibold")[0] // 2 + look.px(8)
+        picture = state.picture if state.share is None else None
+        if picture is not None:
+            half = max(half, self._small[0] // 2)
         x = min(max(x, self.rect.x + half), self.rect.right - half)
         place = pygame.Rect(round(x) - half, self.rect.y - look.px(28), 2 * half, look.px(24))
+        if picture is not None:
+            frame = pygame.Rect(
+                round(x) - self._small[0] // 2, place.y - self._small[1] - look.px(4), *self._small
+            )
+            surface.blit(pygame.transform.smoothscale(picture, frame.size), frame)
+            draw_box(surface, frame, 0, None, look.theme.line, look.border)
         draw_box(surface, place, look.px(6), look.theme.panel, look.theme.line, look.border)
         look.text(surface, words, place.center, 12, "semibold", "text1", "center")
         if state.share is not None:

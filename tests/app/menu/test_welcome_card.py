@@ -1,6 +1,8 @@
-"""The card of the very first start: two ways on, shown once."""
+"""The card of the very first start: three ways on, shown once."""
 
 from __future__ import annotations
+
+import itertools
 
 import pygame
 import pytest
@@ -10,7 +12,7 @@ from game.app.menu.welcome_card import WelcomeCard
 from game.app.scene.screen import SceneScreen
 from game.app.window.settings import load_settings
 from game.scenes import CATALOGUE
-from game.stage.catalogue import Catalogue
+from game.stage.catalogue import STORIES, Catalogue
 from tests.app.menu.eighty import eighty
 from tests.app.tests_app import Driver, example_entry
 
@@ -69,8 +71,8 @@ def test_course_leads_to_the_course(first: Driver, way: str):
     if way == "press":
         first.click(*first.top.spots.find("course").rect.center)
     else:
-        first.key(pygame.K_RIGHT)
-        first.key(pygame.K_RETURN)
+        for key in (pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_RETURN):
+            first.key(key)
     first.frames(90)
     menu = first.top
     assert isinstance(menu, MenuScreen) and menu.bar.current == "Course"
@@ -78,18 +80,31 @@ def test_course_leads_to_the_course(first: Driver, way: str):
     assert menu.view.contains(menu.focused.rect.move(0, menu.down))
 
 
+@pytest.mark.parametrize("way", ["press", "keys"])
+def test_stories_lead_to_the_stories(first: Driver, way: str, monkeypatch):
+    shown = []
+    monkeypatch.setattr(first.top, "_show_category", shown.append)
+    if way == "press":
+        first.click(*first.top.spots.find("stories").rect.center)
+    else:
+        first.key(pygame.K_RIGHT)
+        first.key(pygame.K_RETURN)
+    first.frames(30)
+    assert shown == [STORIES] and isinstance(first.top, MenuScreen)
+
+
 @pytest.mark.parametrize("size", [(1, 1), (320, 240), (400, 700), (800, 600), (3840, 2160)])
 def test_fits_any_window(first: Driver, size: tuple[int, int]):
     first.resize(*size)
     first.frames(3)
     card = first.top.veil.card
-    places = [first.top.spots.find(name).rect for name in ("play", "course")]
-    assert not places[0].colliderect(places[1])
+    places = [first.top.spots.find(name).rect for name in ("play", "stories", "course")]
+    assert not any(a.colliderect(b) for a, b in itertools.combinations(places, 2))
     if size[0] >= 320:
         assert all(card.contains(place) for place in places)
 
 
 def test_what_it_leads_to_is_there():
     assert CATALOGUE["billiards"].category == "Play"
-    assert "Course" in CATALOGUE.categories()
+    assert "Course" in CATALOGUE.categories() and STORIES in CATALOGUE.categories()
     assert len([entry for entry in CATALOGUE if entry.task.startswith("C")]) >= 15

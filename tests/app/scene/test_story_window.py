@@ -215,6 +215,56 @@ def test_bar_and_words_lie_within_the_stage(start, size):
     assert all(play.bar.rect.contains(spot.rect) for spot in play.bar.spots.spots)
 
 
+def press(told, name):
+    """Click a control of the bar."""
+    told.click(*play_of(told).bar.controls.find(name).rect.center)
+    told.frames(2)
+
+
+def test_the_bar_stops_the_story_and_lets_it_go_on(told):
+    press(told, "pause")
+    assert told.stage.paused and play_of(told).runner.playing and play_of(told).bar.state.paused
+    press(told, "pause")
+    assert not told.stage.paused
+
+
+def test_the_bar_sets_the_speed_beside_that_of_the_script(told):
+    press(told, "story-speed")
+    for key in (pygame.K_UP, pygame.K_UP, pygame.K_RETURN):  # from 1 to 1/4
+        told.key(key)
+    told.frames(30)
+    story = play_of(told)
+    assert told.stage.speed == 0.25 and story.bar.state.speed == "1/4×" and story.runner.playing
+    while story.runner.course.speed == 1.0:
+        told.frames(10)
+    told.frames(2)
+    assert told.stage.speed == 0.25 * story.runner.course.speed and story.bar.state.speed == "1/4×"
+
+
+def test_a_chapter_is_gone_to_by_its_name(told):
+    play = play_of(told)
+    play.rehearsal.found = rehearse(story(), StoryBall)
+    told.frames(2)
+    press(told, "story-chapters")
+    for key in (pygame.K_DOWN, pygame.K_RETURN):
+        told.key(key)
+    told.frames(30)
+    wait(told)
+    begins = dict(play.bar.state.chapters)["Three bounces"]
+    assert begins <= play.runner.film_s < begins + 1.0
+
+
+def test_the_bar_shows_a_small_picture_of_what_was_seen(told):
+    story = play_of(told)
+    track = story.bar.track
+    told.move(track.x + round(track.w * 1.5 / story.bar.state.length_s), track.centery)
+    told.frames(2)
+    assert story.bar.state.picture is not None and story.bar.state.picture.get_size() == (240, 135)
+    told.move(track.right - 2, track.centery)
+    told.frames(2)
+    assert story.bar.state.picture is None  # not seen yet
+
+
 class Process:
     """Stands for the second process: what it was told, and how it ended."""
 

@@ -60,7 +60,9 @@ def test_keys_go_through_all_parts_and_back(touring: Driver):
 def test_a_panel_that_is_off_is_named_by_its_key(touring: Driver):
     touring.key(pygame.K_ESCAPE)
     shell = touring.top.shell
-    assert not any(PANEL_OFF in stop.keys for stop in TourScreen(touring.app, lambda: shell.layout).stops)
+    assert not any(
+        PANEL_OFF in stop.keys for stop in TourScreen(touring.app, lambda: shell.layout, None).stops
+    )
     touring.key(pygame.K_TAB)
     touring.key(pygame.K_F3)
     assert not any(stop.part == "panel" for stop in touring.top.stops)

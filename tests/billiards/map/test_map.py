@@ -8,6 +8,7 @@ import pytest
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import carom_shot
 from game.billiards.game.games.carom import CUSHIONS
+from game.billiards.map import carom as carom_map
 from game.billiards.map.carom import GLANCE, Search, draw_map, whole_map
 from game.billiards.map.grid import Grid, aims_of, neighbours
 from game.billiards.map.hand import noise_of
@@ -287,3 +288,15 @@ def test_the_noise_of_a_hand_is_found_from_its_strokes():
 
 def test_a_glance_is_a_smaller_map(position):
     assert len(next(draw_map(position, Noise(), GLANCE)).strokes) < 3000
+
+
+def test_without_a_ball_to_aim_at_the_aims_go_evenly_all_round():
+    aims = aims_of(np.array([(0.5, 0.5)]), np.array([0.03]), 0, 8)
+    assert aims == pytest.approx(np.pi * (2.0 * np.arange(8) + 1.0) / 8.0 - np.pi, abs=1e-12)
+
+
+def test_a_better_stroke_is_sought_within_what_a_tip_can_do(position, monkeypatch):
+    monkeypatch.setattr(carom_map, "LARGEST_TIP", 0.05)  # nearer to the middle than the grid's tips are
+    found = whole_map(position, Noise(), QUICK).groups
+    tips = [math.hypot(group.stroke.tip_left, group.stroke.tip_up) for group in found]
+    assert found and max(tips) <= 0.05 + 1e-12 and max(tips) > 0.04

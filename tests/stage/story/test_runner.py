@@ -9,10 +9,8 @@ import numpy as np
 import pytest
 
 from game.stage import Pointer, Stage, replay_scene
-from game.stage.declarations import Readout
 from game.stage.script.camera import Aim, CameraPath, View, kept_inside
-from game.stage.script.course import READING, reading_s
-from game.stage.script.readouts import filled, parse_condition
+from game.stage.script.course import READING
 from game.stage.story.rehearsal import rehearse, stage_of
 from game.stage.story.runner import Runner
 from tests.stage.story.bouncing import TEXT, StoryBall, story
@@ -311,33 +309,3 @@ def test_kept_inside_moves_the_view_no_further_than_it_must():
     assert (moved.x, moved.y) == (pytest.approx(4.8 - 6.0), pytest.approx(3.7 - 2.7))
     turned = kept_inside(view, 6.0, 0.0, turned=True)
     assert turned.x == pytest.approx(6.0 - 2.7)
-
-
-# -- words -----------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("value", "unit", "words"),
-    [
-        (1.2345, "m", "1.23 m"), (0.0123, "m", "12.3 mm"), (2500.0, "J", "2.5 kJ"), (3.0, "", "3"),
-        (-0.5, "m/s²", "−0.5 m/s²"), (math.nan, "m", "–"), (0.0, "m", "0 m"), (426133.0, "", "426\u202f133"),
-    ],
-)  # fmt: skip
-def test_numbers_in_captions(value, unit, words):
-    assert filled("{a}", [Readout("a", value, unit)]) == words
-
-
-def test_a_format_of_ones_own():
-    assert filled("{a b:.1f} m", [Readout("a b", 1.26, "m")]) == "1.3 m"
-    assert filled("{c}", [Readout("a", 1.0)]) == "–"
-
-
-def test_conditions():
-    values = {"a b": Readout("a b", 2.0)}
-    assert parse_condition("a b >= 2").holds(values) and not parse_condition("a b > 2").holds(values)
-    assert parse_condition("a b <= 2.0").holds(values) and not parse_condition("c < 1").holds(values)
-    assert not parse_condition("a < 1").holds({"a": Readout("a", math.nan)})
-
-
-def test_reading_takes_its_time():
-    assert reading_s("x" * 34) == 2.0 and reading_s("") == 1.8

@@ -9,7 +9,22 @@ import pytest
 
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
-from game.ui.widgets.timebar import BUTTON, CLOCK, HEIGHT, SIDE, SNAP, TimeBar, TimeBarState
+from game.ui.widgets.timebar import (
+    BUTTON,
+    CLOCK,
+    CONTROL_GAP,
+    HEIGHT,
+    PAUSE,
+    SIDE,
+    SMALL,
+    SNAP,
+    SPEED,
+    TimeBar,
+    TimeBarState,
+)
+from game.ui.widgets.timebar import (
+    CHAPTERS as CHAPTERS_WIDTH,
+)
 from game.ui.widgets.wishes import Wish
 
 CHAPTERS = (("One", 0.0), ("Two", 20.0), ("Three", 44.0))
@@ -41,8 +56,11 @@ def test_it_lies_along_the_foot_and_its_track_between_clock_and_buttons(scale):
     assert names(bar) == ["story-take-over"]
     assert (button.right, button.w, button.h) == (1030 - px(SIDE), px(BUTTON), px(28))
     track = bar.track
-    assert track.x == 30 + px(SIDE + CLOCK) and track.h == px(6)
-    assert track.right == 1030 - px(SIDE) - button.w - px(8)
+    pause, speed, chapters = (spot.rect for spot in bar.controls.spots)
+    assert pause.x == 30 + px(SIDE) and speed.right == button.x - px(8)
+    assert chapters.right == speed.x - px(CONTROL_GAP)
+    assert track.x == pause.right + px(CONTROL_GAP + CLOCK) and track.h == px(6)
+    assert track.right == chapters.x - px(CONTROL_GAP)
     low = TimeBar(bar.look)
     low.place(pygame.Rect(0, 0, 500, 20), bar.look)
     assert low.rect == pygame.Rect(0, 0, 500, 20)
@@ -135,3 +153,50 @@ def test_a_bar_too_small_is_not_drawn_and_any_other_is():
         bar.place(surface.get_rect(), bar.look)
         bar.draw(surface)
         assert any(surface.get_buffer().raw) == drawn, (width, height)
+
+
+def controls(bar: TimeBar) -> list[str]:
+    return [spot.name for spot in bar.controls.spots]
+
+
+def test_pause_speed_and_chapters_ask_by_name():
+    bar = bar_of()
+    assert controls(bar) == ["pause", "story-speed", "story-chapters"]
+    for spot in bar.controls.spots:
+        x, y = spot.rect.center
+        assert at(bar, x, y=y) == (True, None)
+        assert at(bar, x, pygame.MOUSEBUTTONUP, y=y) == (True, Wish(spot.name))
+    bar.update(0.1, bar.state._replace(share=0.5))
+    assert not any(spot.enabled for spot in bar.controls.spots)
+
+
+def test_controls_go_before_the_track_becomes_too_short():
+    least = PAUSE + CHAPTERS_WIDTH + SPEED + 3 * CONTROL_GAP + SIDE + CLOCK + 120 + SIDE + BUTTON + 8
+    assert len(controls(bar_of(least))) == 3 and controls(bar_of(least - 1)) == []
+    assert bar_of(least).track.w >= 120 and bar_of(least - 1).track.w >= 120
+
+
+def test_what_is_pointed_at_is_shown_small_above_the_bar():
+    picture = pygame.Surface((240, 135), 0, 32)
+    picture.fill((10, 200, 30))
+    bar = bar_of(picture=picture)
+    x = bar.track.centerx
+    at(bar, x, pygame.MOUSEMOTION)
+    surface = pygame.Surface((1100, 600), 0, 32)
+    bar.draw(surface)
+    above = bar.rect.y - 28 - SMALL[1] // 2
+    assert surface.get_at((x, above))[:3] == pytest.approx((10, 200, 30), abs=3)
+    bar.update(0.1, bar.state._replace(share=0.5))  # a jump says how far it is instead
+    surface.fill((0, 0, 0))
+    bar.draw(surface)
+    assert surface.get_at((x, above))[:3] == (0, 0, 0)
+
+
+def test_the_sign_of_pause_is_that_of_going_on_once_it_is_paused():
+    pictures = []
+    for paused in (False, True):
+        bar = bar_of(paused=paused)
+        surface = pygame.Surface((1100, 600), 0, 32)
+        bar.draw(surface)
+        pictures.append(pygame.image.tobytes(surface.subsurface(bar.controls.spots[0].rect), "RGB"))
+    assert pictures[0] != pictures[1]

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from game.app.scene.in_play import InPlay
+from game.stage import StageEvent
 from game.stage.story.rehearsal import Rehearsal
 from game.stage.story.runner import Runner
 
@@ -20,6 +23,17 @@ class Journey:
     def to_step(self, step: int) -> None:
         """Stand at a step that was passed; the script goes on from there."""
         self._begin(lambda: self._go(step, None))
+
+    def to_change(self, step: int, events: Sequence[StageEvent]) -> None:
+        """Stand at a step that was passed, taken over there, with one thing changed."""
+
+        def go() -> None:
+            self._go(step, None)
+            self._runner.take_over()
+            for event in events:
+                self._record.stage.post(event)
+
+        self._begin(go)
 
     def to_film(self, film_s: float, found: Rehearsal | None) -> None:
         """Stand at a moment of the film, s; ``found``: what is known of all of it."""

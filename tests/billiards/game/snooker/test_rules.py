@@ -447,3 +447,19 @@ def test_drills_count_attempts():
     ended = running.judge(shot(BLUE), Call(BLUE)).game
     assert ended.over and ended.high == (1,) and ended.made == 0
     assert msgspec.structs.replace(alone, drill="pot").judge(shot(1, down=(1,))).game.made == 1
+
+
+def test_a_ball_is_nominated_only_by_who_may_play_and_may_choose():
+    assert game(stage="colour").needs_call() and game(free_ball=True).needs_call()
+    assert not game().needs_call() and not game(stage="colour", winner=1).needs_call()
+    asked = missed(game()).game
+    assert asked.options and not msgspec.structs.replace(asked, stage="colour").needs_call()
+
+
+def test_a_nomination_counts_only_where_it_is_one():
+    assert game().target(Call(BLUE)) == game().target()
+    assert game(free_ball=True).target(Call(1)).free is None  # a red is on anyway
+    assert game(free_ball=True).target(Call(BLUE)).free == BLUE
+    assert game(stage="colour").target(Call(1)).nominated is False
+    gone = game(on_table=(1, 2, *ALL[1:]), free_ball=True)
+    assert gone.target(Call(YELLOW)).free is None
