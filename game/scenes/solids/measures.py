@@ -19,13 +19,16 @@ SPRING = JOINT_NAMES.index("spring")
 
 
 class Energies(NamedTuple):
-    """J; momentum N s, (2,). elastic: of springs, and of soft contacts what they give back."""
+    """J; momentum N s, (2,); spin N m s about the origin. elastic: of springs, and of soft contacts what they
+    give back.
+    """
 
     moving: float
     turning: float
     height: float
     elastic: float
     momentum: Floats
+    spin: float
 
     @property
     def total(self) -> float:
@@ -47,6 +50,8 @@ def energies(world: SolidWorld) -> Energies:
         float(-(weights * (gx * places[:, 0] + gy * places[:, 1])).sum()),
         _elastic(world) + float(rows.stored[there].sum()),
         (mass[:, None] * velocities).sum(axis=0),
+        float((mass * (places[:, 0] * velocities[:, 1] - places[:, 1] * velocities[:, 0])).sum())
+        + float((inertia * rows.spins[there]).sum()),
     )
 
 
