@@ -45,18 +45,6 @@ class FlameLaws(NamedTuple):
 
 
 @lean_kernel
-def lift_cells(cells, column, ambient, gravity, force):
-    """Write the upward acceleration (ny, nx, 2) m/s² of hot gas: g (T - Ta) over the mean of both.
-
-    For small differences it is that of Boussinesq; hot gas, which is light, has to move the air around it.
-    """
-    for j in range(cells.shape[0]):
-        for i in range(cells.shape[1]):
-            warm = max(cells[j, i, column], 0.5 * ambient)
-            force[j, i, 1] = gravity * (warm - ambient) / (0.5 * (warm + ambient))
-
-
-@lean_kernel
 def burn_cells(cells, columns, laws, dt, source, sums):
     """Go on by dt (s); source (ny, nx) 1/s is added to; sums (SUMS,) are written."""
     t, f, o, s = columns[0], columns[1], columns[2], columns[3]

@@ -166,3 +166,15 @@ def push(u, v, fu, fv, dt):
         _push_row(u[j], fu[j], dt)
     for j in range(v.shape[0]):
         _push_row(v[j], fv[j], dt)
+
+
+@lean_kernel
+def buoyancy(cells, column, ambient, gravity, force):
+    """Write the upward acceleration (ny, nx, 2) m/s² of hot gas: g (T - Ta) over the mean of both.
+
+    For small differences it is that of Boussinesq; hot gas, which is light, has to move the air around it.
+    """
+    for j in range(cells.shape[0]):
+        for i in range(cells.shape[1]):
+            warm = max(cells[j, i, column], 0.5 * ambient)
+            force[j, i, 1] = gravity * (warm - ambient) / (0.5 * (warm + ambient))

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Point
 from game.physics.cloth import Breeze, GasAt
-from game.physics.combustion.burning import lift_cells
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY
@@ -18,9 +17,7 @@ from game.scenes.burning_cloth.tables import DEEP, HALF, ROOM, TALL
 from game.worlds.members.burning_air import FIELDS, BurningAir
 from game.worlds.painting.flames import FlameLook
 
-Floats = NDArray[np.float64]
 FRESH = 0.27  # kg/m³ of oxygen
-GRAVITY_NOW = 9.81  # m/s²
 MIXES = 1.3  # 1/s at which the layer takes on the wind before and behind it
 VAPOUR = {
     "ignition": 560.0, "rate": 24.0, "oxygen": 1.3, "heat": 1.5e7, "capacity": 1212.0, "soot": 0.06,
@@ -77,19 +74,10 @@ class Air(BurningAir):
         """The wind as the cloth feels it."""
         now = float(self.flows[2])
         slow = 0.75 + 0.25 * elementary.sin(0.7 * time)
-        return Breeze(
-            -HALF,
-            0.0,
-            self.cell,
-            SLANT * now * slow,
-            SWELL * abs(now),
-            WAVE,
-            float(self.flows[3]),
-            PRESS,
-            BRUSH,
-        )
+        run, swell = float(self.flows[3]), SWELL * abs(now)
+        return Breeze(-HALF, 0.0, self.cell, SLANT * now * slow, swell, WAVE, run, PRESS, BRUSH)
 
-    def heat_match(self, head: tuple[float, float], watt: float, dt: float) -> None:
+    def heat_match(self, head: Point, watt: float, dt: float) -> None:
         """The flame of a match warms the gas at it."""
         x, y = self._centres
         ex, ey = (x - head[0]) / MATCH_WIDE, (y - head[1]) / MATCH_WIDE
@@ -101,19 +89,9 @@ class Air(BurningAir):
         self.gas.scalars[..., 0][near] += watt * dt / (capacity * count)
         self.flows[0] += watt * dt
 
-    def blow(self, place: tuple[float, float], way: tuple[float, float], reach: float = 0.2) -> None:
-        """Push the gas about a place (m) by a way (m/s)."""
-        for field, (x, y), part in (
-            (self.gas.u, self.gas.grid.u_places(), way[0]), (self.gas.v, self.gas.grid.v_places(), way[1]),
-        ):  # fmt: skip
-            away = (elementary.square(x - place[0]) + elementary.square(y - place[1])) / (reach * reach)
-            field += part * elementary.square(np.clip(1.0 - away, 0.0, None))
-        self.gas.jolt()
-
-    def cool(self, place: tuple[float, float], reach: float) -> None:
+    def cool(self, place: Point, reach: float) -> None:
         """Water that falls through flames takes their heat along."""
-        x, y = self._centres
-        near = elementary.square(x - place[0]) + elementary.square(y - place[1]) < reach * reach
+        near = self.near(place, reach)
         t = self.gas.scalars[..., 0]
         taken = np.where(near & (t > 373.15), 0.7 * (t - 373.15), 0.0)
         t -= taken
@@ -133,27 +111,22 @@ class Air(BurningAir):
 
     def look(self) -> None:
         """How fast the gas is, for the cloth."""
-        along, upward = self._velocities()
+        along, upward = self.velocities()
         np.sqrt(along * along + upward * upward, out=self.speed_now)
 
     def advance(self, dt: float) -> None:
         """Burn, and flow."""
         gas = self.gas
         self.flames.step(gas.scalars, dt, self._nothing)
-        along, upward = self._velocities()
+        along, upward = self.velocities()
         gas.force[..., 0] = MIXES * (self.flows[2] - along)
         gas.force[..., 1] = 0.0
-        if self.lifts:
-            lift_cells(gas.scalars, 0, ROOM, GRAVITY_NOW, gas.force)
+        self.rise()
         gas.force[..., 1] -= MIXES * upward
         out = (np.maximum(-gas.u[:, 0], 0.0), np.maximum(gas.u[:, -1], 0.0), np.maximum(gas.v[-1], 0.0))
         before = self._through_sides(out)  # heat is carried by the velocities that a step begins with
         gas.step(dt)
         self.flows[1] += 0.5 * (before + self._through_sides(out)) * dt
-
-    def _velocities(self) -> tuple[Floats, Floats]:
-        u, v = self.gas.u, self.gas.v
-        return 0.5 * (u[:, 1:] + u[:, :-1]), 0.5 * (v[1:] + v[:-1])
 
     # -- what there is ------------------------------------------------------------------------------------
 

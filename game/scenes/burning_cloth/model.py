@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Flags, Floats, Point
 from game.physics.cloth import Cloth, ClothState, Fabric, Hanging
 from game.physics.cloth.charring import ALIGHT, HOTTEST, MADE, MATCH, RADIATED, STEAM
 from game.physics.cloth.effects import CLOTH
@@ -31,11 +31,10 @@ from game.scenes.burning_cloth.tables import (
     TOP,
     WIDTH,
 )
-from game.stage import Part
-from game.worlds.hearing import HEARD_TIME, HEARD_WIDTH
+from game.worlds.hearing import HEARD_TIME, Heard
 from game.worlds.members.burning_air import AirState
+from game.worlds.world import World
 
-Floats = NDArray[np.float64]
 STROKE = 0.064  # m, of the brush
 WINDOW_S, FRONT_EVERY = 1.2, 6  # s over which the front's speed is taken; steps from one look to the next
 HEARD_S = 0.25
@@ -53,21 +52,24 @@ class BurningClothState(NamedTuple):
     seen: Floats
 
 
-class BurningClothModel(Part):
-    """time s; written: dabs of the hand, (right, down) m on the cloth, and washed ones.
+class BurningClothModel(World):
+    """written: dabs of the hand, (right, down) m on the cloth, and washed ones.
 
     seen (4,): W of flames as the eye sees it, the most of that, m/s of the front when it last was measured
     (-1: never), m of the highest flame.
     """
 
+    content: BurningClothContent
+    parameters: BurningClothParameters
+
     def __init__(
         self, content: BurningClothContent, parameters: BurningClothParameters, active: EffectSet, seed: int
     ):
-        self.content, self.parameters, self.active = content, parameters, active
-        self.time, self.steps = 0.0, 0
-        self.written: list[tuple[float, float]] = list(content.dabs)
-        self.washed: list[tuple[float, float]] = list(content.washed)
-        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
+        super().__init__(content, parameters, active)
+        self.steps = 0
+        self.written: list[Point] = list(content.dabs)
+        self.washed: list[Point] = list(content.washed)
+        self.heard = Heard(24, HEARD_S)
         self.seen: Floats = np.array([0.0, 0.0, -1.0, 0.0])
         self.front_now, self.threads_parted = math.nan, 0
         self.cloth = Cloth(
@@ -108,7 +110,7 @@ class BurningClothModel(Part):
             cloth.dab(dab, 0.7 * STROKE, 0.0)
         return found
 
-    def _heat(self, at: tuple[float, float], radius: float, kelvin: float) -> None:
+    def _heat(self, at: Point, radius: float, kelvin: float) -> None:
         rows, columns = self.cloth.patches.shape[1:]
         right = (np.arange(columns) + 0.5) * self.cloth.size - at[0]
         down = (np.arange(rows) + 0.5) * self.cloth.size - at[1]
@@ -118,7 +120,6 @@ class BurningClothModel(Part):
     # -- changes ------------------------------------------------------------------------------------------
 
     def change_parameter(self, name: str) -> None:
-        """Take over a parameter's new value."""
         chosen = self.parameters
         if name in ("retardant", "law"):
             self.cloth.made_of = self._fabric()
@@ -130,7 +131,6 @@ class BurningClothModel(Part):
             self.air.set_cycles(int(chosen.cycles))
 
     def change_effects(self, active: EffectSet) -> None:
-        """Compute these effects from now on."""
         self.active = active
         self.cloth.made_of = self._fabric()
         self.cloth.hanging = replace(self.cloth.hanging, effects=active & CLOTH.known)
@@ -140,7 +140,7 @@ class BurningClothModel(Part):
         """Take up the match and lead it to the foot of each letter."""
         self.match.take_up(self.time, self.feet())
 
-    def feet(self) -> list[tuple[float, float]]:
+    def feet(self) -> list[Point]:
         """m: where each letter begins, on the cloth as it hangs now; of what was written by hand the first
         dab.
         """
@@ -149,7 +149,7 @@ class BurningClothModel(Part):
         )
         return [self.place_on(right, down) for right, down in on]
 
-    def place_on(self, right: float, down: float) -> tuple[float, float]:
+    def place_on(self, right: float, down: float) -> Point:
         """m: where a point of the cloth, from its upper left corner, is in the picture."""
         nodes, spacing = self.cloth.nodes, self.cloth.spacing
         row = min(max(round(down / spacing), 0), nodes.shape[1] - 1)
@@ -157,7 +157,7 @@ class BurningClothModel(Part):
         x, y = nodes[X : X + 2, row, column].tolist()
         return x + right - spacing * column, y - down + spacing * row
 
-    def write_at(self, point: tuple[float, float], washes: bool) -> bool:
+    def write_at(self, point: Point, washes: bool) -> bool:
         """A dab of the brush at a place (m); False if there is no cloth, or too much is written already."""
         on, dabs = self.cloth.point_on(point), self.washed if washes else self.written
         if on is None or len(dabs) >= MOST_DABS:
@@ -167,7 +167,7 @@ class BurningClothModel(Part):
         self.cloth.dab(on, (0.7 if washes else 0.5) * STROKE, 0.0 if washes else 1.0)
         return True
 
-    def pour(self, point: tuple[float, float]) -> None:
+    def pour(self, point: Point) -> None:
         """Water on what is near."""
         self.cloth.pour(point, POUR_REACH, POUR_MOST)
         self.air.cool(point, POUR_REACH)
@@ -177,13 +177,13 @@ class BurningClothModel(Part):
         self.cloth.pour((0.0, TOP - 0.5 * HEIGHT), 4.0 * WIDTH, 2.0 * POUR_MOST)
         self.air.cool((0.0, TOP - 0.5 * HEIGHT), WIDTH)
 
-    def blow(self, point: tuple[float, float], way: tuple[float, float]) -> None:
+    def blow(self, point: Point, way: Point) -> None:
         """A gust along the way (m) of the hand."""
-        self.air.blow(point, (min(max(BLOWS * way[0], -3.0), 3.0), min(max(BLOWS * way[1], -3.0), 3.0)))
+        self.air.blow(point, (min(max(BLOWS * way[0], -3.0), 3.0), min(max(BLOWS * way[1], -3.0), 3.0)), 0.2)
 
     # -- a step -------------------------------------------------------------------------------------------
 
-    def advance(self, dt: float) -> None:
+    def advance(self, dt: float) -> str:
         """Match, cloth, then gas; then what has parted."""
         air, cloth = self.air, self.cloth
         lit = self.match.lit(self.time)
@@ -198,12 +198,13 @@ class BurningClothModel(Part):
         if cloth.step(dt, air.gas.scalars, air.speed_now, air.at_cloth(), wind, flame):
             self._part((before > 0.0) & (cloth.whole <= 0.0))
         air.advance(dt)
-        self.ashes.step(self._wind_at(self.ashes.table[:, ASH_X : ASH_Y + 1]), dt)
+        self.ashes.step(self.air.wind_at(self.ashes.table[:, ASH_X : ASH_Y + 1]), dt)
         self.time += dt
         self.steps += 1
         self._see(dt, lit)
+        return ""
 
-    def _part(self, lost: NDArray[np.bool_]) -> None:
+    def _part(self, lost: Flags) -> None:
         """Flakes from meshes that were just lost, and their sound."""
         rows, columns = np.nonzero(lost)
         nodes = self.cloth.nodes
@@ -214,19 +215,10 @@ class BurningClothModel(Part):
         velocities = nodes[VX : VX + 2, rows, columns].T
         self.ashes.part(places, np.clip(velocities, -1.0, 1.0), self.cloth.spacing)
         self.threads_parted += 2 * len(rows)
-        if len(rows) and (not len(self.heard) or self.heard[-1, HEARD_TIME] < self.time - 0.05):
+        heard = self.heard.rows
+        if len(rows) and (not len(heard) or heard[-1, HEARD_TIME] < self.time - 0.05):
             strong = 0.25 + 0.5 * float(self.ashes.chance.random())
-            sound = [[self.time, 1.0, strong, float(places[0, 0])]]
-            self.heard = np.concatenate([self.heard, np.array(sound)])[-24:]
-
-    def _wind_at(self, points: Floats) -> Floats:
-        """Velocity (n, 2) m/s of the gas at points (n, 2) m."""
-        gas, cell = self.air.gas, self.air.cell
-        ny, nx = gas.grid.shape
-        i = np.clip(((points[:, 0] - gas.grid.lower[0]) / cell).astype(np.int64), 0, nx - 1)
-        j = np.clip((points[:, 1] / cell).astype(np.int64), 0, ny - 1)
-        along = 0.5 * (gas.u[j, i] + gas.u[j, i + 1])
-        return np.stack([along, 0.5 * (gas.v[j, i] + gas.v[j + 1, i])], axis=1)
+            self.heard.add(self.time, 1, strong, float(places[0, 0]))
 
     def _see(self, dt: float, was_lit: bool) -> None:
         """What is measured from step to step, and what is to be heard of the match."""
@@ -240,9 +232,8 @@ class BurningClothModel(Part):
             seen[3] = max(seen[3], self.air.flame_height())
         if not was_lit and self.match.lit(self.time):
             (x, _), _ = self.match.place(self.time)
-            self.heard = np.concatenate([self.heard, np.array([[self.time, 2.0, 0.8, x]])])[-24:]
-        if len(self.heard):
-            self.heard = self.heard[self.heard[:, HEARD_TIME] > self.time - HEARD_S]
+            self.heard.add(self.time, 2, 0.8, x)
+        self.heard.forget(self.time)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -299,12 +290,11 @@ class BurningClothModel(Part):
 
     def state(self) -> BurningClothState:
         """All that later steps depend on."""
-        return BurningClothState(
-            self.cloth.state(), self.air.state(), self.ashes.table, self.heard, self.seen
-        )
+        air, sounds = self.air.state()[0], self.heard.rows
+        return BurningClothState(self.cloth.state(), air, self.ashes.table, sounds, self.seen)
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.cloth.restore(state.cloth)
-        self.air.restore(state.air)
-        self.ashes.table[:], self.heard, self.seen[:] = state.ashes, state.heard.copy(), state.seen
+        self.air.restore(iter([state.air]))
+        self.ashes.table[:], self.heard.rows, self.seen[:] = state.ashes, state.heard.copy(), state.seen

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from game.stage import Choice, Param, Parameters, Toggle
+from game.worlds.hands.hand import Tool, choose_tool
+from game.worlds.members.solids import choose_step
 
-TOOLS = ("match", "write", "wash", "water", "drag", "blow")
-OF_TOOLS = ("tool",)
+TOOLS = (
+    Tool("match", "Match"), Tool("write", "Write"), Tool("wash", "Wash out"), Tool("water", "Wet"),
+    Tool("drag", "Drag"), Tool("blow", "Blow"),
+)  # fmt: skip
 OF_PICTURE = ("marks", "view")
 VIEWS = ("fire", "heat", "saltpetre", "gas")
 TIERS = {"play": 56, "teach": 80, "film": 112}  # meshes across
@@ -15,10 +19,7 @@ WORDS = ("FIRE", "CAROM", "HEAT", "1952", "♥", "blank")
 class BurningClothParameters(Parameters):
     """Tools, what is written, cloth, air, how finely it is computed, and what is shown."""
 
-    tool = Choice(
-        "match", TOOLS, labels=("Match", "Write", "Wash out", "Wet", "Drag", "Blow"), group="Tools",
-        help="what the left button does",
-    )  # fmt: skip
+    tool = choose_tool(TOOLS)
     word = Choice(
         "FIRE", WORDS, labels=("FIRE", "CAROM", "HEAT", "1952", "A heart", "Nothing"), group="Cloth",
         label="Written", rebuild=True,
@@ -47,9 +48,7 @@ class BurningClothParameters(Parameters):
     )
     substeps = Param(8, 2, 32, whole=True, group="Accuracy", help="of the cloth's motion in a step")
     cycles = Param(4, 2, 20, whole=True, group="Accuracy", label="V-cycles", help="of the pressure in a step")
-    step_length = Param(
-        1.0 / 60.0, 1.0 / 480.0, 1.0 / 30.0, unit="s", log=True, group="Accuracy", label="Time step"
-    )
+    step_length = choose_step(1.0 / 60.0, 1.0 / 480.0, 1.0 / 30.0, "Accuracy")
     view = Choice(
         "fire", VIEWS, labels=("As it looks", "Heat", "Saltpetre", "Gas"), group="Shown", label="Picture",
         help="as it looks, or what is measured of cloth and gas",

@@ -2,36 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import ClassVar
-
 from game.lab.studies.fire.cloth import front_study
-from game.levels import Level
 from game.physics.cloth.effects import CLOTH
 from game.physics.combustion.effects import FLAMES, SOOT_LOSS
 from game.physics.gas.effects import ADVECTION, BUOYANCY, PRESSURE
 from game.physics.heat.effects import HEAT
 from game.scenes.burning_cloth import A10
 from game.scenes.burning_cloth.figure import draw_front
-from game.scenes.burning_cloth.hand import BurningClothHand
+from game.scenes.burning_cloth.hand import cloth_hand
 from game.scenes.burning_cloth.level import DEFAULT, BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
 from game.scenes.burning_cloth.parameters import OF_PICTURE, BurningClothParameters
 from game.scenes.burning_cloth.picture.sheet_painter import warm_up_sheet
 from game.scenes.burning_cloth.picture.yard import warm_up_yard
 from game.scenes.burning_cloth.readouts import readouts_of
-from game.scenes.burning_cloth.saving import content_of
-from game.scenes.burning_cloth.sounds import hearing_of
-from game.scenes.burning_cloth.targets import story_names, story_targets
+from game.scenes.burning_cloth.told import hearing, names, saved, targets
 from game.scenes.burning_cloth.view import BurningClothView
-from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
 from game.worlds.painting.flames import warm_up_gas
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import BuiltScene
+from game.worlds.scene import Parts, WorldScene
 
 
-class BurningCloth(BuiltScene):
+class BurningCloth(WorldScene):
     """A cotton cloth hangs from two hooks. It was treated with a flame retardant; the letters were written
     on it with a solution of saltpetre, which has dried. A match lights each letter at its foot: a front of
     embers creeps along what is written, and only that burns through.
@@ -55,15 +49,20 @@ class BurningCloth(BuiltScene):
     parameters_type = BurningClothParameters
     parameters: BurningClothParameters
     model: BurningClothModel
-    hand: BurningClothHand
+    parts = Parts(
+        BurningClothModel, cloth_hand, BurningClothView, readouts_of, saved, targets, hearing, names
+    )
+    tiny = {"tier": "own", "meshes": 16}
+    painters = (
+        ("polygons", warm_up_painter), ("cloth", warm_up_sheet), ("backdrop", warm_up_backdrop),
+        ("gas", warm_up_gas), ("yard", warm_up_yard),
+    )  # fmt: skip
     effects = ADVECTION | PRESSURE | BUOYANCY | FLAMES | SOOT_LOSS | HEAT.known | CLOTH.known
     content_type = BurningClothContent
     not_of_model = OF_PICTURE
     of_tier = ("meshes",)
     default_content = DEFAULT
     study = front_study
-    takes: ClassVar[frozenset[str]] = frozenset(("right",))
-    covers = True
 
     strips = (
         Strip("Front of embers", "m/s", ("front", "by its law", "Fisher-KPP"),
@@ -101,44 +100,12 @@ class BurningCloth(BuiltScene):
         "Switch radiation off: the front comes up to the speed that its law has without losses.",
     )
 
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        """A step, and what paints."""
-        return (
-            WarmUp("step", lambda: cls(parameters={"tier": "own", "meshes": 16}).advance(cls.dt)),
-            WarmUp("polygons", warm_up_painter),
-            WarmUp("cloth", warm_up_sheet),
-            WarmUp("backdrop", warm_up_backdrop),
-            WarmUp("gas", warm_up_gas),
-            WarmUp("yard", warm_up_yard),
-        )
-
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = BurningClothModel(content, self.parameters, self.active, self.seed)
-        self.hand = BurningClothHand(self.model)
-        self.view = BurningClothView(self.model, self.hand)
-        self.check_content(content)
-
-    def tool_changed(self) -> None:
-        self.hand.let_go()
-
     def why_idle(self, name: str) -> str:
         if name == "word" and self.model.content.words is not None:
             return "The level says what is written."
         return super().why_idle(name)
 
-    def save_content(self) -> BurningClothContent:
-        return content_of(self.model)
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def action(self, name: str) -> None:
+    def do(self, name: str) -> str:
         if name == "match":
             self.model.strike()
         elif name == "turn":
@@ -146,20 +113,7 @@ class BurningCloth(BuiltScene):
             self.model.change_parameter("wind")
         else:
             self.model.wet_all()
-
-    # -- what there is to see -----------------------------------------------------------------------
-
-    def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return story_targets(self.model)
-
-    def story_names(self) -> list[tuple[tuple[float, float], str]]:
-        return story_names(self.model)
-
-    def hearing(self) -> Hearing:
-        return hearing_of(self.model)
+        return ""
 
     def shown(self) -> Frame:
         return Frame(-1.62, -0.16, 1.62, 1.98)

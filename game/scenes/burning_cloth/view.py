@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Singles
 from game.physics.cloth.layout import HOT, PER, X, Y
 from game.scenes.burning_cloth.ashes import AGE, GLOWS_S, LIFE, SIZE, TURN
 from game.scenes.burning_cloth.ashes import X as ASH_X
 from game.scenes.burning_cloth.ashes import Y as ASH_Y
-from game.scenes.burning_cloth.hand import BurningClothHand
 from game.scenes.burning_cloth.model import BurningClothModel, BurningClothState
 from game.scenes.burning_cloth.picture.cloth import COLD, HOTTEST, ClothPicture
 from game.scenes.burning_cloth.picture.sheet_painter import GLOW_FROM, GLOW_TO
@@ -18,23 +17,19 @@ from game.scenes.burning_cloth.picture.yard import SOURCES, Yard, light_on_yard
 from game.scenes.burning_cloth.tables import HALF, TALL
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
-from game.worlds.painting.polygons import NO_EDGE, paint
+from game.worlds.hands.hand import Hand
+from game.worlds.painting.boards import paint_quads
+from game.worlds.painting.flames import FLAME, HEAT_STOPS, draw_firelight
 
-Floats = NDArray[np.float64]
 BOX = ((-HALF, 0.0), (HALF, TALL))
-FLAME = (
-    (0.0, pygame.Color(0, 0, 0)), (0.16, pygame.Color(70, 8, 0)), (0.36, pygame.Color(196, 52, 4)),
-    (0.6, pygame.Color(250, 130, 20)), (0.82, pygame.Color(255, 206, 92)), (1.0, pygame.Color(255, 246, 206)),
-)  # fmt: skip
 SMOKE = {True: pygame.Color(64, 62, 64), False: pygame.Color(104, 100, 98)}
-HEAT_STOPS = ((0.0, "stage"), (0.25, "violet"), (0.55, "vermilion"), (0.8, "amber"), (1.0, "yellow"))
 SPARSE = 3  # of patches in each direction that throw a soft light
 
 
 class BurningClothView:
     """Draws a model and its hand."""
 
-    def __init__(self, model: BurningClothModel, hand: BurningClothHand):
+    def __init__(self, model: BurningClothModel, hand: Hand):
         self.model, self.hand = model, hand
         self._yard = Yard()
         self._cloth = ClothPicture(model)
@@ -77,7 +72,7 @@ class BurningClothView:
         patches = self.model.cloth.patches
         return np.asarray(np.clip((patches[HOT] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0))
 
-    def _shining(self, veil: NDArray[np.float32], glow: Floats) -> NDArray[np.float32]:
+    def _shining(self, veil: Singles, glow: Floats) -> Singles:
         """(SOURCES) how much light comes from blocks of the gas and the cloth in them, and the match."""
         rows, columns = SOURCES
         ny, nx = veil.shape[:2]
@@ -99,7 +94,7 @@ class BurningClothView:
             found[min(max(int(y0 / TALL * rows), 0), rows - 1), i0] += 0.16 * match.strength(self.model.time)
         return found.astype(np.float32)
 
-    def _draw_veil(self, canvas: Canvas, veil: NDArray[np.float32], smoke: pygame.Color) -> None:
+    def _draw_veil(self, canvas: Canvas, veil: Singles, smoke: pygame.Color) -> None:
         """Flames and smoke, as far as there are any."""
         seen = np.max(veil, axis=2) > 0.002
         rows, columns = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
@@ -114,20 +109,9 @@ class BurningClothView:
             smoke, FLAME,
         )  # fmt: skip
 
-    def _draw_light(self, canvas: Canvas, nodes: Floats, veil: NDArray[np.float32], glow: Floats) -> None:
+    def _draw_light(self, canvas: Canvas, nodes: Floats, veil: Singles, glow: Floats) -> None:
         """The light about flames and embers."""
-        ny, nx = veil.shape[:2]
-        block = max(nx // 24, 1)
-        rows, columns = ny // block, nx // block
-        light = (
-            veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
-        )
-        j, i = np.nonzero(light > 0.03)
-        if len(j):
-            step = 2.0 * HALF / nx * block
-            at = np.stack([-HALF + (i + 0.5) * step, (j + 0.5) * step], axis=1)
-            inks = np.full(len(j), 0xFF8A30, dtype=np.uint32)
-            canvas.soft_glow(at, np.full(len(j), 1.8 * step), inks, 0.45 * np.minimum(light[j, i], 0.8))
+        draw_firelight(canvas, veil, HALF, 24, 0.03, 1.8, 0.45)
         b, a = np.nonzero(glow[::SPARSE, ::SPARSE] > 0.08)
         if len(b):
             b, a = b * SPARSE, a * SPARSE
@@ -179,12 +163,7 @@ class BurningClothView:
         ], axis=1) * 0.5 + at[:, None]  # fmt: skip
         inks = np.full(len(ashes), 0x1A1716 if dark else 0x2C2826, dtype=np.int64)
         fade = np.clip((ashes[:, LIFE] - ashes[:, AGE]) / 3.0, 0.0, 1.0)
-        starts = np.arange(0, 4 * len(ashes) + 1, 4, dtype=np.int64)
-        flat_corners = np.ascontiguousarray(corners.reshape(-1, 2))
-        paint(
-            canvas, flat_corners, starts, inks, np.ascontiguousarray(0.85 * fade),
-            np.full(len(ashes), NO_EDGE, dtype=np.int64), np.zeros_like(flat_corners),
-        )  # fmt: skip
+        paint_quads(canvas, corners.reshape(-1, 2), inks, 0.85 * fade)
         hot = np.clip(1.0 - ashes[:, AGE] / GLOWS_S, 0.0, 1.0)
         lit = hot > 0.05
         if lit.any():
@@ -196,6 +175,6 @@ class BurningClothView:
         if point is None:
             return
         if tool == "blow":
-            canvas.arrow(point, np.array(self.hand.way()) * 0.25, "chalk")
+            canvas.arrow(point, np.array(self.hand.moved) * 0.25, "chalk")
         elif tool != "match":
             canvas.handle(point)

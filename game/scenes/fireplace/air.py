@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.physics.combustion.burning import lift_cells
+from game.arrays import Floats, Point
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY, EXPANSION
@@ -15,23 +14,12 @@ from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
 from game.physics.solids import Material, Polygon, SolidWorld
 from game.physics.surfaces import SolidSurface
-from game.scenes.fireplace.tables import (
-    DAMPER_AT,
-    HALF,
-    HOOD_FOOT,
-    HOOD_IN,
-    HOOD_OUT,
-    ROOM,
-    TALL,
-    THROAT,
-    WALL,
-)
+from game.scenes.fireplace import tables as t
+from game.scenes.fireplace.tables import HALF, ROOM, TALL
 from game.worlds.members.burning_air import FIELDS, BurningAir
 from game.worlds.painting.flames import FlameLook
 
-Floats = NDArray[np.float64]
 FRESH = 0.27  # kg/m³ of oxygen
-GRAVITY_NOW = 9.81  # m/s²
 SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
 VAPOUR = {
     "ignition": 580.0, "rate": 30.0, "oxygen": 1.3, "heat": 1.6e7, "capacity": 1212.0, "soot": 0.05,
@@ -71,9 +59,9 @@ class Air(BurningAir):
         stone = Material(density=2000.0)
         for side in (-1.0, 1.0):
             out = [
-                (side * HOOD_OUT, HOOD_FOOT), (side * (HOOD_OUT + WALL), HOOD_FOOT),
-                (side * (HOOD_IN + WALL), THROAT), (side * (HOOD_IN + WALL), TALL + 0.2),
-                (side * HOOD_IN, TALL + 0.2), (side * HOOD_IN, THROAT),
+                (side * t.HOOD_OUT, t.HOOD_FOOT), (side * (t.HOOD_OUT + t.WALL), t.HOOD_FOOT),
+                (side * (t.HOOD_IN + t.WALL), t.THROAT), (side * (t.HOOD_IN + t.WALL), TALL + 0.2),
+                (side * t.HOOD_IN, TALL + 0.2), (side * t.HOOD_IN, t.THROAT),
             ]  # fmt: skip
             self._shell.add_body(Polygon(out, 0.0, stone), kind="fixed")
         self._plates = [
@@ -92,7 +80,7 @@ class Air(BurningAir):
             return
         self.damper = share
         for side, body in zip((-1.0, 1.0), self._plates, strict=True):
-            self._shell.set_pose(body, (side * _plate_middle(share), DAMPER_AT), 0.0)
+            self._shell.set_pose(body, (side * _plate_middle(share), t.DAMPER_AT), 0.0)
         self.gas.set_solids(SolidSurface(self._shell))
 
     def plates(self) -> list[Floats]:
@@ -101,16 +89,9 @@ class Air(BurningAir):
 
     # -- what comes in ------------------------------------------------------------------------------------
 
-    def _cells_at(self, points: Floats) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """Rows and columns of the cells at points (..., 2) m."""
-        ny, nx = self.gas.grid.shape
-        i = np.clip(((points[..., 0] + HALF) / self.cell).astype(np.int64), 0, nx - 1)
-        j = np.clip((points[..., 1] / self.cell).astype(np.int64), 0, ny - 1)
-        return j, i
-
     def around(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """K (of the three hottest), share of fresh air and m/s of the gas, means over points (n, k, 2) m."""
-        j, i = self._cells_at(points)
+        j, i = self.cells_at(points)
         cells = self.gas.scalars[j, i]
         along = 0.5 * (self.gas.u[j, i] + self.gas.u[j, i + 1])
         upward = 0.5 * (self.gas.v[j, i] + self.gas.v[j + 1, i])
@@ -121,15 +102,9 @@ class Air(BurningAir):
             np.mean(speed, axis=1),
         )  # fmt: skip
 
-    def wind_at(self, points: Floats) -> Floats:
-        """Velocity (n, 2) m/s at points (n, 2) m."""
-        j, i = self._cells_at(points)
-        along = 0.5 * (self.gas.u[j, i] + self.gas.u[j, i + 1])
-        return np.stack([along, 0.5 * (self.gas.v[j, i] + self.gas.v[j + 1, i])], axis=1)
-
     def take(self, points: Floats, joule: Floats, vapour: Floats) -> None:
         """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, in equal parts."""
-        j, i = self._cells_at(points)
+        j, i = self.cells_at(points)
         volume, share = self.cell * self.cell, 1.0 / points.shape[1]
         warmth = np.repeat(joule[:, None] * share / (VAPOUR["capacity"] * volume), points.shape[1], axis=1)
         np.add.at(self._rise, (j, i), warmth)
@@ -138,66 +113,55 @@ class Air(BurningAir):
             np.repeat(vapour[:, None] * share / volume, points.shape[1], axis=1),
         )  # fmt: skip
 
-    def heat_match(self, head: tuple[float, float], power: float, dt: float) -> None:
+    def heat_match(self, head: Point, power: float, dt: float) -> None:
         """The flame of a match of so many W/m at its head."""
         x, y = self.gas.grid.centres()
         near = elementary.square(x - head[0]) + elementary.square(y - head[1] - 0.012) < HEAD * HEAD
         count = int(np.count_nonzero(near))
         if not count:
             return
-        t = self.gas.scalars[..., 0]
+        warm = self.gas.scalars[..., 0]
         rise = np.minimum(
             power * dt / (VAPOUR["capacity"] * (self.cell * self.cell) * count),
-            np.maximum(MATCH_HOT - t, 0.0),
+            np.maximum(MATCH_HOT - warm, 0.0),
         )
         self._rise[near] += rise[near]
         self.flows[0] += float(np.sum(rise[near])) * VAPOUR["capacity"] * (self.cell * self.cell)
 
-    def pour(self, place: tuple[float, float], reach: float) -> None:
+    def pour(self, place: Point, reach: float) -> None:
         """Steam where water falls on a fire: it takes heat (J/m) of the gas around, and drives the air
         out.
         """
-        x, y = self.gas.grid.centres()
-        near = elementary.square(x - place[0]) + elementary.square(y - place[1]) < reach * reach
-        t = self.gas.scalars[..., 0]
-        cooler, before = np.where(near, 373.15 + 0.3 * (t - 373.15), t), self.heat()
-        taken = np.where(near & (t > 373.15), t - cooler, 0.0)
-        t -= taken
+        near = self.near(place, reach)
+        warm = self.gas.scalars[..., 0]
+        cooler, before = np.where(near, 373.15 + 0.3 * (warm - 373.15), warm), self.heat()
+        taken = np.where(near & (warm > 373.15), warm - cooler, 0.0)
+        warm -= taken
         self.gas.scalars[..., 2][near] *= 0.4
         self.flows[0] -= before - self.heat()
-
-    def blow(self, place: tuple[float, float], way: tuple[float, float], reach: float = 0.09) -> None:
-        """Push the gas about a place (m) by a way (m/s)."""
-        for field, (x, y), part in (
-            (self.gas.u, self.gas.grid.u_places(), way[0]), (self.gas.v, self.gas.grid.v_places(), way[1]),
-        ):  # fmt: skip
-            away = (elementary.square(x - place[0]) + elementary.square(y - place[1])) / (reach * reach)
-            field += part * elementary.square(np.clip(1.0 - away, 0.0, None))
-        self.gas.jolt()
 
     # -- a step -------------------------------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
         """Burn, and flow."""
-        gas, t, volume = self.gas, self.gas.scalars[..., 0], self.cell * self.cell
-        at_first, before, asked = t.copy(), self.heat(), float(np.sum(self._rise))
-        np.maximum(self._rise, COLDEST - t, out=self._rise)
+        gas, warm, volume = self.gas, self.gas.scalars[..., 0], self.cell * self.cell
+        at_first, before, asked = warm.copy(), self.heat(), float(np.sum(self._rise))
+        np.maximum(self._rise, COLDEST - warm, out=self._rise)
         given = VAPOUR["capacity"] * volume * float(np.sum(self._rise))
         self.flows[3] += VAPOUR["capacity"] * volume * asked - given
         if EXPANSION in self.flames.made_of.effects:
-            np.divide(self._rise, t * dt, out=gas.expansion)
+            np.divide(self._rise, warm * dt, out=gas.expansion)
         else:
             gas.expansion[:] = 0.0
-        t += self._rise
+        warm += self._rise
         self._rise[:] = 0.0
         self.flames.step(gas.scalars, dt, gas.expansion)
         # by the cells themselves, not by the books of what burnt: else these could say what they like
-        warmed = VAPOUR["capacity"] * volume * float(np.sum(t - at_first))
+        warmed = VAPOUR["capacity"] * volume * float(np.sum(warm - at_first))
         np.clip(gas.expansion, -QUICKEST, QUICKEST, out=gas.expansion)
         gas.force[:] = 0.0
-        if self.lifts:
-            lift_cells(gas.scalars, 0, ROOM, GRAVITY_NOW, gas.force)
-        along = self._along()
+        self.rise()
+        along, _ = self.velocities()
         gas.force[..., 0] -= SLOWS * along
         gas.force[..., 1] -= 0.5 * SLOWS * (gas.v[1:] + gas.v[:-1])
         if self.wind != 0.0:
@@ -211,14 +175,14 @@ class Air(BurningAir):
         """Let the gas flow. Its heat is carried, not its temperature: parcels that mix keep the sum of their
         heat, and a mean of temperatures would have more of it.
         """
-        t = self.gas.scalars[..., 0]
+        warm = self.gas.scalars[..., 0]
         if EXPANSION not in self.flames.made_of.effects:
             self.gas.step(dt)
             return
-        t[:] = ROOM + 0.5 * (t - ROOM) * (t + ROOM) / t
+        warm[:] = ROOM + 0.5 * (warm - ROOM) * (warm + ROOM) / warm
         self.gas.step(dt)
-        half = t - ROOM
-        t[:] = half + np.sqrt(half * half + ROOM * ROOM)
+        half = warm - ROOM
+        warm[:] = half + np.sqrt(half * half + ROOM * ROOM)
 
     def _through_sides(self) -> float:
         """W/m that leave the box; air that comes in is as warm as the room."""
@@ -249,22 +213,18 @@ class Air(BurningAir):
         """J/m (below 0) that wood took from gas which was too cold to give it."""
         return float(self.flows[3])
 
-    def _along(self) -> Floats:
-        return np.asarray(0.5 * (self.gas.u[:, 1:] + self.gas.u[:, :-1]))
-
     # -- what there is ------------------------------------------------------------------------------------
 
     def speeds(self) -> Floats:
         """(ny, nx) m/s."""
-        upward = 0.5 * (self.gas.v[1:] + self.gas.v[:-1])
-        along = self._along()
+        along, upward = self.velocities()
         return np.asarray(np.sqrt(along * along + upward * upward))
 
     def fresh(self) -> Floats:
         """(ny, nx) share of the oxygen of fresh air."""
         return np.asarray(self.gas.field("oxygen") / FRESH)
 
-    def rise(self) -> float:
+    def draught(self) -> float:
         """m/s upwards above the fire, by which it is seen to puff."""
         j, i = self.gas.grid.cell_at(0.0, 0.6)
         return float(self.gas.v[j, i])
@@ -273,9 +233,9 @@ class Air(BurningAir):
         """(ny, nx) J/m³ above that of the room. Gas that has been warmed by C dT and has expanded by dT / T
         holds C (T² - Ta²) / 2 T of it, as d(h T) = C T dT; in a box where nothing expands it is C (T - Ta).
         """
-        t = self.gas.scalars[..., 0]
-        share = 0.5 * (t + ROOM) / t if EXPANSION in self.flames.made_of.effects else 1.0
-        return np.asarray(VAPOUR["capacity"] * (t - ROOM) * share)
+        warm = self.gas.scalars[..., 0]
+        share = 0.5 * (warm + ROOM) / warm if EXPANSION in self.flames.made_of.effects else 1.0
+        return np.asarray(VAPOUR["capacity"] * (warm - ROOM) * share)
 
     def heat(self) -> float:
         """J/m in the gas above that of the room."""
@@ -284,15 +244,15 @@ class Air(BurningAir):
 
 def _plate_middle(share: float) -> float:
     """m beside the middle of the flue: of a plate that is as long as half of it and slides into the wall."""
-    return HOOD_IN * (0.5 + share)
+    return t.HOOD_IN * (0.5 + share)
 
 
-def _plate(side: float, share: float) -> list[tuple[float, float]]:
+def _plate(side: float, share: float) -> list[Point]:
     """Corners of a plate of the damper."""
-    middle, half, thick = side * _plate_middle(share), 0.5 * HOOD_IN, 0.017
+    middle, half, thick = side * _plate_middle(share), 0.5 * t.HOOD_IN, 0.017
     return [
-        (middle - half, DAMPER_AT - thick), (middle + half, DAMPER_AT - thick),
-        (middle + half, DAMPER_AT + thick), (middle - half, DAMPER_AT + thick),
+        (middle - half, t.DAMPER_AT - thick), (middle + half, t.DAMPER_AT - thick),
+        (middle + half, t.DAMPER_AT + thick), (middle - half, t.DAMPER_AT + thick),
     ]  # fmt: skip
 
 

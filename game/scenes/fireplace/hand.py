@@ -4,65 +4,51 @@ from __future__ import annotations
 
 from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.tables import HALF, TALL
-from game.stage import Part, Pointer
-
-LONGEST = 3.0  # m/s², that a quick drag blows with, a step
-Point = tuple[float, float]
+from game.worlds.hands.hand import Hand, Use
 
 
-class FireplaceHand(Part):
-    """point: where the button is down, m; before: where it was at the last event."""
+def _blow(hand: Hand) -> str:
+    hand.model.blow(hand.at, hand.moved)
+    return ""
 
-    def __init__(self, model: FireplaceModel):
-        self.model = model
-        self.point: Point | None = None
-        self.before: Point = (0.0, 0.0)
-        self.moved: Point = (0.0, 0.0)
 
-    def way(self) -> Point:
-        """How far the pointer moved lately, m."""
-        return self.moved
+def _grab(hand: Hand) -> str:
+    hand.model.hold(hand.at)
+    return ""
 
-    def take(self, event: Pointer) -> str:
-        """A pointer event; what there is to say about it."""
-        x, y = min(max(event.x, -HALF), HALF), min(max(event.y, 0.003), TALL)
-        if event.kind == "down" and event.button in (1, 3):
-            return self._press((x, y), "log" if event.button == 3 else self.model.parameters.tool)
-        if event.kind == "move" and event.button and self.point is not None:
-            self._move((x, y))
-        elif event.kind in ("up", "cancel"):
-            self.let_go()
-        return ""
 
-    def let_go(self) -> None:
-        """Hold nothing."""
-        self.model.let_go()
-        self.point, self.moved = None, (0.0, 0.0)
-        self.model.match.held = None
+def _lead(hand: Hand) -> str:
+    hand.model.lead(hand.at)
+    return ""
 
-    def _press(self, point: Point, tool: str) -> str:
-        self.let_go()
-        if tool == "log":
-            return "" if self.model.add_log(point) else "There is no room for more wood."
-        self.point = self.before = point
-        if tool == "drag":
-            self.model.hold(point)
-        elif tool == "match":
-            self.model.match.held = point
-        elif tool == "water":
-            self.model.pour(point)
-        return ""
 
-    def _move(self, point: Point) -> None:
-        x, y = self.before
-        self.moved = (point[0] - x, point[1] - y)
-        tool = self.model.parameters.tool
-        if tool == "blow":
-            self.model.blow(point, self.moved)
-        elif tool == "drag":
-            self.model.lead(point)
-        elif tool == "match":
-            self.model.match.held = point
-        elif tool == "water":
-            self.model.pour(point)
-        self.point = self.before = point
+def _add_log(hand: Hand) -> str:
+    added = hand.model.add_log(hand.at)
+    hand.point = None
+    return "" if added else "There is no room for more wood."
+
+
+def _hold_match(hand: Hand) -> str:
+    hand.model.match.held = hand.at
+    return ""
+
+
+def _pour(hand: Hand) -> str:
+    hand.model.pour(hand.at)
+    return ""
+
+
+def _drop(hand: Hand) -> None:
+    hand.model.let_go()
+    hand.model.match.held = None
+
+
+USES = {
+    "blow": Use(move=_blow), "drag": Use(_grab, _lead), "log": Use(_add_log),
+    "match": Use(_hold_match, _hold_match), "water": Use(_pour, _pour),
+}  # fmt: skip
+
+
+def fire_hand(model: FireplaceModel) -> Hand:
+    """The right button adds a log."""
+    return Hand(model, USES, (-HALF, 0.003), (HALF, TALL), right="log", drop=_drop)

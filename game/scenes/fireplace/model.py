@@ -6,8 +6,8 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Point
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
@@ -30,11 +30,10 @@ from game.scenes.fireplace.tables import (
     WHOLE,
 )
 from game.scenes.fireplace.wood import SPENT, Wood, WoodState
-from game.stage import Part
-from game.worlds.hearing import HEARD_TIME, HEARD_WIDTH
+from game.worlds.hearing import Heard
 from game.worlds.members.burning_air import AirState
+from game.worlds.world import World
 
-Floats = NDArray[np.float64]
 GIVES = np.array([(-0.8, 1.0), (0.0, 1.0), (0.8, 1.0), (-0.8, -1.0), (0.0, -1.0), (0.8, -1.0)])
 SEES_FLAMES = 0.5  # most of what a piece sees that flames are
 BRIGHT = 6.0e4  # W/m of flames at which it is so
@@ -58,23 +57,26 @@ class FireplaceState(NamedTuple):
     ember: Floats
 
 
-class FireplaceModel(Part):
-    """time s; shine: W/m of flames, as the eye sees it; crossings: s at which the fire began to puff.
+class FireplaceModel(World):
+    """shine: W/m of flames, as the eye sees it; crossings: s at which the fire began to puff.
 
     ember (4,): number of the piece that is followed (-1: none), K as the law of T⁴ has it, K and s when it
     had burnt out. changed: by a hand or by fire, so that it is no longer as the level says.
     """
 
+    content: FireplaceContent
+    parameters: FireplaceParameters
+
     def __init__(
         self, content: FireplaceContent, parameters: FireplaceParameters, active: EffectSet, seed: int
     ):
-        self.content, self.parameters, self.active = content, parameters, active
-        self.time, self.shine, self.most_power, self.most_height = 0.0, 0.0, 0.0, 0.0
+        super().__init__(content, parameters, active)
+        self.shine, self.most_power, self.most_height = 0.0, 0.0, 0.0
         self.crossings: list[float] = []
         self.rising, self.mean_rise, self.last_beat = False, 0.0, 0.0
         self.changed, self.given_up = False, 0.0
         self.held, self.target = -1, (0.0, 0.0)
-        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
+        self.heard = Heard(24, HEARD_S)
         self.ember: Floats = np.array([-1.0, 0.0, 0.0, 0.0])
         self.wood = Wood(
             content, parameters.haste, parameters.moisture, active & HEAT.known, active & SOLIDS.known
@@ -93,7 +95,6 @@ class FireplaceModel(Part):
     # -- changes ------------------------------------------------------------------------------------------
 
     def change_parameter(self, name: str) -> None:
-        """Take over a parameter's new value."""
         chosen = self.parameters
         if name == "damper":
             self.air.set_damper(chosen.damper)
@@ -105,12 +106,11 @@ class FireplaceModel(Part):
             self.air.set_cycles(int(chosen.cycles))
 
     def change_effects(self, active: EffectSet) -> None:
-        """Compute these effects from now on."""
         self.active = active
         self.wood.change_effects(active & HEAT.known, active & SOLIDS.known)
         self.air.set_effects(active & COMBUSTION.known, active & GAS.known)
 
-    def add_log(self, point: tuple[float, float]) -> bool:
+    def add_log(self, point: Point) -> bool:
         """A log falls from a point (m); False if there is no room."""
         self.changed = True
         x = min(max(point[0], -0.3), 0.3)
@@ -123,11 +123,11 @@ class FireplaceModel(Part):
         self.fuel_at_first += math.fsum(self.wood.nodes.fuel.tolist()) - before_fuel
         return True
 
-    def blow(self, point: tuple[float, float], way: tuple[float, float]) -> None:
+    def blow(self, point: Point, way: Point) -> None:
         """A gust along the way (m) of the hand."""
-        self.air.blow(point, (min(max(14.0 * way[0], -3.0), 3.0), min(max(14.0 * way[1], -3.0), 3.0)))
+        self.air.blow(point, (min(max(14.0 * way[0], -3.0), 3.0), min(max(14.0 * way[1], -3.0), 3.0)), 0.09)
 
-    def pour(self, point: tuple[float, float]) -> None:
+    def pour(self, point: Point) -> None:
         """Water on what is near."""
         self.changed = True
         nodes, away = self.wood.nodes, self.wood.places() - point
@@ -138,7 +138,7 @@ class FireplaceModel(Part):
             nodes.wet(piece, most)
         self.air.pour(point, POUR_REACH)
 
-    def hold(self, point: tuple[float, float]) -> None:
+    def hold(self, point: Point) -> None:
         """Grip the piece of wood at a point, if there is one."""
         places = self.wood.places()
         if not len(places):
@@ -149,7 +149,7 @@ class FireplaceModel(Part):
             self.changed = True
             self.held, self.target = nearest, point
 
-    def lead(self, point: tuple[float, float]) -> None:
+    def lead(self, point: Point) -> None:
         """Where what is gripped is to go."""
         self.target = point
 
@@ -184,7 +184,7 @@ class FireplaceModel(Part):
         x, y = own[..., 0], own[..., 1]
         return np.stack([c * x - s * y, s * x + c * y], axis=2) + rows.positions[bodies][:, None]
 
-    def advance(self, dt: float) -> None:
+    def advance(self, dt: float) -> str:
         """Match, wood, then gas."""
         self.match.lead(self.time, dt)
         self._pull()
@@ -198,6 +198,7 @@ class FireplaceModel(Part):
         self.air.advance(dt)
         self.time += dt
         self._see(dt)
+        return ""
 
     def _burn_wood(self, dt: float) -> None:
         wood, points = self.wood, self._surfaces()
@@ -248,8 +249,7 @@ class FireplaceModel(Part):
             piece = int(burning[int(chance.integers(len(burning)))])
             x, y = wood.places()[piece].tolist()
             self.sparks.burst((x, y), 2 if number < pops else 10, 0.8 if number < pops else 1.2)
-            sound = [[self.time, 1.0 if number < pops else 2.0, 0.4 + 0.6 * float(chance.random()), x]]
-            self.heard = np.concatenate([self.heard, np.array(sound)])[-24:]
+            self.heard.add(self.time, 1 if number < pops else 2, 0.4 + 0.6 * float(chance.random()), x)
         self.sparks.step(self.air.wind_at(self.sparks.table[:, X : Y + 1]), dt)
 
     def _see(self, dt: float) -> None:
@@ -258,7 +258,7 @@ class FireplaceModel(Part):
         self.shine += (power - self.shine) * min(1.0, dt / 0.12)
         self.most_power = max(self.most_power, self.shine)
         self.most_height = max(self.most_height, self.flame_height())
-        rise = self.air.rise()
+        rise = self.air.draught()
         self.mean_rise += (rise - self.mean_rise) * min(1.0, dt / 1.5)
         if self.rising and rise < self.mean_rise - 0.06:
             self.rising = False
@@ -267,8 +267,7 @@ class FireplaceModel(Part):
             self.crossings = [at for at in self.crossings if at > self.time - BEAT_S] + [self.time]
             if len(self.crossings) >= LEAST_BEATS:
                 self.last_beat = (len(self.crossings) - 1) / (self.crossings[-1] - self.crossings[0])
-        if len(self.heard):
-            self.heard = self.heard[self.heard[:, HEARD_TIME] > self.time - HEARD_S]
+        self.heard.forget(self.time)
         piece = int(self.ember[0])
         if piece >= 0:
             nodes = self.wood.nodes
@@ -325,10 +324,11 @@ class FireplaceModel(Part):
 
     def state(self) -> FireplaceState:
         """All that later steps depend on."""
-        return FireplaceState(self.wood.state(), self.air.state(), self.sparks.table, self.heard, self.ember)
+        air, sounds = self.air.state()[0], self.heard.rows
+        return FireplaceState(self.wood.state(), air, self.sparks.table, sounds, self.ember)
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.wood.restore(state.wood)
-        self.air.restore(state.air)
-        self.sparks.table[:], self.heard, self.ember[:] = state.sparks, state.heard.copy(), state.ember
+        self.air.restore(iter([state.air]))
+        self.sparks.table[:], self.heard.rows, self.ember[:] = state.sparks, state.heard.copy(), state.ember

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from game.stage import Choice, Param, Parameters, Toggle
+from game.worlds.hands.hand import Tool, choose_tool
+from game.worlds.members.solids import choose_step
 
-TOOLS = ("blow", "drag", "log", "match", "water")
-OF_TOOLS = ("tool",)
+TOOLS = (
+    Tool("blow", "Blow"), Tool("drag", "Drag"), Tool("log", "Add a log"), Tool("match", "Match"),
+    Tool("water", "Water"),
+)  # fmt: skip
 OF_PICTURE = ("marks", "view")
 VIEWS = ("fire", "temperature", "speed", "oxygen")
 TIERS = {"play": 64, "teach": 96, "film": 128}  # cells across
@@ -14,10 +18,7 @@ TIERS = {"play": 64, "teach": 96, "film": 128}  # cells across
 class FireplaceParameters(Parameters):
     """Tools, wood, air, how finely it is computed, and what is shown."""
 
-    tool = Choice(
-        "blow", TOOLS, labels=("Blow", "Drag", "Add a log", "Match", "Water"), group="Tools",
-        help="what the left button does",
-    )  # fmt: skip
+    tool = choose_tool(TOOLS)
     damper = Param(1.0, 0.0, 1.0, group="Air", label="Flue open", help="share of the flue that is open")
     wind = Param(
         0.0, -3.0, 3.0, unit="m/s", group="Air", label="Draught", help="through the room, to the right"
@@ -27,13 +28,9 @@ class FireplaceParameters(Parameters):
         help="times as quick as usual; the wood is light, so that an hour of real wood goes by in a minute",
     )  # fmt: skip
     moisture = Param(
-        0.0,
-        0.0,
-        1.0,
-        group="Wood",
+        0.0, 0.0, 1.0, group="Wood", rebuild=True,
         help="kg of water in a kg of logs, beside what a level says",
-        rebuild=True,
-    )
+    )  # fmt: skip
     tier = Choice(
         "teach", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Gas", label="Quality",
         help=f"cells across: {', '.join(map(str, TIERS.values()))}, or as many as you say", rebuild=True,
@@ -43,9 +40,7 @@ class FireplaceParameters(Parameters):
         6, 3, 20, whole=True, group="Gas", label="V-cycles",
         help="of the pressure in a step, at most; with walls fewer let its errors grow",
     )  # fmt: skip
-    step_length = Param(
-        1.0 / 60.0, 1.0 / 1000.0, 1.0 / 30.0, unit="s", log=True, group="Gas", label="Time step"
-    )
+    step_length = choose_step(1.0 / 60.0, 1.0 / 1000.0, 1.0 / 30.0, "Gas")
     view = Choice("fire", VIEWS, group="Shown", label="Gas", help="the fire, or what is measured of the gas")
     marks = Toggle(False, group="Shown", label="Temperatures", help="of each piece of wood")
 

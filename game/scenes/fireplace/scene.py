@@ -2,35 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import ClassVar
-
 from game.lab.studies.heat import conduction_study
-from game.levels import Level
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import USUAL
 from game.physics.heat.effects import HEAT
 from game.physics.solids.effects import USUAL as SOLID_EFFECTS
 from game.scenes.fireplace import A26
 from game.scenes.fireplace.figure import draw_ember
-from game.scenes.fireplace.hand import FireplaceHand
+from game.scenes.fireplace.hand import fire_hand
 from game.scenes.fireplace.level import DEFAULT, FireplaceContent
 from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.parameters import OF_PICTURE, FireplaceParameters
 from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
-from game.scenes.fireplace.saving import content_of
-from game.scenes.fireplace.sounds import hearing_of
-from game.scenes.fireplace.targets import story_names, story_targets
+from game.scenes.fireplace.told import hearing, names, saved, targets
 from game.scenes.fireplace.view import FireplaceView
-from game.stage import Equation, Frame, Hearing, Hint, Readout, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
 from game.worlds.painting.flames import warm_up_gas
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import BuiltScene
+from game.worlds.scene import Parts, WorldScene
 
 
-class Fireplace(BuiltScene):
+class Fireplace(WorldScene):
     """A match lights sticks, these light logs, and the fire grows until the logs are used up, break and fall.
     At the end embers glow, and cool as T⁴.
 
@@ -51,15 +45,18 @@ class Fireplace(BuiltScene):
     parameters_type = FireplaceParameters
     parameters: FireplaceParameters
     model: FireplaceModel
-    hand: FireplaceHand
+    parts = Parts(FireplaceModel, fire_hand, FireplaceView, readouts_of, saved, targets, hearing, names)
+    tiny = {"tier": "own", "cells": 16}
+    painters = (
+        ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_gas),
+        ("room", warm_up_room),
+    )  # fmt: skip
     effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS
     content_type = FireplaceContent
     not_of_model = OF_PICTURE
     of_tier = ("cells",)
     default_content = DEFAULT
     study = conduction_study
-    takes: ClassVar[frozenset[str]] = frozenset(("right",))
-    covers = True
     may_be_infinite = frozenset(("wood.world.joints",))
 
     strips = (
@@ -94,62 +91,18 @@ class Fireplace(BuiltScene):
         "Look at the oxygen: where it is used up, nothing burns however hot it is.",
     )
 
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        """A step, and what paints."""
-        return (
-            WarmUp("step", lambda: cls(parameters={"tier": "own", "cells": 16}).advance(cls.dt)),
-            WarmUp("polygons", warm_up_painter),
-            WarmUp("backdrop", warm_up_backdrop),
-            WarmUp("gas", warm_up_gas),
-            WarmUp("room", warm_up_room),
-        )
-
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = FireplaceModel(content, self.parameters, self.active, self.seed)
-        self.hand = FireplaceHand(self.model)
-        self.view = FireplaceView(self.model, self.hand)
-        self.check_content(content)
-
-    def tool_changed(self) -> None:
-        self.hand.let_go()
-
-    def save_content(self) -> FireplaceContent:
-        return content_of(self.model)
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def action(self, name: str) -> None:
+    def do(self, name: str) -> str:
         if name == "match":
             self.model.match.strike(self.model.time)
         elif name == "log":
-            self.said.say("" if self.model.add_log((0.0, 0.7)) else "There is no room for more wood.")
+            return "" if self.model.add_log((0.0, 0.7)) else "There is no room for more wood."
         elif name == "blow":
             for x in (-0.2, 0.0, 0.2):
                 self.model.blow((x, 0.1), (0.12 if x <= 0.0 else -0.12, 0.08))
         else:
             self.parameters.damper = 0.0 if self.parameters.damper > 0.5 else 1.0
             self.model.change_parameter("damper")
-
-    # -- what there is to see -----------------------------------------------------------------------
-
-    def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return story_targets(self.model)
-
-    def story_names(self) -> list[tuple[tuple[float, float], str]]:
-        return story_names(self.model)
-
-    def hearing(self) -> Hearing:
-        return hearing_of(self.model)
+        return ""
 
     def shown(self) -> Frame:
         return Frame(-1.4, -0.22, 1.4, 1.35)

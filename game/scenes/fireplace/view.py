@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.heat.nodes import FUEL, TEMPERATURE, WATER
-from game.scenes.fireplace.hand import FireplaceHand
 from game.scenes.fireplace.model import FireplaceModel, FireplaceState
 from game.scenes.fireplace.room import Room
 from game.scenes.fireplace.tables import (
@@ -25,25 +24,20 @@ from game.scenes.fireplace.tables import (
 )
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
-from game.worlds.painting.boards import placed
-from game.worlds.painting.polygons import NO_EDGE, paint
+from game.worlds.hands.hand import Hand
+from game.worlds.painting import boards
+from game.worlds.painting.boards import paint_quads, placed
+from game.worlds.painting.flames import FLAME, HEAT_STOPS, draw_firelight
+from game.worlds.painting.inks import packed, shaded
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
 BOX = ((-HALF, 0.0), (HALF, TALL))
-FLAME = (
-    (0.0, pygame.Color(0, 0, 0)), (0.16, pygame.Color(70, 8, 0)), (0.36, pygame.Color(196, 52, 4)),
-    (0.6, pygame.Color(250, 130, 20)), (0.82, pygame.Color(255, 206, 92)), (1.0, pygame.Color(255, 246, 206)),
-)  # fmt: skip
 SMOKE = {True: pygame.Color(70, 66, 64), False: pygame.Color(96, 92, 90)}
 IRON, IRON_LIT = pygame.Color(28, 26, 26), pygame.Color(74, 66, 60)
 BARK, SAWN, CHAR, ASH = (112, 74, 46), (176, 128, 82), (26, 22, 21), (128, 122, 116)
 COLD, HOT = 293.0, 1500.0  # K, of the view of temperatures
 GLOW_FROM, GLOW_TO = 700.0, 1250.0  # K between which a piece begins to glow and is brightest
-HEAT_STOPS = ((0.0, "stage"), (0.25, "violet"), (0.55, "vermilion"), (0.8, "amber"), (1.0, "yellow"))
 SPEED_STOPS = ((0.0, "stage"), (0.4, "body"), (0.7, "chalk"), (1.0, "text1"))
 OXYGEN_STOPS = ((0.0, "vermilion"), (0.5, "amber"), (1.0, "chalk"))
-WHOLE_BOX = (-1.0, -1.0, 1.0, 1.0)
 CORE = (-1.0, -0.42, 1.0, 0.42)
 LIT_EDGE = (-1.0, -1.0, 1.0, -0.2)
 
@@ -51,7 +45,7 @@ LIT_EDGE = (-1.0, -1.0, 1.0, -0.2)
 class FireplaceView:
     """Draws a model and its hand."""
 
-    def __init__(self, model: FireplaceModel, hand: FireplaceHand):
+    def __init__(self, model: FireplaceModel, hand: Hand):
         self.model, self.hand = model, hand
         self._room = Room()
 
@@ -123,19 +117,15 @@ class FireplaceView:
         )
         sizes = np.stack([table[:, HALF_LENGTH] * 1.04, table[:, HALF_THICK] * table[:, SCALE]], axis=1)
         inks = self._bark(left, hot, strength)
-        none = np.full(len(table), NO_EDGE, dtype=np.int64)
         rim = sizes + canvas.px(1.1)
-        _quads(canvas, placed(WHOLE_BOX, rim, places, turned), _darker(inks, 0.5), np.ones(len(table)), none)
-        _quads(canvas, placed(WHOLE_BOX, sizes, places, turned), inks, np.ones(len(table)), none)
+        paint_quads(canvas, placed(boards.WHOLE, rim, places, turned), shaded(inks, -0.5))
+        paint_quads(canvas, placed(boards.WHOLE, sizes, places, turned), inks)
         for box, share in (((-1.0, -1.0, 1.0, -0.5), 0.35), ((-1.0, 0.55, 1.0, 1.0), 0.2)):
-            dark = _darker(inks, 0.6)
-            _quads(canvas, placed(box, sizes, places, turned), dark, np.full(len(table), share), none)
-        _quads(
-            canvas, placed(CORE, sizes, places, turned), _lighter(inks, 0.16), np.full(len(table), 0.5), none
-        )
+            paint_quads(canvas, placed(box, sizes, places, turned), shaded(inks, -0.6), share)
+        paint_quads(canvas, placed(CORE, sizes, places, turned), shaded(inks, 0.16), 0.5)
         under = _embers(np.minimum(1.0, hot + 0.1))
         lit = np.asarray(np.clip(1.1 * hot, 0.0, 0.5))
-        _quads(canvas, placed(LIT_EDGE, sizes, places, turned), under, lit, none)
+        paint_quads(canvas, placed(LIT_EDGE, sizes, places, turned), under, lit)
         self._draw_embers(canvas, places, turned, sizes, hot)
 
     def _bark(self, left: Floats, hot: Floats, strength: float) -> Longs:
@@ -152,7 +142,7 @@ class FireplaceView:
         colors = colors + (char - colors) * charred
         colors = colors + (ash - colors) * 0.75 * grey
         light = (0.55 + 0.6 * min(strength, 1.0)) * np.array((1.0, 0.92, 0.84))
-        return _packed(np.clip(colors * light, 0.0, 255.0))
+        return packed(np.clip(colors * light, 0.0, 255.0))
 
     def _draw_embers(
         self, canvas: Canvas, places: Floats, turned: Floats, sizes: Floats, hot: Floats
@@ -182,29 +172,13 @@ class FireplaceView:
         if view == "fire":
             veil = model.air.veil()
             canvas.veil(veil, *BOX, SMOKE[dark], FLAME)
-            self._draw_light(canvas, veil)
+            draw_firelight(canvas, veil, HALF, 16, 0.02, 2.6, 0.5)
         elif view == "temperature":
             canvas.field((model.air.temperature - COLD) / (HOT - COLD), *BOX, HEAT_STOPS, 0.9)
         elif view == "speed":
             canvas.field(model.air.speeds() / 4.0, *BOX, SPEED_STOPS, 0.9)
         else:
             canvas.field(model.air.fresh(), *BOX, OXYGEN_STOPS, 0.9)
-
-    def _draw_light(self, canvas: Canvas, veil: NDArray[np.float32]) -> None:
-        """The light about the flames: blocks of the picture as soft glows."""
-        ny, nx = veil.shape[:2]
-        block = max(nx // 16, 1)
-        rows, columns = ny // block, nx // block
-        light = (
-            veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
-        )
-        j, i = np.nonzero(light > 0.02)
-        if not len(j):
-            return
-        step = 2.0 * HALF / nx * block
-        at = np.stack([-HALF + (i + 0.5) * step, (j + 0.5) * step], axis=1)
-        inks = np.full(len(j), 0xFF8A30, dtype=np.uint32)
-        canvas.soft_glow(at, np.full(len(j), 2.6 * step), inks, np.minimum(light[j, i], 0.8) * 0.5)
 
     def _draw_damper(self, canvas: Canvas) -> None:
         """Two plates that close the flue from both sides."""
@@ -242,37 +216,16 @@ class FireplaceView:
             return
         tool = self.model.parameters.tool
         if tool == "blow":
-            canvas.arrow(point, np.array(self.hand.way()) * 0.25, "chalk")
+            canvas.arrow(point, np.array(self.hand.moved) * 0.25, "chalk")
         elif tool != "match":
             canvas.handle(point)
-
-
-def _quads(canvas: Canvas, corners: Floats, inks: Longs, shares: Floats, edges: Longs) -> None:
-    """Boxes (4 n, 2) m, one colour each."""
-    starts = np.arange(0, len(corners) + 1, 4, dtype=np.int64)
-    paint(canvas, corners, starts, inks, np.ascontiguousarray(shares), edges, np.zeros_like(corners))
-
-
-def _packed(colors: Floats) -> Longs:
-    whole = (colors + 0.5).astype(np.int64)
-    return np.asarray(whole[..., 0] << 16 | whole[..., 1] << 8 | whole[..., 2])
-
-
-def _darker(inks: Longs, share: float) -> Longs:
-    parts = np.stack([inks >> 16 & 255, inks >> 8 & 255, inks & 255], axis=-1).astype(np.float64)
-    return _packed(parts * (1.0 - share))
-
-
-def _lighter(inks: Longs, share: float) -> Longs:
-    parts = np.stack([inks >> 16 & 255, inks >> 8 & 255, inks & 255], axis=-1).astype(np.float64)
-    return _packed(parts + share * (255.0 - parts))
 
 
 def _embers(hot: Floats) -> Longs:
     """Colours (n,) of what glows, 0 dull red to 1 yellow."""
     hot = np.clip(hot, 0.0, 1.0)
     red, green = 255.0 * np.minimum(1.0, 0.18 + 1.5 * hot), 255.0 * np.clip(0.85 * hot**1.5, 0.0, 1.0)
-    return _packed(np.stack([red, green, 255.0 * 0.35 * hot**3], axis=-1))
+    return packed(np.stack([red, green, 255.0 * 0.35 * hot**3], axis=-1))
 
 
 def _mixed(a: pygame.Color, b: pygame.Color, share: float) -> pygame.Color:

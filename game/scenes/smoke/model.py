@@ -13,6 +13,7 @@ from game.physics.combustion.effects import COMBUSTION, EXPANSION
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY, CONFINEMENT, GAS
+from game.physics.gas.forces import buoyancy
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
 from game.physics.stable_fluids import PrintedFluid
@@ -267,14 +268,13 @@ class SmokeModel(Part):
         else:
             self.flames.step(cells, dt, self._source)
         lift = self.parameters.lift * GRAVITY if BUOYANCY in self.active else 0.0
-        hot = np.maximum(cells[..., WARM], 0.5 * ROOM)
-        upward = lift * (hot - ROOM) / (0.5 * (hot + ROOM))
+        force = self.gas.force if self.gas is not None else np.zeros((*cells.shape[:2], 2))
+        buoyancy(np.ascontiguousarray(cells), WARM, ROOM, lift, force)
         if self.gas is not None:
             self.gas.expansion[:] = np.clip(self._source, -60.0, 60.0) if EXPANSION in self.active else 0.0
-            self.gas.force[..., 1] = upward
             self.gas.step(dt)
         elif self.printed is not None:
-            self.printed.v[1:-1, 1:-1] += dt * upward
+            self.printed.v[1:-1, 1:-1] += dt * force[..., 1]
             self.printed.step(dt)
 
     def _warmth(self) -> float:

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs, Point, Singles
 from game.physics.combustion import Flames, GasFuel
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import BUOYANCY
-from game.stage import Part
+from game.physics.gas.forces import buoyancy
+from game.physics.kernels import elementary
 from game.worlds.painting.flames import FlameLook, flame_height, see_gas
+from game.worlds.world import Member
 
-Floats = NDArray[np.float64]
+GRAVITY = 9.81  # m/s²
 FIELDS = ("temperature", "fuel", "oxygen", "soot")  # of the gas, in this order
 
 
@@ -27,7 +29,7 @@ class AirState(NamedTuple):
     flows: Floats
 
 
-class BurningAir(Part):
+class BurningAir(Member):
     """``gas`` with FIELDS; ``flames`` in it; ``flows`` (4,), what a scene counts beside them. ``lifts``:
     whether warm gas rises, which a scene's own forces see to.
 
@@ -60,12 +62,52 @@ class BurningAir(Part):
         kept = {name: getattr(now, name) for name in ("effects", "turns", "ambient", "conservative")}
         self.gas.settings = GasSettings(**(kept | changes))
 
+    # -- what comes in ----------------------------------------------------------------------------------
+
+    def blow(self, place: Point, velocity: Point, reach: float) -> None:
+        """Push the gas about a place (m) by a velocity (m/s), less and less up to ``reach`` m from it."""
+        grid = self.gas.grid
+        for field, (x, y), part in (
+            (self.gas.u, grid.u_places(), velocity[0]), (self.gas.v, grid.v_places(), velocity[1]),
+        ):  # fmt: skip
+            away = (elementary.square(x - place[0]) + elementary.square(y - place[1])) / (reach * reach)
+            field += part * elementary.square(np.clip(1.0 - away, 0.0, None))
+        self.gas.jolt()
+
+    def near(self, place: Point, reach: float) -> Any:
+        """(ny, nx) which cells are nearer to a place (m) than that, m."""
+        x, y = self.gas.grid.centres()
+        return elementary.square(x - place[0]) + elementary.square(y - place[1]) < reach * reach
+
+    def rise(self) -> None:
+        """Write the upward force of warm gas, if it is to rise."""
+        if self.lifts:
+            buoyancy(self.gas.scalars, 0, self.vapour["ambient"], GRAVITY, self.gas.force)
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    def velocities(self) -> tuple[Floats, Floats]:
+        """(ny, nx) m/s along and upwards, in the middles of cells."""
+        u, v = self.gas.u, self.gas.v
+        return 0.5 * (u[:, 1:] + u[:, :-1]), 0.5 * (v[1:] + v[:-1])
+
+    def cells_at(self, points: Floats) -> tuple[Longs, Longs]:
+        """Rows and columns of the cells at points (..., 2) m; the nearest ones outside."""
+        (ny, nx), (left, low) = self.gas.grid.shape, self.gas.grid.lower
+        i = np.clip(((points[..., 0] - left) / self.cell).astype(np.int64), 0, nx - 1)
+        return np.clip(((points[..., 1] - low) / self.cell).astype(np.int64), 0, ny - 1), i
+
+    def wind_at(self, points: Floats) -> Floats:
+        """Velocity (..., 2) m/s at points (..., 2) m."""
+        (j, i), u, v = self.cells_at(points), self.gas.u, self.gas.v
+        return np.stack([0.5 * (u[j, i] + u[j, i + 1]), 0.5 * (v[j, i] + v[j + 1, i])], axis=-1)
+
     @property
     def temperature(self) -> Floats:
         """(ny, nx) K."""
         return self.gas.field("temperature")
 
-    def veil(self) -> NDArray[np.float32]:
+    def veil(self) -> Singles:
         """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
         cells = self.gas.scalars
         see_gas(self.flame_look, cells[..., 0], cells[..., 3], self._edge, self._veil)
@@ -75,11 +117,10 @@ class BurningAir(Part):
         """m, of the highest gas that is seen to burn."""
         return flame_height(self.flame_look, self.temperature, self.cell)
 
-    def state(self) -> AirState:
-        """All that later steps depend on."""
-        return AirState(self.gas.state(), self.flames.books, self.flows)
+    def state(self) -> tuple[Any, ...]:
+        return (AirState(self.gas.state(), self.flames.books, self.flows),)
 
-    def restore(self, state: AirState) -> None:
-        """Take over a copy of a state."""
+    def restore(self, fields: Iterator[Any]) -> None:
+        state: AirState = next(fields)
         self.gas.restore(state.gas)
         self.flames.books[:], self.flows[:] = state.books, state.flows

@@ -5,11 +5,18 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+import pygame
 
+from game.arrays import Floats, Singles
 from game.compiler.decorator import lean_kernel
+from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
+FLAME = (
+    (0.0, pygame.Color(0, 0, 0)), (0.16, pygame.Color(70, 8, 0)), (0.36, pygame.Color(196, 52, 4)),
+    (0.6, pygame.Color(250, 130, 20)), (0.82, pygame.Color(255, 206, 92)), (1.0, pygame.Color(255, 246, 206)),
+)  # fmt: skip
+HEAT_STOPS = ((0.0, "stage"), (0.25, "violet"), (0.55, "vermilion"), (0.8, "amber"), (1.0, "yellow"))
+FIRELIGHT = 0xFF8A30
 
 
 class FlameLook(NamedTuple):
@@ -54,3 +61,22 @@ def flame_height(look: FlameLook, temperature: Floats, cell: float) -> float:
     """m, of the highest row of gas that is seen to burn; cell: m."""
     rows = np.flatnonzero(np.max(temperature, axis=1) > look.burns)
     return float(rows[-1] + 1) * cell if len(rows) else 0.0
+
+
+def draw_firelight(
+    canvas: Canvas, veil: Singles, half: float, blocks: int, least: float, size: float, share: float
+) -> None:
+    """The light about flames, as soft glows of so many blocks across a veil (ny, nx, 2) over 2 ``half`` m.
+
+    least: light of a block that shows none; size: of a glow, in blocks; share: of its light.
+    """
+    ny, nx = veil.shape[:2]
+    block = max(nx // blocks, 1)
+    rows, columns = ny // block, nx // block
+    light = veil[: rows * block, : columns * block, 1].reshape(rows, block, columns, block).mean(axis=(1, 3))
+    j, i = np.nonzero(light > least)
+    if len(j):
+        step = 2.0 * half / nx * block
+        at = np.stack([-half + (i + 0.5) * step, (j + 0.5) * step], axis=1)
+        inks = np.full(len(j), FIRELIGHT, dtype=np.uint32)
+        canvas.soft_glow(at, np.full(len(j), size * step), inks, share * np.minimum(light[j, i], 0.8))

@@ -138,3 +138,49 @@ input()
         process.wait()
     noisy_film(tmp_path / "c.mp4")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["b.mp4", "c.mp4"]
+
+
+def test_a_failed_write_that_the_packer_passed_over_counts_at_the_end(tmp_path, monkeypatch):
+    disk_with(10, monkeypatch)
+    part = PartFile(tmp_path / "film.mp4")
+    part.write(bytes(5))
+    with contextlib.suppress(OSError):
+        part.write(bytes(6))
+    with pytest.raises(OSError, match="No space"):
+        part.write(b"")
+    with pytest.raises(OSError, match="No space"):
+        part.keep()
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_does_not_come_to_disk_is_no_film(tmp_path, monkeypatch):
+    """As on file systems that find out that they are full when they are made to write."""
+
+    def full(handle):
+        raise FULL
+
+    monkeypatch.setattr("game.app.film.part_file.os.fsync", full)
+    with pytest.raises(VideoError, match="No space left on device"):
+        noisy_film(tmp_path / "film.mp4")
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_error_of_the_packers_own_end_counts(tmp_path):
+    class Broken:
+        def __init__(self, container):
+            self._inner = container
+
+        def close(self):
+            self._inner.close()
+            raise RuntimeError("the index cannot be written")
+
+        def __getattr__(self, name):
+            return getattr(self._inner, name)
+
+    with (
+        pytest.raises(VideoError, match="the index cannot be written"),
+        VideoWriter(tmp_path / "film.mp4", (160, 90), 25, sound=False) as film,
+    ):
+        film._container = Broken(film._container)
+        film.add(pygame.Surface((160, 90), 0, 32))
+    assert not list(tmp_path.iterdir())

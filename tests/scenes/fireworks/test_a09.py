@@ -9,10 +9,13 @@ import pytest
 
 from game.levels import LevelError, level_files, parse_level
 from game.physics.generations.step import BORN, DROPPED, MADE, VX, VY, X, Y
+from game.scenes.fireworks import view
 from game.scenes.fireworks.level import FireworksContent
+from game.scenes.fireworks.measures import BurstNow
 from game.scenes.fireworks.scene import Fireworks
 from game.scenes.fireworks.shells import BURSTS, SHELLS, all_kinds, heart, spiral_arms
 from game.scenes.fireworks.stars import Amounts
+from game.scenes.fireworks.view import NAMED_S
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from tests.scenes.particle_stages import click, drag, open_level, readouts
 
@@ -306,3 +309,17 @@ def test_shapes_keep_the_momentum():
         assert math.fsum(x for x, _ in points) == pytest.approx(0.0, abs=1e-12)
         assert math.fsum(y for _, y in points) == pytest.approx(0.0, abs=1e-12)
         assert max(math.hypot(*point) for point in points) == pytest.approx(1.0)
+
+
+def test_a_burst_is_named_for_so_long_and_no_longer(monkeypatch):
+    """And the listener, always."""
+    stage = empty()
+    names, now = stage.scene.view.names, view.burst_now
+    newest = BurstNow(age=0.0, radius=40.0, ballistics=40.0, momentum=0.0, stars=60, fastest=5.0)
+    monkeypatch.setattr(view, "burst_now", lambda model: newest)
+    monkeypatch.setattr(stage.scene.view, "_burst_middle", lambda: (0.0, 50.0))
+    stage.scene.model.burst[4] = 0.0
+    for age, count in ((0.0, 2), (math.nextafter(NAMED_S, 0.0), 2), (NAMED_S, 1), (NAMED_S + 1.0, 1)):
+        newest = newest._replace(age=age)
+        assert len(names()) == count, age
+    assert now(stage.scene.model) is None

@@ -5,7 +5,7 @@ import pytest
 
 from game.levels import Level, level_files
 from game.physics.solids.tracks.motion import FREE, PIECE, VX, VY, X, Y
-from game.scenes.tracks.level import BallEntry, TrackContent, View
+from game.scenes.tracks.level import BallEntry, GaugeEntry, TrackContent, View
 from game.scenes.tracks.scene import Tracks
 from game.stage import SetEffect, SetParameter, Stage
 from game.worlds.entries.tracks import TrackEntry
@@ -128,3 +128,19 @@ def test_what_is_lost_stays_lost_after_an_edit(edit):
     assert now == pytest.approx(before, rel=1e-6)
     stage.run(60)
     assert readouts(stage)["lost"] >= now - 1e-6 * abs(now)
+
+
+@pytest.mark.parametrize(("measure", "stays"), [("speed", [0]), ("high", [0]), ("period", [0]),
+                                                ("past", [0, 1]), ("leaves", [])])  # fmt: skip
+def test_a_ball_on_which_a_gauge_goes_on_measuring_does_not_come_back(measure, stays):
+    content = TrackContent(
+        balls=(
+            BallEntry(position=(-0.5, 1.0), seated=False), BallEntry(position=(0.5, 1.0), seated=False),
+        ),
+        gauges=(GaugeEntry(name="measured", measure=measure, of=0, level=5.0),),
+        view=View(left=-1.0, bottom=0.0, right=1.0, top=2.0),
+    )  # fmt: skip
+    stage = Stage(Tracks, level=Level(scene="tracks", content=content))
+    stage.run(round(3.0 / stage.dt))
+    fallen = np.flatnonzero(stage.scene.model.rows[:, Y] < -10.0).tolist()
+    assert fallen == stays

@@ -79,3 +79,10 @@ def test_another_way_is_not_the_same():
     rerun = Rerun(kept._replace(events=tuple(one for one in kept.events if one is not kick)))
     rerun.advance_to(TO_THE_END)
     assert rerun.step == kept.last and not rerun.same
+
+
+def test_it_is_of_the_sessions_own_kind():
+    """The view is made by the class: another one would draw and hear something else."""
+    stage = stage_with_a_past()
+    rerun = Rerun(stage.kept_from(INTERVAL))
+    assert rerun.scene_type is BouncingBall is type(rerun.scene) and rerun.dt == stage.dt

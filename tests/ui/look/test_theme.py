@@ -113,6 +113,28 @@ def test_gui_theme_scales_lengths_only():
     assert two["vertical_scroll_bar"]["misc"]["enable_arrow_buttons"] == "0"
 
 
+@pytest.mark.parametrize("k", [1.25, 1.5, 2.0, 3.0])
+def test_gui_theme_scales_each_length_and_each_font_by_that_and_no_more(k):
+    """What is a length is known by its name; outlines have a rule of their own."""
+    seen = set()
+    one, larger = gui_theme(DARK, 1.0), gui_theme(DARK, k)
+    for name, block in one.items():
+        if "font" in block:
+            assert int(larger[name]["font"]["size"]) == round(k * int(block["font"]["size"])), name
+        for key, value in block.get("misc", {}).items():
+            now = larger[name]["misc"][key]
+            if key == "padding":
+                assert now == ",".join(str(round(k * int(part))) for part in value.split(",")), name
+            elif key == "border_width" and value == "1":
+                assert int(now) == max(1, int(k + 0.5))
+            elif key.endswith(("_height", "_width", "_radius", "_padding")):
+                assert int(now) == round(k * int(value)), (name, key)
+            else:
+                assert now == value, (name, key)
+            seen.add(key)
+    assert {"padding", "border_width", "shape_corner_radius"} <= seen
+
+
 def test_an_unknown_colour_name_is_told_with_those_that_there_are():
     look = Look(DARK)
     with pytest.raises(ValueError, match="colour 'purple': expected one of ") as caught:

@@ -1,15 +1,38 @@
-"""What a story may look at in the yard."""
+"""What is told of the cloth beside readouts: places for stories, sounds, and the cloth as a level."""
 
 from __future__ import annotations
 
+import msgspec
 import numpy as np
 
+from game.arrays import Point
 from game.physics.cloth.layout import FUEL, HOT, PER, X
+from game.scenes.burning_cloth.level import BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
-from game.scenes.burning_cloth.tables import BOX, TABLE
+from game.scenes.burning_cloth.tables import BOX, HALF, TABLE
+from game.stage import Hearing
+from game.worlds.hearing import ROOM, fire, wind
+
+LOUD_FIRE = 40e3  # W
+NAMES = {1: "wood", 2: "thud"}
 
 
-def story_targets(model: BurningClothModel) -> dict[str, tuple[float, float]]:
+def hearing(model: BurningClothModel) -> Hearing:
+    """Crackles of the last moments, from the left or the right; the flames and the wind."""
+    steady = (ROOM, fire(float(model.seen[0]), LOUD_FIRE), wind(float(model.air.flows[2])))
+    return Hearing("burning cloth", model.time, model.heard.sounds(NAMES, HALF), steady)
+
+
+def saved(model: BurningClothModel) -> BurningClothContent:
+    """The level with what the hand has written and washed out; a new cloth is not burnt."""
+    if tuple(model.written) == model.content.dabs and tuple(model.washed) == model.content.washed:
+        return model.content
+    return msgspec.structs.replace(
+        model.content, dabs=tuple(model.written), washed=tuple(model.washed), expected=()
+    )
+
+
+def targets(model: BurningClothModel) -> dict[str, Point]:
     """The cloth's middle, the match's head, its box, the fronts' middle, letters' feet, what falls; m."""
     cloth = model.cloth
     (x, y), _ = model.match.place(model.time)
@@ -26,7 +49,7 @@ def story_targets(model: BurningClothModel) -> dict[str, tuple[float, float]]:
     return found
 
 
-def embers_of(model: BurningClothModel) -> tuple[float, float]:
+def embers_of(model: BurningClothModel) -> Point:
     """The middle of what glows, or of the cloth."""
     cloth = model.cloth
     hot = (cloth.patches[HOT] > 520.0) & (cloth.patches[FUEL] > 0.0)
@@ -37,7 +60,7 @@ def embers_of(model: BurningClothModel) -> tuple[float, float]:
     return float(np.mean(places[0])), float(np.mean(places[1]))
 
 
-def piece_of(model: BurningClothModel) -> tuple[float, float]:
+def piece_of(model: BurningClothModel) -> Point:
     """The middle of what holds together and hangs on no hook any more, or of the cloth."""
     cloth = model.cloth
     loose = cloth.loose()
@@ -48,7 +71,7 @@ def piece_of(model: BurningClothModel) -> tuple[float, float]:
     return float(np.mean(places[0])), float(np.mean(places[1]))
 
 
-def story_names(model: BurningClothModel) -> list[tuple[tuple[float, float], str]]:
+def names(model: BurningClothModel) -> list[tuple[Point, str]]:
     """The match while it burns, the embers by their speed, and what has come loose."""
     found = []
     if model.match.lit(model.time):
