@@ -21,7 +21,7 @@ class DeformablesHand(Part):
         """A pointer event."""
         system = self.model.bodies.system
         place = (
-            min(max(event.x, -0.5 * WIDTH), 0.5 * WIDTH),
+            self.model.middle + min(max(event.x - self.model.middle, -0.5 * WIDTH), 0.5 * WIDTH),
             min(max(event.y, 0.0), 2.0 * HEIGHT),
         )
         if event.kind == "down" and event.button == 1:

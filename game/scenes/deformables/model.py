@@ -19,7 +19,7 @@ MOST_NAIVE = 1_200  # triangles; above, all pairs are not tested for a readout
 
 
 class DeformablesModel(Part):
-    """The bodies of a level, and what their detection found."""
+    """The bodies of a level, and what their detection found. middle: x of the picture's middle, m."""
 
     def __init__(self, content: DeformablesContent, parameters: DeformablesParameters, active: EffectSet):
         self.content, self.parameters, self.active = content, parameters, active
@@ -47,6 +47,7 @@ class DeformablesModel(Part):
             velocities=np.concatenate(speeds), effects=active, floor=0.0,
             left=-0.5 * WIDTH, right=0.5 * WIDTH,
         )  # fmt: skip
+        self.middle = _middle_of(np.concatenate(places))
         for name in ("cell", "substeps", "gravity"):
             self.change_parameter(name)
 
@@ -145,3 +146,9 @@ def _vertex_masses(mesh: Mesh) -> Floats:
     for corner in range(3):
         np.add.at(masses, mesh.triangles[:, corner], DENSITY * areas / 3.0)
     return masses
+
+
+def _middle_of(points: Floats) -> float:
+    """The walls' middle, or that of points (n, 2) if none is between the walls, m."""
+    low, high = float(points[:, 0].min()), float(points[:, 0].max())
+    return 0.0 if low < 0.5 * WIDTH and high > -0.5 * WIDTH else 0.5 * (low + high)

@@ -96,14 +96,15 @@ class Deformables(ModelScene):
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return (
             ("disc:vermilion", "vertex in a triangle", ""),
-            ("disc:amber", "edge that crosses a rim", ""),
+            ("line:amber", "edge that crosses a rim", ""),
             ("disc:text1", "fixed", ""),
         )
 
     def frame(self) -> Frame:
-        return Frame(-0.5 * WIDTH - 0.03, -0.26, 0.5 * WIDTH + 0.03, HEIGHT)
+        middle = self.model.middle
+        return Frame(middle - 0.5 * WIDTH - 0.03, -0.26, middle + 0.5 * WIDTH + 0.03, HEIGHT)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         if self.content.expected:
-            draw_captions(canvas, (0.0, HEIGHT), captions_now(self, self.content.expected))
+            draw_captions(canvas, (self.model.middle, HEIGHT), captions_now(self, self.content.expected))

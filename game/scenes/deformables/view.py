@@ -67,7 +67,8 @@ class DeformablesView:
         edges = store.topology.edges[np.unique(pairs)]
         canvas.segments(points[edges[:, 0]], points[edges[:, 1]], "amber", 1.6, alpha=0.8)
         inside = np.flatnonzero(collider.inside)
-        canvas.particles(points[inside], "vermilion", 2.4)
+        canvas.particles(points[inside], "text1", 4.6)
+        canvas.particles(points[inside], "vermilion", 3.0)
         if len(inside) <= MOST_ARROWS:
             depth, out_x, out_y = collider.depths[:3]
             for v in inside.tolist():
@@ -76,8 +77,8 @@ class DeformablesView:
     def _draw_cells(self, canvas: Canvas, points: Floats) -> None:
         """The cells in view by how many vertices they have, or by their slots."""
         size = self.model.bodies.collider.cell_size
-        low = np.floor(np.array((-0.5 * WIDTH, 0.0)) / size).astype(np.int64)
-        high = np.floor(np.array((0.5 * WIDTH, HEIGHT)) / size).astype(np.int64)
+        low = np.floor(np.array((self.model.middle - 0.5 * WIDTH, 0.0)) / size).astype(np.int64)
+        high = np.floor(np.array((self.model.middle + 0.5 * WIDTH, HEIGHT)) / size).astype(np.int64)
         columns, rows = (high - low + 1).tolist()
         if columns * rows > MOST_CELLS:
             return
@@ -111,10 +112,11 @@ class DeformablesView:
         first = np.arange(bars) * len(loads) // bars
         highest = np.maximum.reduceat(loads, first)
         width = WIDTH / bars
-        left = -0.5 * WIDTH + width * np.arange(bars)
+        start = self.model.middle - 0.5 * WIDTH
+        left = start + width * np.arange(bars)
         canvas.polygon(
-            ((-0.5 * WIDTH, STRIP_LOW), (0.5 * WIDTH, STRIP_LOW), (0.5 * WIDTH, STRIP_HIGH),
-             (-0.5 * WIDTH, STRIP_HIGH)), fill="body", fill_alpha=0.6,
+            ((start, STRIP_LOW), (start + WIDTH, STRIP_LOW), (start + WIDTH, STRIP_HIGH),
+             (start, STRIP_HIGH)), fill="body", fill_alpha=0.6,
         )  # fmt: skip
         tall = (STRIP_HIGH - STRIP_LOW) * np.minimum(highest / FULL_SLOT, 1.0)
         for color, some in (("chalk", highest <= FULL_SLOT), ("vermilion", highest > FULL_SLOT)):
@@ -125,4 +127,4 @@ class DeformablesView:
         words = (
             f"{len(loads)} slots, {int(np.count_nonzero(loads))} in use, longest {int(loads.max(initial=0))}"
         )
-        canvas.label((-0.5 * WIDTH, STRIP_LOW), words, "text2", 12, anchor="topleft", offset=(0.0, 3.0))
+        canvas.label((start, STRIP_LOW), words, "text2", 12, anchor="topleft", offset=(0.0, 3.0))

@@ -16,7 +16,7 @@ from game.scenes.depth.parameters import OF_PICTURE, DepthParameters
 from game.scenes.depth.readouts import readouts_of
 from game.scenes.depth.view import DepthView
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
-from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.expectations import captions_of, draw_captions, with_headroom
 
 
 class Depth(Scene):
@@ -121,9 +121,11 @@ class Depth(Scene):
         )
 
     def frame(self) -> Frame:
-        return Frame(-2.3, -2.1, 4.7, 2.1)
+        return with_headroom(Frame(-2.3, -2.1, 4.7, 2.1), len(self.content.expected))
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
         if self.content.expected:
-            draw_captions(canvas, (-0.1, 2.1), captions_of(self.content.expected, self.readouts()))
+            frame = self.frame()
+            top = (0.5 * (frame.left + frame.right), frame.top)
+            draw_captions(canvas, top, captions_of(self.content.expected, self.readouts()))

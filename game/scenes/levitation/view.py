@@ -109,8 +109,8 @@ class LevitationView:
             canvas.polyline(trail[order, grain], "yellow", 1.6, alpha=0.75)
 
     def _draw_scale(self, canvas: Canvas) -> None:
-        """Half a wave, as long as it is."""
-        left, bottom = -HALF + 0.004, -HALF + 0.006
+        """Half a wave, as long as it is, beside the rows."""
+        left, bottom = -HALF + 0.004, -0.5 * HALF
         canvas.line((left, bottom), (left + 0.5 * WAVE, bottom), "text1", 2.0)
         canvas.label(
             (left + 0.5 * WAVE + 0.002, bottom), f"λ/2 = {500.0 * WAVE:.2f} mm", "text1", 12, anchor="left"

@@ -106,3 +106,20 @@ def test_the_picture_differs_in_each_view():
         stage.run(30)
         seen.add(np.asarray(picture_of_stage(stage, (320, 180), "light").get_buffer()).tobytes())
     assert len(seen) == 4
+
+
+@pytest.mark.parametrize("name", LEVELS)
+def test_bodies_begin_within_the_picture_and_a_hand_takes_hold_of_them(name):
+    stage = opened(name)
+    frame, points = stage.scene.frame(), stage.scene.model.bodies.points
+    assert np.all((points[:, 0] > frame.left) & (points[:, 0] < frame.right))
+    x, y = points[np.argmax(points[:, 1])].tolist()
+    stage.post(Pointer("down", x, y, button=1))
+    stage.post(Pointer("move", x + 0.05, y, button=1))
+    stage.run(10)
+    assert np.min(np.hypot(*(stage.scene.model.bodies.points - (x + 0.05, y)).T)) < 0.03
+
+
+def test_vertices_and_edges_of_a_contact_have_marks_of_different_shape_and_colour():
+    shapes = [mark.split(":") for mark, words, _ in opened("default").scene.legend() if "fixed" not in words]
+    assert len({shape for shape, _ in shapes}) == len({color for _, color in shapes}) == len(shapes)

@@ -15,6 +15,7 @@ from game.scenes.depth.borders import border_of, common
 from game.scenes.depth.scene import Depth
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.labels import labels_of
 
 LEVELS = level_files("p32")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -162,3 +163,15 @@ def test_the_picture_shows_ways_curve_and_intervals():
     stage.post(Action("check"))
     seen.add(np.asarray(picture_of_stage(stage, (320, 180), "light").get_buffer()).tobytes())
     assert len(seen) == 5
+
+
+@pytest.mark.parametrize("name", [path.stem for path in HARD])
+def test_what_is_expected_stands_in_the_middle_above_the_shapes(name):
+    """Not at the left, where the legend is."""
+    stage = opened(name)
+    canvas, frame = labels_of(stage), stage.scene.frame()
+    stage.scene.draw(canvas, 1.0)
+    for caption in captions_of(stage.scene.content.expected, stage.readouts()):
+        (x, y), _, size, weight, _, (_, down) = canvas.drawn[caption.words]
+        assert x == pytest.approx(0.5 * (frame.left + frame.right))
+        assert y - (down + canvas.fonts.size(caption.words, size, weight)[1]) / canvas.pixels_per_unit > 1.8

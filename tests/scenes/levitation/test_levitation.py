@@ -9,10 +9,12 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
+from game.physics.acoustics.field import SY
 from game.scenes.levitation.model import APART, WAVE
 from game.scenes.levitation.scene import Levitation
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.labels import labels_of
 
 LEVELS = level_files("p28")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -123,3 +125,11 @@ def test_the_picture_has_the_field_in_each_view():
         stage.run(12)
         seen.add(np.asarray(picture_of_stage(stage, (320, 180), "light").get_buffer()).tobytes())
     assert len(seen) == 4
+
+
+def test_the_scale_of_half_a_wave_stands_clear_of_the_transducers():
+    stage = Stage(Levitation)
+    canvas = labels_of(stage)
+    stage.scene.draw(canvas, 1.0)
+    ((_, y),) = [style[0] for words, style in canvas.drawn.items() if words.startswith("λ/2")]
+    assert np.min(np.abs(stage.scene.model.levitator.array.sources[:, SY] - y)) > 0.02

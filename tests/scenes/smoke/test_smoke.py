@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pygame
 import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
@@ -214,3 +215,13 @@ def test_what_the_hand_and_discs_do_to_the_heat_is_booked():
     stage.run(1)
     assert heat_page(model).left < 1e-6 * heat_page(model).rows[0][1][0]
     assert heat_page(model).rows[0][1][0] > 9.0 * 200.0 * 1212.0 * model.cell**2 / stage.dt
+
+
+@pytest.mark.parametrize("name", ["hard-02-layers", "hard-04-a-million-kelvin"])
+def test_in_a_level_without_smoke_the_heat_is_seen(name):
+    prepare()
+    stage = opened(name)
+    stage.run(30)
+    picture = picture_of_stage(stage, (320, 180), "dark")
+    inside = pygame.surfarray.array3d(picture)[30:290, 30:160].reshape(-1, 3)
+    assert np.ptp(inside.astype(int), axis=0).max() > 40
