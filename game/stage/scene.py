@@ -81,6 +81,7 @@ class Scene(SceneDeclaration):
         self.parameters = self.parameters_type(self.values)
         self.active = self.effects
         self.previous: Any = None  # state before the last step, kept by the stage for the picture
+        self.begun = False  # whether there has been a step, kept by the stage likewise
         self.level = level
         self.seed = seed if seed is not None else level.seed if level is not None else 0
         if level is not None:

@@ -65,6 +65,16 @@ class Session:
         self.keep_previous()
 
     @property
+    def step(self) -> int:
+        """How many steps have been done."""
+        return self._step
+
+    @step.setter
+    def step(self, step: int) -> None:
+        self._step = step
+        self.scene.begun = step > 0
+
+    @property
     def dt(self) -> float:
         """Length of a step, s."""
         return self._dt

@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 import msgspec
 import numpy as np
 
-from game.stage import Frame, Readout
+from game.stage import Frame, Readout, Scene
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
 from game.worlds.entries.entry import LevelEntry
@@ -50,18 +50,40 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
             raise ValueError(f"expected[{i}].readout: no readout {entry.readout!r}; there are {known}")
         _, value, unit = measured[entry.readout]
         if entry.at_most:
-            seen = value if abs(value) > ROUNDING * entry.value else 0.0  # no figures of rounding
-            bound, found_now = format_si(entry.value, unit), format_si(seen, unit)
-            words = f"{entry.readout}: at most {bound}, measured {found_now}"
-            found.append(Caption(words, abs(value) <= entry.value))
-            continue
-        met = abs(value - entry.value) <= entry.within
-        counted = isinstance(value, int) and float(entry.value).is_integer()
-        aim = int(entry.value) if counted else entry.value
-        shown = aim if met else value  # no figures of rounding
-        words = f"{entry.readout}: expected {format_si(aim, unit)}, measured {format_si(shown, unit)}"
-        found.append(Caption(words, met))
+            shown = value if abs(value) > ROUNDING * entry.value else 0.0  # no figures of rounding
+            met = abs(value) <= entry.value
+        else:
+            met = abs(value - entry.value) <= entry.within
+            shown = _aim(entry, value) if met else value
+        found.append(Caption(f"{_aim_in_words(entry, value, unit)}, measured {format_si(shown, unit)}", met))
     return found
+
+
+def captions_now(scene: Scene, expected: Sequence[Expectation]) -> list[Caption]:
+    """Captions of a scene in which time must pass before there is anything to measure.
+
+    Before its first step each says that nothing was measured yet. The readouts are known to be there.
+    """
+    if not expected:
+        return []
+    readouts = scene.readouts()
+    if scene.begun:
+        return captions_of(expected, readouts)
+    now = {readout.name: readout for readout in readouts}
+    words = (_aim_in_words(entry, now[entry.readout].value, now[entry.readout].unit) for entry in expected)
+    return [Caption(f"{aim}, not measured yet", False) for aim in words]
+
+
+def _aim(entry: Expectation, value: float) -> float:
+    """What is expected: whole where what is measured is a number of things."""
+    whole = isinstance(value, int) and float(entry.value).is_integer()
+    return int(entry.value) if whole else entry.value
+
+
+def _aim_in_words(entry: Expectation, value: float, unit: str) -> str:
+    if entry.at_most:
+        return f"{entry.readout}: at most {format_si(entry.value, unit)}"
+    return f"{entry.readout}: expected {format_si(_aim(entry, value), unit)}"
 
 
 def with_headroom(frame: Frame, lines: int) -> Frame:

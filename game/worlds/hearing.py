@@ -96,9 +96,14 @@ class Impacts(NamedTuple):
         return np.asarray(fast * np.clip(self.rows[:, 2] / (reference * fast), 0.3, most))
 
 
+NONE = Impacts(np.zeros((0, 5)), np.zeros((0, 2), np.int64), np.zeros((0, 2), np.int64))
+
+
 def impacts(world: SolidWorld, least: float) -> Impacts:
     """Of the last step, those that were faster than ``least`` m/s: what leans and slides is silent."""
     shapes, places = world.contacts_begun()
     of: Any = world.shapes
-    loud = np.flatnonzero(places[:, 3] > least) if len(places) else np.zeros(0, dtype=np.int64)
+    if not len(places):
+        return NONE
+    loud = np.flatnonzero(places[:, 3] > least)
     return Impacts(places[loud], of.bodies[shapes[loud]], of.kinds[shapes[loud]])

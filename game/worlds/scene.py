@@ -10,7 +10,7 @@ from game.levels import Level
 from game.physics.effects import EffectSet
 from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, WarmUp
 from game.stage.messages import Messages
-from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
 from game.worlds.world import World
 
 
@@ -131,7 +131,7 @@ class BuiltScene(ModelScene):
         if expected:
             frame = self.frame()
             top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_of(expected, self.readouts()))
+            draw_captions(canvas, top, captions_now(self, expected))
 
 
 def _nowhere(model: Any) -> Mapping[str, Point]:

@@ -24,7 +24,10 @@ Table = TypeVar("Table", bound=tuple[Any, ...])
 
 def packed(table: tuple[Any, ...]) -> Floats:
     """A table's rows (n, columns). Whole numbers stay exact up to 2**53."""
-    return np.stack([np.asarray(column, dtype=np.float64) for column in table], axis=1)
+    rows = np.empty((len(table[0]), len(table)))
+    for k, column in enumerate(table):  # quicker than to stack them, in each step
+        rows[:, k] = column
+    return rows
 
 
 def unpacked(kind: type[Table], rows: Floats) -> Table:

@@ -14,7 +14,7 @@ from game.scenes.spheres.scene import SphereCollisions
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
 from game.stage import Readout
-from game.worlds.expectations import Caption, Expectation, captions_of, draw_captions
+from game.worlds.expectations import Caption, Expectation, captions_now, captions_of, draw_captions
 from tests.scenes.labels import labels_of
 from tests.scenes.particle_stages import open_level
 
@@ -118,6 +118,7 @@ def test_where_a_correction_makes_energy_the_caption_says_how_much():
 def test_captions_look_the_same_in_every_scene(scene_type):
     """Below each other, in the middle below the upper edge of the level's view."""
     stage = open_level(scene_type, next(name for scene, name in EXPECTING if scene is scene_type))
+    stage.run(1)
     frame, canvas = stage.scene.frame(), labels_of(stage)
     view = stage.level.content.view if scene_type in (*BELOW_THE_EDGE, KeyFraming) else frame
     stage.scene.draw(canvas, 1.0)
@@ -126,6 +127,27 @@ def test_captions_look_the_same_in_every_scene(scene_type):
     for line, (words, met) in enumerate(found):
         style = ("green" if met else "amber", 13, "semibold", "top", (0.0, 14.0 + 20.0 * line))
         assert canvas.drawn[words] == ((0.5 * (view.left + view.right), view.top), *style)
+
+
+@pytest.mark.parametrize("scene_type", SCENES)
+def test_before_a_first_step_nothing_was_measured_and_nothing_is_green(scene_type):
+    stage = open_level(scene_type, next(name for scene, name in EXPECTING if scene is scene_type))
+    expected = expected_of(stage)
+
+    def shown() -> list[Caption]:
+        return captions_now(stage.scene, expected)
+
+    assert [caption.words.split(", ")[-1] for caption in shown()] == ["not measured yet"] * len(expected)
+    canvas = labels_of(stage)
+    stage.scene.draw(canvas, 1.0)
+    assert {canvas.drawn[caption.words][1] for caption in shown()} == {"amber"}
+    stage.run(1)
+    assert shown() == captions(stage)
+    for caption, before in zip(shown(), captions_now(scene_type(level=stage.level), expected), strict=True):
+        assert caption.words.split(", measured")[0] == before.words.split(", not")[0]
+    assert stage.step_back()
+    assert {caption.met for caption in shown()} == {False}
+    assert captions_now(stage.scene, ()) == []
 
 
 def test_two_captions_stand_below_each_other():

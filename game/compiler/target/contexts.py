@@ -78,6 +78,8 @@ class KernelTyping(Context):
 
     def resolve_value_type(self, val: Any) -> Any:
         """The type of a constant; of another target's function, that of its twin here."""
+        if getattr(val, "targetdescr", None) is target:
+            return types.Dispatcher(val)
         return as_ours(super().resolve_value_type(val))
 
     def resolve_function_type(self, func: Any, args: Any, kws: Any) -> Any:

@@ -39,6 +39,7 @@ POLYSTYRENE = Grain(0.6e-3, 29.0, 900.0)  # expanded
 LARGEST_GRAIN = 0.25  # of a wave length, radius: beyond that Gor'kov's potential says nothing any more
 MOST_GRAINS = 256
 MOST_SUBSTEPS = 1_000
+TOUCHING = 1.05  # diameters between the middles of grains that lie on each other
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,11 +177,20 @@ class Levitator:
         return out
 
     def held(self) -> NDArray[np.bool_]:
-        """(n,) whether each grain is carried: slower against the focus than it would fall in 20 ms, and off
-        the rows."""
+        """(n,) whether each grain is carried: slower against the focus than it would fall in 20 ms, off the
+        rows, and on no heap of grains that lie there."""
         speed = elementwise.hypot(*self.fields[VX : VX + 2])
-        free = np.max(np.abs(self.fields[:2]), axis=0) < self.half - 1.5 * self.grain.radius
-        return np.asarray(free & (speed < float(self.focus[1]) + 0.2))
+        lies = np.max(np.abs(self.fields[:2]), axis=0) >= self.half - 1.5 * self.grain.radius
+        return np.asarray(~self._heaped(lies) & (speed < float(self.focus[1]) + 0.2))
+
+    def _heaped(self, lies: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """(n,) grains that lie, and all that touch one of them, from grain to grain."""
+        x, y = self.positions.T
+        touches = elementwise.hypot(x[:, None] - x, y[:, None] - y) <= TOUCHING * 2.0 * self.grain.radius
+        heap = lies
+        while np.any(more := np.any(touches[:, heap], axis=1) & ~heap):
+            heap = heap | more
+        return heap
 
     def state(self) -> GrainState:
         """All that later steps depend on."""

@@ -5,10 +5,12 @@ contacts.
 from game.physics.solids.settings import TIERS, SolidSettings
 from game.physics.solids.shapes import Capsule, Chain, Disc, Material, Polygon, box
 from game.physics.solids.solvers import SOLVERS, SUGGESTED
+from game.physics.solids.solvers.impact_law import IMPACT_LAWS
 from game.physics.solids.store import SolidState
 from game.physics.solids.world import NotFiniteError, RunawayError, SolidWorld
 
 __all__ = [
+    "IMPACT_LAWS",
     "SOLVERS",
     "SUGGESTED",
     "TIERS",

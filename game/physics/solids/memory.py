@@ -141,6 +141,7 @@ def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch
         colours=np.zeros(bodies, dtype=np.int64),
         colour_of=np.zeros(pairs, dtype=_INT),
         parents=np.zeros(bodies, dtype=_INT),
+        meetings=np.zeros(bodies, dtype=_INT),
         speeds=np.zeros((bodies, 6)),
         going=np.zeros((bodies, 3)),
         works=np.zeros((bodies, WORKS_WIDTH)),

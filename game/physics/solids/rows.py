@@ -83,9 +83,8 @@ from game.physics.solids.state import (
 )
 
 SIZE = BATCH_WIDTH * LANES  # numbers of a batch
-# bits of Batches.kinds: it has a row of one point; one whose impulses are no guess; one that is not at rest;
-# one that may bounce
-SINGLE, CHILLED, VIOLENT, BOUNCING = 1, 2, 4, 8
+# bits of Batches.kinds: it has a row of one point; one whose impulses are no guess; one that is not at rest
+SINGLE, CHILLED, VIOLENT = 1, 2, 4
 COLD = 30.0  # m/s², what closes faster than that in a step hits, it does not rest
 RESTLESS = 10.0  # m/s², what parts or closes faster than that in a step is not at rest
 MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
@@ -151,10 +150,10 @@ def note_places(bodies, motion):
 
 @inner_kernel(inline="always")
 def limits_of(numbers):
-    """Speed of closing (m/s) and rate of parting (1/s) by which contacts count as hits, and fastest push;
-    speeds (m/s) beyond which they are not at rest, and at which they bounce.
+    """Speed of closing (m/s) and rate of parting (1/s) by which contacts count as hits, fastest push, and
+    speed (m/s) beyond which they are not at rest.
     """
-    return -COLD * numbers.dt, numbers.contact_rate, -numbers.push, RESTLESS * numbers.dt, -numbers.bounce
+    return -COLD * numbers.dt, numbers.contact_rate, -numbers.push, RESTLESS * numbers.dt
 
 
 @inner_kernel
@@ -301,8 +300,6 @@ def write_batch(frames, kept, batches, k, limits):
         batches.kinds[k] |= CHILLED
     if any_of(either(cold, stir2 > limits[3])):
         batches.kinds[k] |= VIOLENT
-    if any_of((load(values, at + (BATCH_RARE + RESTITUTION) * LANES) > 0.0) & (most2 <= limits[4])):
-        batches.kinds[k] |= BOUNCING
 
 
 @inner_kernel

@@ -17,6 +17,7 @@ from game.physics.solids.effects import (
     SOLIDS,
     USUAL,
 )
+from game.physics.solids.solvers.impact_law import IMPACT_LAWS
 
 MOST_TURNS = 10_000
 JOINT_SOLVERS = ("direct", "sweeps")
@@ -59,6 +60,7 @@ class Numbers(NamedTuple):
     joint_give: float
     push: float  # m/s, fastest that overlap drives two apart
     bounce: float  # m/s, slower impacts do not bounce
+    impact_law: int  # of `solvers.impact_law`
     slop: float  # m of overlap that is left alone, by solvers that correct it
     friction: float  # 1, or 0 without friction
     passive: bool  # the energy of what has no source is kept from rising
@@ -90,8 +92,9 @@ class SolidSettings:
     at that, not at a quarter); contact_damping: of critical. joint_hertz, joint_damping: of joints without a
     compliance of their own; 0: half as many as substeps a second for sweeps, stiff for the direct solve.
     joint_solver: direct (all joints at once) or sweeps. push: m/s, fastest parting of what overlaps. bounce:
-    m/s, slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of it, how far two
-    may move before their manifold is found again, 0 for always. slop: m. calm: m/s and patience: s of sleep.
+    m/s, slower impacts do not bounce; impact_law: of IMPACT_LAWS. near: m, gap of a contact that is prepared;
+    recycle: of it, how far two may move before their manifold is found again, 0 for always. slop: m. calm:
+    m/s and patience: s of sleep.
     """
 
     effects: EffectSet = USUAL
@@ -108,6 +111,7 @@ class SolidSettings:
     joint_solver: str = "direct"
     push: float = 3.0
     bounce: float = 1.0
+    impact_law: str = "energetic"
     near: float = 0.02
     recycle: float = 0.25
     slop: float = 0.005
@@ -124,6 +128,8 @@ class SolidSettings:
             raise ValueError(
                 f"joint_solver = {self.joint_solver!r}: expected one of {', '.join(JOINT_SOLVERS)}"
             )
+        if self.impact_law not in IMPACT_LAWS:
+            raise ValueError(f"impact_law = {self.impact_law!r}: expected one of {', '.join(IMPACT_LAWS)}")
         limits = {
             "drag": (0.0, 1e6),
             "spin_drag": (0.0, 1e6),
@@ -160,7 +166,8 @@ class SolidSettings:
             float(self.near), float(self.recycle), elementary.square(2.0 * math.pi * hertz),
             *soft(hertz, self.contact_damping, h), *soft(2.0 * hertz, self.contact_damping, h),
             self.joint_solver == "direct", *self._joint_spring(h),
-            float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),
+            float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf,
+            IMPACT_LAWS.index(self.impact_law), float(self.slop),
             1.0 if mask & FRICTION_BIT and mask & CONTACTS_BIT else 0.0, self.solver == GOVERNED,
             float(self.calm), self.solver in ABREAST, float(self.patience),
         )  # fmt: skip

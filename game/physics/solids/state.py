@@ -130,7 +130,7 @@ RARE_WIDTH = 6
 # many points there are, and RESTITUTION, APPROACH_0/1, IMPACT
 BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_RARE = (ROW_WIDTH + k for k in (0, 2, 4, 5))
 BATCH_WIDTH = ROW_WIDTH + 9
-POINTS_WIDTH = 10
+POINTS_WIDTH = 8
 WORKS_WIDTH, DRIFTS_WIDTH = 7, 8
 # columns of Rows.ends
 END_A, END_B, END_POINTS, END_PAIR = range(4)
@@ -184,6 +184,7 @@ class Scratch(NamedTuple):
     colours: Longs  # (n,) bits of colours in which a body has a pair
     colour_of: Ints  # (p,)
     parents: Ints  # (n,)
+    meetings: Ints  # (n,) how many others a body meets in a substep
     speeds: Floats  # (n, 6) m/s, m/s, rad/s: in a substep, after the forces; and with the push of overlap
     going: Floats  # (n, 3) m/s, m/s, rad/s: sum over the substeps of what bodies go on with, without push
     works: Floats  # (n, WORKS_WIDTH) J, of groups of bodies that touch

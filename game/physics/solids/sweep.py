@@ -20,7 +20,8 @@ from game.physics.solids.contacts import bring_shape
 from game.physics.solids.state import DA, DISC, DX, DY, DYNAMIC, SEGMENT, VX, VY, W
 
 MOST_ADVANCES = 64
-LOOKS = 16  # at the way of two that touch
+LOOKS, MOST_LOOKS = 16, 4096  # at the way of two that touch, at least and at most
+PACE = 0.5  # of what is deep: how far they may go between two looks
 FAST = 4.0  # times what is deep: slower motion of two that touch is left to the contacts
 SWIFT = 8.0  # times that: what lies flat in something thin is through before it is deeper than both are thick
 SLOW = 0.999  # a little less than all: sums of two are rounded otherwise than each
@@ -106,7 +107,7 @@ def meeting_time(bodies, shapes, pool, scratch, pair, target, deep):
             if fastest <= FAST * deep:
                 return 1.0
             share = 0.5 if fastest > SWIFT * deep else 1.0
-            return first_deep(bodies, shapes, pool, scratch, pair, share * deep)
+            return first_deep(bodies, shapes, pool, scratch, pair, share * deep, target, fastest)
         if gap <= 1.1 * target:
             return t
         t += (gap - target) / fastest
@@ -116,18 +117,28 @@ def meeting_time(bodies, shapes, pool, scratch, pair, target, deep):
 
 
 @inner_kernel
-def first_deep(bodies, shapes, pool, scratch, pair, deep):
-    """Fraction of the step before two are deeper in each other than ``deep`` (m)."""
+def first_deep(bodies, shapes, pool, scratch, pair, deep, target, fastest):
+    """Fraction of the step before two that touch are deeper in each other than ``deep`` (m), or meet again.
+
+    They are looked at so often that no point goes farther than a part of ``deep`` in between: a body that a
+    hit at its corner has set spinning comes round with the next one. fastest: m that a point may go.
+    """
     a, b = pair
-    motion, i, j = scratch.motion, shapes.bodies[a], shapes.bodies[b]
-    for k in range(1, LOOKS + 1):
-        t = k / LOOKS
-        gap = gap_at(
-            shapes, pool, scratch, a, b, pose_at(bodies, motion, i, t), pose_at(bodies, motion, j, t)
-        )
-        if gap < -deep:
-            return (k - 1) / LOOKS
-    return 1.0
+    i, j = shapes.bodies[a], shapes.bodies[b]
+    look, opened = min(1.0 / LOOKS, PACE * deep / fastest), False
+    t, before = 0.0, 0.0
+    for _ in range(MOST_LOOKS):
+        if t >= 1.0:
+            return 1.0
+        before, t = t, min(1.0, t + look)
+        place_a, place_b = pose_at(bodies, scratch.motion, i, t), pose_at(bodies, scratch.motion, j, t)
+        gap = gap_at(shapes, pool, scratch, a, b, place_a, place_b)
+        if gap < -deep or (opened and gap <= target):
+            return before
+        if gap > target + PACE * deep:
+            opened = True
+            t += (gap - target - PACE * deep) / fastest
+    return t
 
 
 @inner_kernel

@@ -18,7 +18,7 @@ from game.scenes.cavity.parameters import OF_MAKING, OF_PICTURE, CavityParameter
 from game.scenes.cavity.readouts import readouts_of
 from game.scenes.cavity.view import CavityView
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip
-from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
 
@@ -103,4 +103,4 @@ class Cavity(ModelScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         if self.content.expected:
-            draw_captions(canvas, (0.5, 0.985), captions_of(self.content.expected, self.readouts()))
+            draw_captions(canvas, (0.5, 0.985), captions_now(self, self.content.expected))

@@ -17,7 +17,7 @@ from game.scenes.deformables.parameters import OF_PICTURE, DeformablesParameters
 from game.scenes.deformables.readouts import readouts_of
 from game.scenes.deformables.view import DeformablesView
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip, WarmUp
-from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
 
@@ -106,4 +106,4 @@ class Deformables(ModelScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         if self.content.expected:
-            draw_captions(canvas, (0.0, HEIGHT), captions_of(self.content.expected, self.readouts()))
+            draw_captions(canvas, (0.0, HEIGHT), captions_now(self, self.content.expected))

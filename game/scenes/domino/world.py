@@ -153,6 +153,9 @@ class DominoWorld(World):
     def _listen(self, began: float) -> None:
         """Contacts that began, as loud as they strike: on the floor, of two balls, else of wood."""
         found = impacts(self.world, LEAST_HEARD)
+        if not len(found.rows):
+            self.heard.forget(began)
+            return
         of_balls = np.isin(found.bodies, self.ball_ids) & (found.shapes == DISC)
         kinds = np.where((found.shapes == SEGMENT).any(axis=1), THUD, WOOD)
         kinds = np.where(of_balls.all(axis=1), BALL, kinds)

@@ -32,7 +32,7 @@ from game.stage import (
 )
 from game.stage.messages import Messages
 from game.stage.states.state import copy_state
-from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
 MANY_PLACES = 200_000
@@ -200,5 +200,5 @@ class Fountain(ModelScene):
         if content.zoom is not None:
             self.view.draw_inset(canvas, content.zoom, self.previous, alpha)
         top = (0.5 * (content.view.left + content.view.right), content.view.top)
-        captions = captions_of(content.expected, self.readouts()) if content.expected else []
+        captions = captions_now(self, content.expected)
         draw_captions(canvas, top, captions, self.repeat.left)

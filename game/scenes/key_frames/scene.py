@@ -31,7 +31,7 @@ from game.stage import (
     Strip,
     WarmUp,
 )
-from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
 
@@ -188,7 +188,7 @@ class KeyFraming(ModelScene):
         motion = self.model.motion
         if motion.expected:
             top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
-            draw_captions(canvas, top, captions_of(motion.expected, self.readouts()))
+            draw_captions(canvas, top, captions_now(self, motion.expected))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -17,7 +17,7 @@ from game.scenes.levitation.parameters import OF_PICTURE, LevitationParameters
 from game.scenes.levitation.readouts import readouts_of
 from game.scenes.levitation.view import LevitationView
 from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip
-from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
 
@@ -114,4 +114,4 @@ class Levitation(ModelScene):
         self.view.draw(canvas, self.previous, alpha, self.model.steps * self.dt)
         if self.content.expected:
             top = (0.0, 0.5 * APART - 0.004)
-            draw_captions(canvas, top, captions_of(self.content.expected, self.readouts()))
+            draw_captions(canvas, top, captions_now(self, self.content.expected))

@@ -23,6 +23,8 @@ SLOW = 0.4  # m/s, slower rolling is silent
 def impacts_now(world: SolidWorld, began: float, wooden: list[int]) -> Floats:
     """Contacts of solids that began in a step: (k, 4). wooden: bodies of wood."""
     found = impacts(world, LEAST)
+    if not len(found.rows):
+        return np.zeros((0, 4))
     of_wood = np.isin(found.bodies, wooden).any(axis=1)
     kinds = np.where((found.shapes == DISC).all(axis=1), STEEL, RAIL)
     neither = ((found.shapes != DISC) & (found.shapes != SEGMENT)).any(axis=1)

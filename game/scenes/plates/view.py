@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from game.physics.fields import GROUND
 from game.physics.plates.law import BEND, HALF, RADIUS, THETA, X, Y
-from game.physics.plates.regimes import BORDERS
+from game.physics.plates.regimes import BORDERS, THICKEST
 from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, NAMES, NOTHING, TUMBLE
 from game.scenes.plates.hand import PlatesHand
 from game.scenes.plates.model import (
@@ -28,7 +28,7 @@ Floats = NDArray[np.float64]
 COLORS = {NOTHING: "text2", FLUTTER: "chalk", TUMBLE: "amber", CHAOS: "vermilion", GLIDE: "green"}
 MAP_LEFT, MAP_RIGHT, MAP_LOW, MAP_HIGH = 1.02, 1.86, -0.40, 0.40  # m, where the map stands
 LEAST, MOST = 0.08, 12.0  # inertias on the map
-THICKEST = 0.5
+TOP = 0.5  # thickness at the upper edge of the map
 BANDS = ((0.0, BORDERS[0], "chalk", "flutter"), (BORDERS[0], BORDERS[1], "amber", "tumble"),
          (BORDERS[1], BORDERS[2], "vermilion", "irregular"),
          (BORDERS[2], 1e9, "chalk", "flutter"))  # fmt: skip
@@ -140,24 +140,31 @@ class PlatesView:
 
     def _on_map(self, inertia: float, thickness: float) -> tuple[float, float]:
         share = math.log(min(max(inertia, LEAST), MOST) / LEAST) / math.log(MOST / LEAST)
-        up = min(max(thickness, 0.0), THICKEST) / THICKEST
+        up = min(max(thickness, 0.0), TOP) / TOP
         return MAP_LEFT + share * (MAP_RIGHT - MAP_LEFT), MAP_LOW + up * (MAP_HIGH - MAP_LOW)
 
     def _draw_map(self, canvas: Canvas, regimes: list[int]) -> None:
-        """Bands of what the usual coefficients do, and a dot for each plate."""
-        for low, high, color, words in BANDS:
-            x0, x1 = self._on_map(low, 0.0)[0], self._on_map(high, 0.0)[0]
-            corners = [(x0, MAP_LOW), (x1, MAP_LOW), (x1, MAP_HIGH), (x0, MAP_HIGH)]
+        """Bands of what the usual coefficients do, up to where they hold, and a dot for each plate."""
+        high = self._on_map(1.0, THICKEST)[1]
+        for least, most, color, words in BANDS:
+            x0, x1 = self._on_map(least, 0.0)[0], self._on_map(most, 0.0)[0]
+            corners = [(x0, MAP_LOW), (x1, MAP_LOW), (x1, high), (x0, high)]
             canvas.polygon(corners, fill=color, fill_alpha=0.16)
-            canvas.line((x1, MAP_LOW), (x1, MAP_HIGH), "stage", 1.5)
+            canvas.line((x1, MAP_LOW), (x1, high), "stage", 1.5)
             if x1 - x0 > 0.11:
-                canvas.label((0.5 * (x0 + x1), MAP_HIGH - 0.03), words, "text2", 12)
-        canvas.label((self._on_map(1.34, 0.0)[0], MAP_HIGH + 0.03), "tumble", "amber", 12)
+                canvas.label((0.5 * (x0 + x1), high - 0.03), words, "text2", 12)
+        canvas.label((self._on_map(1.34, 0.0)[0], high + 0.03), "tumble", "amber", 12)
+        middle = 0.5 * (MAP_LEFT + MAP_RIGHT)
+        canvas.label((middle, high + 0.08), f"borders as measured up to β = {THICKEST:g}", "text3", 12)
+        for y in (high, MAP_HIGH):
+            canvas.line((MAP_LEFT, y), (MAP_RIGHT, y), "line2", 1.0)
+        for x in (MAP_LEFT, MAP_RIGHT):
+            canvas.line((x, MAP_LOW), (x, MAP_HIGH), "line2", 1.0)
         for inertia in (0.1, 0.3, 1.0, 3.0, 10.0):
             x = self._on_map(inertia, 0.0)[0]
             canvas.line((x, MAP_LOW), (x, MAP_LOW - 0.012), "text3", 1.0)
             canvas.label((x, MAP_LOW - 0.035), f"{inertia:g}", "text3", 11)
-        for thickness in (0.0, 0.25, 0.5):
+        for thickness in (0.0, THICKEST, 0.25, TOP):
             y = self._on_map(1.0, thickness)[1]
             canvas.label((MAP_LEFT - 0.012, y), f"{thickness:g}", "text3", 11, anchor="right")
         canvas.label((0.5 * (MAP_LEFT + MAP_RIGHT), MAP_LOW - 0.075), "inertia I*", "text2", 12)

@@ -23,7 +23,7 @@ from game.scenes.rigid_body.state import RigidState, restore, state_of
 from game.scenes.rigid_body.view import RigidView
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Stamped, Strip, WarmUp
 from game.ui.painters.spheres import WARM_UPS
-from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
 
 
 class RigidBodyScene(Scene):
@@ -177,4 +177,4 @@ class RigidBodyScene(Scene):
         self.view.draw(self.previous, canvas, alpha)
         expected = self.model.content.expected
         if expected:
-            draw_captions(canvas, (0.0, self.frame().top), captions_of(expected, self.readouts()))
+            draw_captions(canvas, (0.0, self.frame().top), captions_now(self, expected))

@@ -14,7 +14,7 @@ from game.scenes.skeletons.model import FigureModel
 from game.scenes.skeletons.parameters import BINDING, FigureParameters
 from game.scenes.skeletons.rig import Rig, WeightRules
 from game.stage import Frame, Hint, Parameter, Pointer, SceneAction, WarmUp
-from game.worlds.expectations import Caption, captions_of, draw_captions, with_headroom
+from game.worlds.expectations import Caption, captions_now, captions_of, draw_captions, with_headroom
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.scene import ModelScene
 
@@ -128,7 +128,7 @@ class FigureScene(ModelScene):
         """What is expected and measured, above the figure."""
         frame, expected = self.frame(), self.model.content.expected
         top = (0.5 * (frame.left + frame.right), frame.top)
-        captions = captions_of(expected, self.readouts()) if expected else []
+        captions = captions_now(self, expected)
         draw_captions(canvas, top, [*captions, *self.guide()])
 
 

@@ -19,7 +19,7 @@ from game.scenes.smoke.readouts import readouts_of
 from game.scenes.smoke.view import SmokeView
 from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, SetParameter, Strip, WarmUp
 from game.stage.messages import Messages
-from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
 from game.worlds.painting.flames import warm_up_gas
 from game.worlds.scene import ModelScene
 
@@ -141,4 +141,4 @@ class Smoke(ModelScene):
         if self.content.expected:
             frame = self.frame()
             top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_of(self.content.expected, self.readouts()))
+            draw_captions(canvas, top, captions_now(self, self.content.expected))

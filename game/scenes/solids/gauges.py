@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.arrays import Floats
 from game.physics.kernels import elementary
@@ -23,10 +24,19 @@ ANGLE, SINCE, PASSES = range(3)  # of a mark: angle (rad) after the last step; s
 
 
 class Gauges(Member):
-    """values (g,): what they show; marks (g, 3): what those of periods remember. ValueError: of nothing."""
+    """values (g,): what they show; marks (g, 3): what those of periods remember; blocks: ids of bodies of
+    structures, of which "fallen" counts. ValueError: of nothing.
+    """
 
-    def __init__(self, world: SolidWorld, entries: tuple[GaugeEntry, ...], ids: list[int], joints: list[int]):
-        self.entries, self.world = entries, world
+    def __init__(
+        self,
+        world: SolidWorld,
+        entries: tuple[GaugeEntry, ...],
+        ids: list[int],
+        joints: list[int],
+        blocks: Sequence[int] = (),
+    ):
+        self.entries, self.world, self.blocks = entries, world, np.array(blocks, dtype=np.int64)
         self.values: Floats = np.zeros(len(entries))
         self.marks: Floats = np.zeros((len(entries), 3))
         self._of = [_found(entry, entry.of, ids, joints) for entry in entries]
@@ -37,7 +47,8 @@ class Gauges(Member):
         self.step(0.0)
 
     def forget(self, body: int) -> None:
-        """A body goes: its gauges stay as they are."""
+        """A body goes: its gauges stay as they are, and it counts no more."""
+        self.blocks = self.blocks[self.blocks != body]
         for ids in (self._of, self._others):
             for k, entry in enumerate(self.entries):
                 if ids[k] == body and entry.measure not in OF_JOINTS:
@@ -59,6 +70,8 @@ class Gauges(Member):
     def _measured(self, world: SolidWorld, k: int, time: float, dt: float) -> float:
         entry, of, before = self.entries[k], self._of[k], float(self.values[k])
         measure = entry.measure
+        if measure == "fallen":
+            return _fallen(world, self.blocks, entry.level)
         if measure in OF_ALL:
             return _of_all(world, measure, entry.level, before)
         if measure in OF_JOINTS:
@@ -137,9 +150,13 @@ def _of_all(world: SolidWorld, measure: str, level: float, before: float) -> flo
         return int(np.count_nonzero((world.joints.kinds != NO_JOINT) & (world.joints.flags & BROKEN != 0)))
     if measure == "passed":
         return int(np.count_nonzero(places[:, 0] > level))
-    if measure == "fallen":
-        return int(np.count_nonzero(places[:, 1] < level))
     return float(places[:, 1].max()) if len(places) else 0.0
+
+
+def _fallen(world: SolidWorld, blocks: NDArray[np.int64], level: float) -> int:
+    """How many of these bodies are below a height, m; none that was taken away."""
+    rows = world.bodies
+    return int(np.count_nonzero((rows.flags[blocks] & DYNAMIC != 0) & (rows.positions[blocks, 1] < level)))
 
 
 def _largest_gap(world: SolidWorld) -> float:

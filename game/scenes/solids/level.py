@@ -241,11 +241,11 @@ class GaugeEntry(LevelEntry, frozen=True, kw_only=True):
     """A measured number with a name. until: s, the time from which it stays as it is; 0: never.
 
     right, up, way (m), turn (degrees): since the beginning; speed, spin; sink: -up; force (N), moment (N m):
-    of a joint; passed: bodies right of x (fallen: below y) = ``level``; when: s, at which a body first had
-    moved by ``level`` m; between: s, from then until ``other`` had; period: s, between the last two times
-    that it turned through ``level`` degrees, anticlockwise; highest: of all bodies; broken: joints. The
-    largest since the beginning: fastest (m/s) of all bodies; gap (m) between the points of a pin, motor or
-    weld.
+    of a joint; passed: bodies right of x = ``level``; fallen: bodies of structures below y = ``level``, none
+    that the level says one by one; when: s, at which a body first had moved by ``level`` m; between: s, from
+    then until ``other`` had; period: s, between the last two times that it turned through ``level`` degrees,
+    anticlockwise; highest: of all bodies; broken: joints. The largest since the beginning: fastest (m/s) of
+    all bodies; gap (m) between the points of a pin, motor or weld.
     """
 
     name: Annotated[str, msgspec.Meta(min_length=1, max_length=40)]

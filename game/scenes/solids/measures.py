@@ -19,13 +19,16 @@ SPRING = JOINT_NAMES.index("spring")
 
 
 class Energies(NamedTuple):
-    """J; momentum N s, (2,). elastic: of springs, and of soft contacts what they give back."""
+    """J; momentum N s, (2,); spin N m s about the origin. elastic: of springs, and of soft contacts what they
+    give back.
+    """
 
     moving: float
     turning: float
     height: float
     elastic: float
     momentum: Floats
+    spin: float
 
     @property
     def total(self) -> float:
@@ -47,6 +50,8 @@ def energies(world: SolidWorld) -> Energies:
         float(-(weights * (gx * places[:, 0] + gy * places[:, 1])).sum()),
         _elastic(world) + float(rows.stored[there].sum()),
         (mass[:, None] * velocities).sum(axis=0),
+        float((mass * (places[:, 0] * velocities[:, 1] - places[:, 1] * velocities[:, 0])).sum())
+        + float((inertia * rows.spins[there]).sum()),
     )
 
 
@@ -119,13 +124,14 @@ def sounds_now(world: SolidWorld, began: float, kinds: Longs) -> Floats:
 
     kinds: of the sound of each body; of two, the lower one is heard: the softer body says how long they meet.
     """
-    found = impacts(world, LEAST_HEARD)
+    found, broken = impacts(world, LEAST_HEARD), world.joints_broken().tolist()
+    if not (len(found.rows) or broken):
+        return np.zeros((0, HEARD_WIDTH))
     # speed times the mass that meets: the impulse of the step in which a contact begins is only a part of it
     lightness = world.bodies.inverse_masses[found.bodies].sum(axis=1)
     heavier = elementwise.cbrt(1.0 / np.maximum(USUAL_MASS * lightness, 1e-12))
     speeds = found.rows[:, 3] * np.clip(heavier, 0.3, 3.0)
     hits = found.heard(began, kinds[found.bodies].min(axis=1), speeds)
-    broken = world.joints_broken().tolist()
     snaps = [(began, SNAP, SNAP_SPEED, place_of(world, joint, 0)[0]) for joint in broken]
     return np.concatenate([hits, np.array(snaps).reshape(-1, HEARD_WIDTH)])
 

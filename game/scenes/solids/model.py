@@ -91,7 +91,8 @@ class SolidModel(World):
         self.leaving = [(entry.gone_at, body) for entry, body in rows if entry.gone_at > 0.0]
         self.freed = [(entry.free_at, body) for entry, body in rows if entry.free_at > 0.0]
         joints = [self.join(entry, ids) for entry in made.joints]
-        self.gauges = Gauges(self.world, content.gauges, ids, joints)
+        blocks = ids[len(content.bodies) :]
+        self.gauges = Gauges(self.world, content.gauges, ids, joints, blocks)
         self.members = (self.solids, self.tints, self.gauges, self.heard)
 
     # -- building -------------------------------------------------------------------------------------

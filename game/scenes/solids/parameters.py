@@ -39,9 +39,8 @@ class SolidParameters(Parameters):
     friction = Param(
         0.6, 0.0, 2.0, group="World", help="Coulomb's coefficient, of bodies without one of their own"
     )
-    restitution = Param(
-        0.0, 0.0, 1.0, group="World", help="part of the speed of approach that comes back, likewise"
-    )
+    restitution = Param(0.0, 0.0, 1.0, group="World", help="part of an approach that comes back, likewise")
+    impact_law = solids.choose_impact_law()
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
     tier = solids.choose_quality()
     substeps = solids.choose_substeps(64)

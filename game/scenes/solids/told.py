@@ -45,6 +45,7 @@ def readouts(model: SolidModel) -> list[Readout]:
         Readout("height", found.height, "J"),
         Readout("elastic", found.elastic, "J"),
         Readout("momentum", elementary.length(*found.momentum.tolist()), "N s"),
+        Readout("angular momentum", found.spin, "N m s"),
         Readout("deepest", max(0.0, float(points.depths.max(initial=0.0))), "m"),
         Readout("contacts", len(points.depths)),
         Readout("bodies", len(model.movable())),

@@ -41,7 +41,7 @@ from game.stage import (
     WarmUp,
 )
 from game.stage.states.state import copy_state
-from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
 
 
 class SphereCollisions(Scene):
@@ -216,7 +216,7 @@ class SphereCollisions(Scene):
             frame = Frame(view.left, view.bottom, view.right, view.top)
             draw_inset(canvas, frame, content.zoom, lambda: self.view.draw(self.previous, canvas, alpha))
         top = (0.5 * (view.left + view.right), self.frame().top)
-        captions = captions_of(content.expected, self.readouts()) if content.expected else []
+        captions = captions_now(self, content.expected)
         draw_captions(canvas, top, captions, self.repeat.left)
 
     @classmethod

@@ -18,7 +18,7 @@ from game.scenes.springs.saving import content_of
 from game.scenes.springs.view import SpringView
 from game.stage import Frame, Hint, Pointer, Readout, SceneAction, Strip
 from game.stage.messages import Messages
-from game.worlds.expectations import Caption, captions_of, draw_captions
+from game.worlds.expectations import Caption, captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
 TOOL_HINTS = {
@@ -128,7 +128,7 @@ class MassSpringScene(ModelScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         content = self.model.content
-        captions = captions_of(content.expected, self.readouts()) if content.expected else []
+        captions = captions_now(self, content.expected)
         if self.model.at_rest:
             captions.append(Caption(STILL, met=False))
         draw_captions(canvas, (0.5 * (content.view.left + content.view.right), content.view.top), captions)

@@ -19,7 +19,7 @@ from game.scenes.wind_tunnel.readouts import readouts_of
 from game.scenes.wind_tunnel.view import WindTunnelView
 from game.scenes.wind_tunnel.warming import warm_up
 from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip, WarmUp
-from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
 from game.worlds.scene import ModelScene
 
 
@@ -167,4 +167,4 @@ class WindTunnel(ModelScene):
         if self.content.expected:
             frame = self.frame()
             top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_of(self.content.expected, self.readouts()))
+            draw_captions(canvas, top, captions_now(self, self.content.expected))

@@ -9,9 +9,19 @@ import numpy as np
 
 from game.arrays import Floats, Longs
 from game.physics.effects import EffectSet
-from game.physics.solids import SOLVERS, TIERS, Disc, Material, SolidSettings, SolidState, SolidWorld
+from game.physics.solids import (
+    IMPACT_LAWS,
+    SOLVERS,
+    TIERS,
+    Disc,
+    Material,
+    SolidSettings,
+    SolidState,
+    SolidWorld,
+)
 from game.physics.solids import state as s
 from game.physics.solids.effects import SOLIDS
+from game.physics.solids.settings import USUAL_HERTZ
 from game.stage import Choice, Param, ParameterError, Parameters
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Member
@@ -43,11 +53,20 @@ def choose_solver() -> Choice:
     return Choice("soft-step", tuple(SOLVERS), group="Solver", help="what finds the impulses of contacts")
 
 
+def choose_impact_law() -> Choice:
+    """``impact_law``."""
+    return Choice(
+        "energetic", IMPACT_LAWS, labels=("Newton", "Poisson", "Stronge"), group="World", label="Impact law",
+        help="what restitution is a part of: speed, impulse or (squared) work; all the same without friction",
+    )  # fmt: skip
+
+
 def choose_stiffness() -> Param:
     """``stiffness``."""
     return Param(
         0.0, 0.0, 480.0, unit="Hz", group="Solver", label="Contact frequency",
-        help="of soft contacts: a stack sinks by its inverse square; 0: an eighth of the substeps a second",
+        help="of soft contacts: a stack sinks by its inverse square; "
+        f"0: {USUAL_HERTZ:g} of the substeps a second",
     )  # fmt: skip
 
 
@@ -56,7 +75,9 @@ def choose_step(usual: float, least: float, most: float, group: str = "Solver", 
     return Param(usual, least, most, unit="s", log=True, group=group, label="Time step", help=help)
 
 
-OF_SETTINGS = {"solver": "solver", "iterations": "iterations", "stiffness": "contact_hertz"}
+OF_SETTINGS = {
+    "solver": "solver", "iterations": "iterations", "stiffness": "contact_hertz", "impact_law": "impact_law",
+}  # fmt: skip
 
 
 def substeps_of(parameters: Parameters) -> int:

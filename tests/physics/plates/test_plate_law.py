@@ -13,7 +13,7 @@ import pytest
 from game.lab.benchmarks.plates import gap_after, numpy_rates
 from game.physics.plates import Plate, Plates
 from game.physics.plates.law import SPIN, THETA, VX, VY, X, Y
-from game.physics.plates.regimes import drop, long_run
+from game.physics.plates.regimes import BORDERS, THICKEST, drop, long_run
 
 THIN = 1.0 / 14.0
 FLUTTER = (-1.4622878338935463, -0.11692482028057719, -0.48202044915245384, -0.16436770853631522,
@@ -64,6 +64,18 @@ def test_regimes_and_the_border_of_tumbling_from_both_sides():
     inertias = (0.4, 0.98 * 1.21489, 1.02 * 1.21489, 1.4, 2.0, 3.2)
     found = [course.regime for course in long_run([Plate(inertia=i, thickness=THIN) for i in inertias])]
     assert found == ["flutter", "flutter", "tumble", "tumble", "chaos", "flutter"]
+
+
+def test_borders_hold_up_to_the_thickness_that_the_map_draws_them_to_and_not_at_a_thick_plate():
+    """From both sides, 3 % and 4 % off, of a plate without thickness and of the thickest; not at 0.45."""
+    flutter, tumble, chaos = BORDERS
+    inertias = (0.97 * flutter, 1.03 * flutter, 0.97 * tumble, 1.1 * tumble, 0.96 * chaos, 1.04 * chaos)
+    held = ["flutter", "tumble", "tumble", "chaos", "chaos", "flutter"]
+    for thickness in (0.0, THICKEST):
+        found = long_run([Plate(inertia=i, thickness=thickness) for i in inertias])
+        assert [course.regime for course in found] == held, thickness
+    (thick,) = long_run([Plate(inertia=1.35, thickness=0.45)])
+    assert flutter < 1.35 < tumble and thick.regime == "flutter"
 
 
 @pytest.mark.parametrize(

@@ -13,29 +13,32 @@ from tests.physics.solids.setups import G, floor_world, run
 
 AWAKE = USUAL.without(SLEEP)
 ROUGH = Material(friction=10.0)
+THIN = 0.002  # m, of a rod
 
 
 @pytest.mark.parametrize(("e", "degrees"), [(0.0, 30.0), (1.0, 45.0), (0.5, 60.0)])
 def test_a_smooth_rod_hits_the_floor_with_one_end(e, degrees):
-    """J = m v (1 + e)/(1 + 3 cos²), spin 6 J cos/(m L)."""
+    """J = m v (1 + e)/(1 + m c²/I), spin J c/I: of a rod as thick as it is, so that they hold to rounding."""
     material, angle = Material(friction=0.0, restitution=e), math.radians(degrees)
     world, _ = floor_world(material, gravity=(0.0, 0.0))
     rod = world.add_body(
-        box(1.0, 0.002, material=material), (0.0, 0.5 * math.sin(angle) + 0.02), angle, (0.0, -3.0)
+        box(1.0, THIN, material=material), (0.0, 0.5 * math.sin(angle) + 0.02), angle, (0.0, -3.0)
     )
     run(world, 0.1)
-    impulse = 3.0 * (1.0 + e) / (1.0 + 3.0 * math.cos(angle) ** 2)
-    assert world.bodies.velocities[rod, 1] == pytest.approx(impulse - 3.0, abs=0.01)
-    assert world.bodies.spins[rod] == pytest.approx(-6.0 * impulse * math.cos(angle), rel=3e-3)
+    lever, inertia = 0.5 * math.cos(angle) - 0.5 * THIN * math.sin(angle), (1.0 + THIN**2) / 12.0
+    impulse = 3.0 * (1.0 + e) / (1.0 + lever**2 / inertia)
+    assert world.bodies.velocities[rod, 1] == pytest.approx(impulse - 3.0, rel=1e-9)
+    assert world.bodies.spins[rod] == pytest.approx(-impulse * lever / inertia, rel=1e-9)
 
 
 def test_a_rough_rod_hits_the_floor_and_its_end_stays():
-    """3/2 v cos/L: angular momentum about the end that hits."""
+    """m v c/(I + m r²), near 3/2 v cos/L: angular momentum about the end that hits."""
     angle = math.radians(30.0)
     world, _ = floor_world(ROUGH, gravity=(0.0, 0.0))
-    rod = world.add_body(box(1.0, 0.002, material=ROUGH), (0.0, 0.27), angle, (0.0, -3.0))
+    rod = world.add_body(box(1.0, THIN, material=ROUGH), (0.0, 0.27), angle, (0.0, -3.0))
     run(world, 0.1)
-    assert world.bodies.spins[rod] == pytest.approx(-3.897114, rel=3e-3)
+    lever, about = 0.5 * math.cos(angle) - 0.5 * THIN * math.sin(angle), (1.0 + THIN**2) / 3.0
+    assert world.bodies.spins[rod] == pytest.approx(-3.0 * lever / about, rel=1e-9)
 
 
 def test_a_rod_tips_over_in_the_time_of_a_pendulum():

@@ -146,7 +146,7 @@ def test_a_ball_bounces_until_it_rests():
     for k in (0, 1):
         off = [abs(found[k] / exact[k] - 1.0) for found in (coarse, fine)]
         assert off[1] < 0.45 * off[0]
-        assert off[1] < (0.015, 0.005)[k]
+        assert off[1] < (0.007, 0.002)[k]
 
 
 def test_the_floor_carries_a_column_and_the_tonne_on_it():

@@ -55,6 +55,17 @@ def test_in_the_other_levels_all_grains_are_carried(path):
     assert measured(stage, "fallen") == 0 and measured(stage, "carried") > 0
 
 
+def test_grains_on_a_heap_of_fallen_ones_are_not_carried():
+    """Heavy grains fall on each other: one that lies on two others is off the row, and yet has fallen."""
+    stage = Stage(Levitation, parameters={"density": 1500.0})
+    stage.run(480)
+    levitator = stage.scene.model.levitator
+    heights = levitator.positions[:, 1] + 0.5 * APART
+    assert np.max(heights) > 2.0 * levitator.grain.radius  # one that lies on others
+    assert np.max(heights) < 4.0 * levitator.grain.radius
+    assert (measured(stage, "carried"), measured(stage, "fallen")) == (0, 5)
+
+
 def test_the_lattice_has_a_grain_at_every_half_wave():
     stage = opened(next(path for path in LEVELS if path.stem == "lattice"))
     stage.run(240)

@@ -9,11 +9,14 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import level_files, load_level
+from game.physics.plates.regimes import THICKEST
 from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.scenes.plates.model import CEILING, FLOOR, LEFT, RIGHT
 from game.scenes.plates.scene import FallingPlates
+from game.scenes.plates.view import BANDS, MAP_HIGH, MAP_LOW, TOP
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.labels import labels_of
 
 LEVELS = {path.stem: path for path in level_files("falling-plates")}
 HARD = [name for name in LEVELS if name.startswith("hard-")]
@@ -153,3 +156,14 @@ def test_the_picture_is_drawn_in_both_themes():
         for theme in ("light", "dark")
     }
     assert len(pictures) == 2
+
+
+def test_the_map_has_borders_only_where_they_hold():
+    stage = opened("default")
+    drawn, tops = labels_of(stage), []
+    drawn.polygon = lambda points, *_, **options: tops.append(float(np.asarray(points)[:, 1].max()))
+    stage.scene.view.draw(drawn, None, 1.0)
+    assert tops[-len(BANDS) :] == pytest.approx(
+        [MAP_LOW + (MAP_HIGH - MAP_LOW) * THICKEST / TOP] * len(BANDS)
+    )
+    assert f"borders as measured up to β = {THICKEST:g}" in drawn.drawn

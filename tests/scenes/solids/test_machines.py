@@ -10,7 +10,7 @@ import pytest
 from game.levels import parse_level
 from game.physics.dominoes import domino_wave_speed
 from game.physics.solids.joints.layout import BREAK_FORCE
-from game.scenes.solids.level import SolidContent
+from game.scenes.solids.level import BodyEntry, ShapeEntry, SolidContent
 from game.scenes.solids.scene import Solids
 from game.stage import SetParameter, Stage
 from game.worlds.expectations import captions_of
@@ -211,3 +211,20 @@ def test_a_period_is_found_between_steps():
             found.append(now)
     assert len(found) >= 5
     assert found[1:] == pytest.approx([exact] * (len(found) - 1), rel=2e-3)
+
+
+def test_only_blocks_of_the_arch_count_as_fallen():
+    """Neither the ball that is there to be thrown nor a disc that a hand adds, be they below the height."""
+    stage = open_level(Solids, "default")
+    model = stage.scene.model
+    blocks, (ball, *_) = list(model.gauges.blocks), model.movable().tolist()
+    assert len(blocks) == 15 and ball not in blocks
+    small = model.add(BodyEntry(shapes=(ShapeEntry(disc=0.1),), position=(5.0, 0.1)))
+    model.world.bodies.positions[ball] = -5.0, 0.1
+    assert after(stage, 0.1)["blocks that fell"] == 0
+    model.world.bodies.positions[blocks[7]] = 4.0, 0.2
+    assert after(stage, stage.dt)["blocks that fell"] == 1
+    model.remove(blocks[7])
+    again = model.add(BodyEntry(shapes=(ShapeEntry(disc=0.1),), position=(4.0, 0.1)))
+    assert again == blocks[7] != small  # its number is given again, and is no block of the arch
+    assert after(stage, stage.dt)["blocks that fell"] == 0

@@ -29,8 +29,9 @@ Prepared before the call (`stepping.begin_step`, `stepping.fill_rows`):
 Expected after it: final velocities and places in ``scratch.motion``; JN, JT: impulses (N s) of the last
 substep, which come back as warm start (a solver that needs forces divides by h); MOST_0/1: the largest
 normal impulse of any substep (it makes events, and says that a point touched); joint impulses in
-``joints.impulses``. Key-framed bodies must end with the velocity that they began with. Bounces:
-`impulses.bounce_contacts`. ``bodies`` is read only: places of the beginning, ``inverse_masses``, ``flags``.
+``joints.impulses``. Key-framed bodies must end with the velocity that they began with. Impacts:
+`impacts.resolve_impacts`, after the forces of each substep. ``bodies`` is read only: places of the beginning,
+``inverse_masses``, ``flags``.
 """
 
 from __future__ import annotations

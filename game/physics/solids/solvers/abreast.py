@@ -25,7 +25,7 @@ from game.physics.kernels.lanes import (
     store_quads,
 )
 from game.physics.solids.rows import CHILLED, FIRST, SECOND, SINGLE, SIZE
-from game.physics.solids.solvers.impulses import TILT
+from game.physics.solids.solvers.impulses import OPEN, TILT
 from game.physics.solids.state import (
     BATCH_GAP,
     BATCH_MOST,
@@ -78,15 +78,17 @@ def put_back(rows, batches):
 
 @inner_kernel
 def take_impulses(rows, batches):
-    """Impulses of the rows, where something else has changed them."""
+    """Impulses of the rows and the largest, where something else has changed them."""
     row, values = rows.rows, batches.values
     for k in range(batches.count[0]):
         for lane in range(batches.filled[k]):
             c = batches.rows[k, lane]
             values[k, FIRST + JN, lane], values[k, FIRST + JT, lane] = row[c, FIRST + JN], row[c, FIRST + JT]
+            values[k, BATCH_MOST, lane] = rows.rare[c, MOST_0]
             if rows.ends[c, END_POINTS] == 2:
                 values[k, SECOND + JN, lane] = row[c, SECOND + JN]
                 values[k, SECOND + JT, lane] = row[c, SECOND + JT]
+                values[k, BATCH_MOST + 1, lane] = rows.rare[c, MOST_1]
 
 
 @inner_kernel
@@ -180,6 +182,12 @@ def rub(values, at, point, mu, pressing, slide):
 
 
 @inner_kernel
+def unless_open(values, at, point, gap, law):
+    """`impulses.unless_open`."""
+    return choose((gap > 0.0) & (column(values, at, point + JN) <= 0.0), OPEN, law)
+
+
+@inner_kernel
 def sweep_batches(batches, motion, springs, pushing, measuring):
     """`impulses.sweep_contacts`. measuring: bodies were moved; a sweep that does not push notes the largest
     impulses.
@@ -214,6 +222,11 @@ def sweep_batches(batches, motion, springs, pushing, measuring):
             tilt = TILT * soft
             k11, coupling, k22 = k1 + soft + tilt, k12 + soft - tilt, k2 + soft + tilt
             alone = k1 + choose(gap1 <= 0.0, k1 * give, 0.0)
+        else:
+            law1, law2 = (
+                unless_open(values, at, FIRST, gap1, law1),
+                unless_open(values, at, SECOND, gap2, law2),
+            )
         v1, v2 = un + wb * cb1 - wa * ca1 + law1, un + wb * cb2 - wa * ca2 + law2
         n1, n2 = column(values, at, FIRST + JN), column(values, at, SECOND + JN)
         j1, j2 = solve_pairs(k11, coupling, k22, v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2)

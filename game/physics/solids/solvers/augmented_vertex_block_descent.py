@@ -30,7 +30,6 @@ from game.physics.solids.solvers.descent import (
     STIFFNESS_N,
     STIFFNESS_T,
     aim,
-    bounce_apart,
     count_touching,
     descend,
     friction_force,
@@ -39,8 +38,10 @@ from game.physics.solids.solvers.descent import (
     point_force,
     start_lines,
 )
+from game.physics.solids.solvers.impacts import ALL, resolve_impacts
 from game.physics.solids.solvers.motion import accelerate
-from game.physics.solids.solvers.positions import note_gaps, remember, velocities_from_places
+from game.physics.solids.solvers.passive import FREE, excuse, hold_energy, note_speeds
+from game.physics.solids.solvers.positions import note_gaps, remember, remember_places, velocities_from_places
 from game.physics.solids.state import END_PAIR, END_POINTS, JN, JT, ROW_POINT, ROW_POINT_WIDTH, SEP, STIFF
 
 LEFT = 0.99  # alpha: of a gap, for the next steps
@@ -126,17 +127,21 @@ def solve_augmented_vertex_block_descent(bodies, contacts, rows, joints, scratch
     motion, h, rule = scratch.motion, numbers.h, (LEFT, numbers.h)
     prepare_joints(bodies, joints, (0.0, 1.0, 0.0), numbers)
     count_touching(bodies, rows, joints, scratch)
+    excuse(bodies, rows, joints, scratch)
     for _ in range(numbers.substeps):
         start_stiffnesses(contacts, rows, joints, scratch)
         start_lines(joints, motion)
-        note_gaps(rows, motion, scratch.points)
         remember(motion, scratch.before)
         accelerate(scratch, numbers)
+        if resolve_impacts(rows, scratch, numbers, ALL):
+            remember_places(motion, scratch.before)
+        note_speeds(motion, scratch.speeds, FREE)
+        note_gaps(rows, motion, scratch.points)
         aim(motion, scratch, h)
         for _ in range(numbers.iterations):
             descend(bodies, rows, joints, scratch, rule)
             update_forces(rows, joints, scratch, rule)
         velocities_from_places(bodies, motion, scratch.before, h)
+        hold_energy(bodies, rows, scratch, numbers)
         note_largest(rows)
         keep_stiffnesses(contacts, rows, scratch)
-    bounce_apart(rows, motion, scratch.points, numbers)

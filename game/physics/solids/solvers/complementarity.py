@@ -51,7 +51,7 @@ from game.physics.solids.joints.layout import (
 )
 from game.physics.solids.joints.lines import prepare_joints, write_all_lines
 from game.physics.solids.joints.sweeps import solve_block
-from game.physics.solids.solvers.impulses import bounce_contacts
+from game.physics.solids.solvers.impacts import ALONE, resolve_impacts
 from game.physics.solids.solvers.lemke import solve_complementarity
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.positions import clear_impulses, note_gaps
@@ -90,10 +90,11 @@ def begin(bodies, joints, numbers):
 
 @lean_kernel
 def begin_substep(rows, joints, scratch, numbers):
-    """Velocities by forces alone, gaps, lines; a hand pulls before all else."""
+    """Velocities by forces and impacts alone, gaps, lines; a hand pulls before all else."""
     clear_impulses(rows)
     clear_joint_impulses(joints)
     accelerate(scratch, numbers)
+    resolve_impacts(rows, scratch, numbers, ALONE)
     note_gaps(rows, scratch.motion, scratch.points)
     write_all_lines(joints, scratch.motion)
     for k in range(joints.kinds.shape[0]):
@@ -105,12 +106,6 @@ def begin_substep(rows, joints, scratch, numbers):
 def end_substep(scratch, h):
     """Places."""
     move(scratch.motion, h)
-
-
-@lean_kernel
-def end(rows, scratch, numbers):
-    """Impacts."""
-    bounce_contacts(rows, scratch.motion, numbers)
 
 
 class Conditions:
@@ -293,4 +288,3 @@ def solve_by_complementarity(
                 out=rows.rare[:count, MOST_0 + k],
             )
         end_substep(scratch, numbers.h)
-    end(rows, scratch, numbers)

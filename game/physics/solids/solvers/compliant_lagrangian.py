@@ -25,17 +25,18 @@ from game.physics.solids.solvers.descent import (
     STIFFNESS_N,
     STIFFNESS_T,
     aim,
-    bounce_apart,
     count_touching,
     descend,
+    forget_impacts,
     friction_force,
     line_force,
     note_largest,
     point_force,
     start_lines,
 )
+from game.physics.solids.solvers.impacts import BOUNCES, resolve_impacts
 from game.physics.solids.solvers.motion import accelerate
-from game.physics.solids.solvers.positions import note_gaps, remember, velocities_from_places
+from game.physics.solids.solvers.positions import note_gaps, remember, remember_places, velocities_from_places
 from game.physics.solids.state import END_POINTS, JN, JT, MASS_T, ROW_POINT, ROW_POINT_WIDTH, STIFF_N
 
 LEFT = 0.99  # of a gap, for the next substeps
@@ -92,13 +93,15 @@ def solve_compliant_lagrangian(bodies, contacts, rows, joints, scratch, numbers)
     for _ in range(numbers.substeps):
         start_lines(joints, motion)
         start_forces(rows, joints, scratch, h)
-        note_gaps(rows, motion, scratch.points)
         remember(motion, scratch.before)
         accelerate(scratch, numbers)
+        if resolve_impacts(rows, scratch, numbers, BOUNCES):
+            remember_places(motion, scratch.before)
+        note_gaps(rows, motion, scratch.points)
         aim(motion, scratch, h)
         for _ in range(numbers.iterations):
             descend(bodies, rows, joints, scratch, rule)
             update_forces(rows, joints, scratch, rule)
         velocities_from_places(bodies, motion, scratch.before, h)
         note_largest(rows)
-    bounce_apart(rows, motion, scratch.points, numbers)
+    forget_impacts(rows)

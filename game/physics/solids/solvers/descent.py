@@ -36,8 +36,8 @@ from game.physics.solids.joints.layout import (
 from game.physics.solids.joints.lines import write_lines
 from game.physics.solids.joints.points import line_weight
 from game.physics.solids.joints.sweeps import solve_three
-from game.physics.solids.solvers.impulses import bounce_contacts, gap_now
-from game.physics.solids.solvers.positions import clear_impulses, slide_now, turn_body
+from game.physics.solids.solvers.impulses import gap_now
+from game.physics.solids.solvers.positions import slide_now, turn_body
 from game.physics.solids.solvers.xpbd import line_shift
 from game.physics.solids.state import (
     CROSS_A,
@@ -69,8 +69,8 @@ from game.physics.solids.state import (
 )
 
 # columns of Scratch.points: gaps of both points when the substep began, their stiffnesses along normal and
-# tangent, their forces while a bounce is found
-GAP_0, STIFFNESS_N, STIFFNESS_T, FORCE_N, FORCE_T = 0, 2, 4, 6, 8
+# tangent
+GAP_0, STIFFNESS_N, STIFFNESS_T = 0, 2, 4
 
 
 @inner_kernel
@@ -295,20 +295,10 @@ def start_lines(joints, motion):
 
 
 @inner_kernel
-def bounce_apart(rows, motion, points, numbers):
-    """Bounces, by impulses of their own: forces are guesses, and no momentum that a bounce may take back.
-
-    The force of an impact is no guess for the next step: it would throw apart what has come to rest.
-    """
-    row = rows.rows
+def forget_impacts(rows):
+    """The force that stopped an impact is no guess for the next step: it would throw apart what rests."""
     for c in range(rows.count[0]):
-        for k in range(rows.ends[c, END_POINTS]):
-            at = ROW_POINT + k * ROW_POINT_WIDTH
-            points[c, FORCE_N + k], points[c, FORCE_T + k] = row[c, at + JN], row[c, at + JT]
-    clear_impulses(rows)
-    bounce_contacts(rows, motion, numbers)
-    for c in range(rows.count[0]):
-        keep = 0.0 if rows.rare[c, IMPACT] > 0.0 else 1.0
-        for k in range(rows.ends[c, END_POINTS]):
-            at = ROW_POINT + k * ROW_POINT_WIDTH
-            row[c, at + JN], row[c, at + JT] = keep * points[c, FORCE_N + k], keep * points[c, FORCE_T + k]
+        if rows.rare[c, IMPACT] > 0.0:
+            for k in range(rows.ends[c, END_POINTS]):
+                at = ROW_POINT + k * ROW_POINT_WIDTH
+                rows.rows[c, at + JN], rows.rows[c, at + JT] = 0.0, 0.0

@@ -14,8 +14,6 @@ import numpy as np
 
 from game.compiler.decorator import inner_kernel
 from game.physics.solids.state import (
-    APPROACH_0,
-    APPROACH_1,
     COUPLING,
     CROSS_A,
     CROSS_B,
@@ -34,7 +32,6 @@ from game.physics.solids.state import (
     MASS_T,
     MOST_0,
     MOST_1,
-    RESTITUTION,
     ROUND_A,
     ROUND_B,
     ROW_HARD,
@@ -56,6 +53,7 @@ from game.physics.solids.state import (
 
 FIRST = ROW_POINT
 SECOND = ROW_POINT + ROW_POINT_WIDTH
+OPEN = 1e30  # m/s, of what may close as fast as it will
 TILT = 0.25  # how much softer a face is where it tilts than where it sinks evenly
 
 
@@ -121,6 +119,12 @@ def point_law(gap, rate, push, over_h):
 
 
 @inner_kernel
+def unless_open(gap, pressing, law):
+    """A sweep without push begins no contact that is open: one that hits does so in the next substep."""
+    return OPEN if gap > 0.0 and pressing <= 0.0 else law
+
+
+@inner_kernel
 def solve_two(k11, k12, k22, r1, r2):
     """j1, j2 >= 0 with K j + r >= 0 and complementary: K = (k11, k12; k12, k22), positive definite."""
     j1, j2 = k12 * r2 - k22 * r1, k12 * r1 - k11 * r2
@@ -139,12 +143,15 @@ def closing(row, c, at, gone, turns, speeds, law):
     """Speed that the point at column ``at`` must lose, as its law asks for, and its gap.
 
     gone: m, what both bodies have moved along the normal. turns: cosines less 1, and sines, of a and b.
-    speeds: along the normal, spins of a and b. law: rate, push and 1/h of `point_law`.
+    speeds: along the normal, spins of a and b. law: rate, push and 1/h of `point_law`, and whether it pushes.
     """
     cross_a, cross_b, dot_a, dot_b = levers(row, c, at)
     gap = gone + row[c, at + SEP] + turns[2] * dot_b + turns[3] * cross_b
     gap = gap - turns[0] * dot_a - turns[1] * cross_a
-    return speeds[0] + speeds[2] * cross_b - speeds[1] * cross_a + point_law(gap, law[0], law[1], law[2]), gap
+    asked = point_law(gap, law[0], law[1], law[2])
+    if not law[3]:
+        asked = unless_open(gap, row[c, at + JN], asked)
+    return speeds[0] + speeds[2] * cross_b - speeds[1] * cross_a + asked, gap
 
 
 @inner_kernel
@@ -191,7 +198,7 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
         spring = (0.0, 1.0, 0.0)
         if pushing:
             spring = springs[1] if row[c, ROW_HARD] > 0.0 else springs[0]
-        law = (spring[0], springs[2], springs[3])
+        law = (spring[0], springs[2], springs[3], pushing)
         v1, gap = closing(row, c, FIRST, gone, turns, speeds, law)
         ca1, cb1, da1, db1 = levers(row, c, FIRST)
         if ends[c, END_POINTS] == 1:
@@ -240,61 +247,11 @@ def note_most(row, rare, c, points):
 
 
 @inner_kernel
-def bounce_contacts(rows, motion, numbers):
-    """At the end of a step: what came in fast and was stopped leaves by its restitution, with friction.
-
-    True if there was any.
-    """
-    row, ends, rare, bounced = rows.rows, rows.ends, rows.rare, False
-    for c in range(rows.count[0]):
-        e = rare[c, RESTITUTION]
-        if e == 0.0:
-            continue
-        first = rare[c, APPROACH_0] <= -numbers.bounce and rare[c, MOST_0] > 0.0
-        second = ends[c, END_POINTS] == 2 and rare[c, APPROACH_1] <= -numbers.bounce and rare[c, MOST_1] > 0.0
-        if not (first or second):
-            continue
-        bounced = True
-        a, b = ends[c, END_A], ends[c, END_B]
-        n1, n2 = row[c, FIRST + JN], row[c, SECOND + JN] if ends[c, END_POINTS] == 2 else 0.0
-        k1, k2, k12 = row[c, FIRST + STIFF_N], row[c, SECOND + STIFF_N], row[c, COUPLING]
-        r1 = gap_speed(row, c, FIRST, motion, a, b) + e * rare[c, APPROACH_0] - k1 * n1
-        j1, j2 = n1, n2
-        if first and second:
-            r2 = gap_speed(row, c, SECOND, motion, a, b) + e * rare[c, APPROACH_1] - k2 * n2
-            j1, j2 = solve_two(k1, k12, k2, r1 - k12 * n2, r2 - k12 * n1)
-        elif first:
-            j1 = max(-r1 / k1, 0.0)
-        else:
-            j2 = max(n2 - (gap_speed(row, c, SECOND, motion, a, b) + e * rare[c, APPROACH_1]) / k2, 0.0)
-        push_point(row, c, FIRST, motion, a, b, j1 - n1, 0.0)
-        row[c, FIRST + JN], rare[c, MOST_0] = j1, max(rare[c, MOST_0], j1)
-        if ends[c, END_POINTS] == 2:
-            push_point(row, c, SECOND, motion, a, b, j2 - n2, 0.0)
-            row[c, SECOND + JN], rare[c, MOST_1] = j2, max(rare[c, MOST_1], j2)
-        for k in range(ends[c, END_POINTS]):
-            rub_point(row, c, FIRST + k * ROW_POINT_WIDTH, motion, a, b)
-    return bounced
-
-
-@inner_kernel
 def gap_speed(row, c, at, motion, a, b):
     """Speed at which the gap of one point of a row opens, m/s."""
     vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
     speed = vx * row[c, ROW_NX] + vy * row[c, ROW_NY]
     return speed + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
-
-
-@inner_kernel
-def rub_point(row, c, at, motion, a, b):
-    """Friction at one point of a row, within the cone of its normal impulse."""
-    vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-    vt = vx * row[c, ROW_NY] - vy * row[c, ROW_NX]
-    vt += motion[a, W] * row[c, at + DOT_A] - motion[b, W] * row[c, at + DOT_B]
-    before, most = row[c, at + JT], row[c, ROW_MU] * row[c, at + JN]
-    jt = max(-most, min(most, before - row[c, at + MASS_T] * vt))
-    row[c, at + JT] = jt
-    push_point(row, c, at, motion, a, b, 0.0, jt - before)
 
 
 @inner_kernel

@@ -87,18 +87,10 @@ def work_on(bodies, motion, speeds, i):
 
 
 @inner_kernel
-def credit(bodies, scratch, h, i, spending):
-    """What contacts may give a body, J. spending: what it has lost in this step, with its height."""
+def credit(bodies, scratch, h, i):
+    """What contacts may give a body, J."""
     m, x, y = 1.0 / bodies.inverse_masses[i], scratch.accelerations[i, 0], scratch.accelerations[i, 1]
-    if not spending:
-        return 0.5 * m * h * h * (x * x + y * y)
-    motion, speeds, inertia = scratch.motion, scratch.speeds, 1.0 / bodies.inverse_inertias[i]
-    vx, vy, w = bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i]
-    lost = m * (vx * vx + vy * vy) + inertia * w * w
-    vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
-    lost -= m * (vx * vx + vy * vy) + inertia * w * w
-    turned = inertia * scratch.accelerations[i, 2] * motion[i, DA]
-    return 0.5 * lost + m * (x * motion[i, DX] + y * motion[i, DY]) + turned
+    return 0.5 * m * h * h * (x * x + y * y)
 
 
 @inner_kernel
@@ -121,14 +113,14 @@ def group_by_touch(bodies, rows, scratch, dt):
 
 
 @inner_kernel
-def hold_energy(bodies, rows, scratch, numbers, spending):
-    """Shorten what contacts did where it is more than they may. spending: what was lost may be given back."""
+def hold_energy(bodies, rows, scratch, numbers):
+    """Shorten what contacts did where it is more than they may."""
     motion, speeds, works, parents = scratch.motion, scratch.speeds, scratch.works, scratch.parents
     total = 0.0
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
             a, b = work_on(bodies, motion, speeds, i)
-            total += a + b - credit(bodies, scratch, numbers.h, i, spending)
+            total += a + b - credit(bodies, scratch, numbers.h, i)
     if not total > 0.0:
         return
     group_by_touch(bodies, rows, scratch, numbers.dt)
@@ -139,7 +131,7 @@ def hold_energy(bodies, rows, scratch, numbers, spending):
             r = root_of(parents, i)
             works[r, 0] += a
             works[r, 1] += b
-            works[r, 2] += credit(bodies, scratch, numbers.h, i, spending)
+            works[r, 2] += credit(bodies, scratch, numbers.h, i)
     for i in range(motion.shape[0]):
         a, b, c = works[i, 0], works[i, 1], max(works[i, 2], 0.0)
         keep = 1.0

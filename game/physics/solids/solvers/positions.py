@@ -46,6 +46,14 @@ def remember(motion, before):
 
 
 @inner_kernel
+def remember_places(motion, before):
+    """Where ways begin: impacts have put bodies to where their new velocities would have come from."""
+    for i in range(motion.shape[0]):
+        for n in (DX, DY, DC, DS, DA):
+            before[i, n] = motion[i, n]
+
+
+@inner_kernel
 def note_gaps(rows, motion, points):
     """Gaps of both points at the beginning of a substep: columns 0 and 1 of points."""
     for c in range(rows.count[0]):

@@ -2,7 +2,7 @@
 
 A substep: forces, last impulses again, ``iterations`` sweeps in which overlap beyond a slop adds 0.2 of
 itself, each substep, as speed (Baumgarte 1972), places. The bias stays in the velocities: this is what the
-soft step takes out. Impacts bounce once, at the end of the step.
+soft step takes out. Impacts come first (`impacts`).
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
-from game.physics.solids.solvers.impulses import bounce_contacts, start_warm, sweep_contacts
+from game.physics.solids.solvers.impacts import ALONE, resolve_impacts
+from game.physics.solids.solvers.impulses import start_warm, sweep_contacts
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.state import END_POINTS, ROW_POINT, ROW_POINT_WIDTH, SEP
 
@@ -37,6 +38,7 @@ def solve_sequential_impulses(bodies, contacts, rows, joints, scratch, numbers):
     leave_slop(rows, numbers.slop)
     for _ in range(numbers.substeps):
         accelerate(scratch, numbers)
+        resolve_impacts(rows, scratch, numbers, ALONE)
         start_joints_warm(joints, motion)
         steady_turns(bodies, joints, scratch, numbers.h)
         start_warm(rows, motion)
@@ -44,4 +46,3 @@ def solve_sequential_impulses(bodies, contacts, rows, joints, scratch, numbers):
             solve_joints(joints, scratch.plan, motion, True)
             sweep_contacts(rows, motion, springs, True, True)
         move(motion, numbers.h)
-    bounce_contacts(rows, motion, numbers)

@@ -2,9 +2,9 @@
 out.
 
 Catto 2023, "Solver2D". A substep: forces, last impulses again, one soft sweep, places, one sweep without
-push. Overlap is compliance, not error: it falls as 1/f² with the frequency f, a quarter of the substeps a
-second. Impacts bounce once, at the end of the step,
-which is then made passive (`governor`).
+push. Overlap is compliance, not error: it falls as 1/f² with the frequency f
+(`settings.USUAL_HERTZ`). Impacts come first in each substep (`impacts`). The step is then made passive
+(`governor`).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from game.compiler.decorator import lean_kernel
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
-from game.physics.solids.rows import BOUNCING, VIOLENT, copy_rare, copy_rows, kinds_seen
+from game.physics.solids.rows import VIOLENT, copy_rows, kinds_seen
 from game.physics.solids.solvers.abreast import (
     put_back,
     sweep_batches,
@@ -23,7 +23,8 @@ from game.physics.solids.solvers.abreast import (
     warm_batches,
 )
 from game.physics.solids.solvers.governor import note_going, start_going
-from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs
+from game.physics.solids.solvers.impacts import ALONE, resolve_impacts
+from game.physics.solids.solvers.impulses import soft_springs
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.passive import (
     FREE,
@@ -51,10 +52,12 @@ def _soft_step(joined: bool) -> Any:
         # in piles at rest there is nothing to watch, and what settles there by overlap alone is let be
         violent = seen & VIOLENT != 0
         if violent:
-            copy_rare(rows, batches)
+            copy_rows(rows, batches)
         for _ in range(numbers.substeps):
             accelerate(scratch, numbers)
             if violent:
+                if resolve_impacts(rows, scratch, numbers, ALONE):
+                    take_impulses(rows, batches)
                 note_speeds(motion, scratch.speeds, FREE)
             if joined:
                 start_joints_warm(joints, motion)
@@ -73,15 +76,10 @@ def _soft_step(joined: bool) -> Any:
                 sweep_batches(batches, motion, springs, False, True)
             if violent:
                 put_back(rows, batches)
-                hold_energy(bodies, rows, scratch, numbers, False)
+                hold_energy(bodies, rows, scratch, numbers)
                 take_impulses(rows, batches)
                 hold_push(bodies, scratch, numbers)
             note_going(motion, scratch.going)
-        if seen & (VIOLENT | BOUNCING):
-            copy_rows(rows, batches)
-            note_speeds(motion, scratch.speeds, FREE)
-            if bounce_contacts(rows, motion, numbers) and violent:
-                hold_energy(bodies, rows, scratch, numbers, True)
 
     return solve_soft_step
 

@@ -45,7 +45,8 @@ from game.physics.solids.joints.layout import (
 )
 from game.physics.solids.joints.lines import prepare_joints, write_lines
 from game.physics.solids.joints.points import line_weight
-from game.physics.solids.solvers.impulses import bounce_contacts, gap_now, gap_speed, push_point, solve_two
+from game.physics.solids.solvers.impacts import BOUNCES, resolve_impacts
+from game.physics.solids.solvers.impulses import gap_now, gap_speed, push_point, solve_two
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.positions import (
     clear_impulses,
@@ -217,11 +218,12 @@ def solve_xpbd(bodies, contacts, rows, joints, scratch, numbers):
     motion, h = scratch.motion, numbers.h
     prepare_joints(bodies, joints, (0.0, 1.0, 0.0), numbers)
     for _ in range(numbers.substeps):
+        accelerate(scratch, numbers)
+        resolve_impacts(rows, scratch, numbers, BOUNCES)
         remember(motion, scratch.before)
         note_gaps(rows, motion, scratch.points)
         clear_impulses(rows)
         clear_joint_impulses(joints)
-        accelerate(scratch, numbers)
         move(motion, h)
         for _ in range(numbers.iterations):
             sweep_joint_places(joints, motion, scratch.before)
@@ -229,4 +231,3 @@ def solve_xpbd(bodies, contacts, rows, joints, scratch, numbers):
         velocities_from_places(bodies, motion, scratch.before, h)
         stop_parting(rows, motion)
         scale_impulses(rows, joints, h)
-    bounce_contacts(rows, motion, numbers)
