@@ -5,11 +5,13 @@ from __future__ import annotations
 import gc
 import os
 import tempfile
+from collections.abc import Generator
 from pathlib import Path
 
 import hypothesis
 import pytest
 
+from game.app.fuzz.memory import resident_bytes
 from game.trust import make_private_folder, reason_to_distrust  # it knows nothing of the variables below
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
@@ -38,6 +40,8 @@ os.environ["CAROM_HOME"] = _home.name
 # and again: a twentieth of the time of tests that make many. Whoever wants it at once says gc.collect().
 gc.set_threshold(20_000, 25, 25)
 _file: Path | None = None  # whose tests are run
+_held = 0  # bytes in memory after the last search for garbage
+GROWN, MUCH = 64 << 20, 1 << 30  # bytes: so much more, or so much at all, is looked through
 
 # The same examples in every run, and none that fails because a machine is slow.
 hypothesis.settings.register_profile(
@@ -68,8 +72,24 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     global _file
     if item.path != _file:
         _file = item.path
+        if resident_bytes() > MUCH:  # among what was taken out there may be what nobody needs any more
+            gc.unfreeze()
         gc.collect()
         gc.freeze()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
+    """Let go of scenes that a test has left, where they are large: the search goes by numbers of objects.
+
+    A scene is few objects that refer to each other, and may hold a hundred megabytes.
+    """
+    global _held
+    done = yield
+    if resident_bytes() > _held + GROWN:
+        gc.collect()
+        _held = resident_bytes()
+    return done
 
 
 def pytest_unconfigure() -> None:
