@@ -1,4 +1,4 @@
-"""The card of the very first start: what this is, and three ways on."""
+"""The card of the very first start: what this is, the games there are, stories and the course."""
 
 from __future__ import annotations
 
@@ -15,20 +15,16 @@ from game.app.window.guard import Failure
 from game.stage.catalogue import STORIES
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
+from game.ui.widgets.overlay import Overlay
 
 LINES = (
-    "A game of billiards, and a laboratory of the physics in it.",
+    "Games of billiards, and a laboratory of the physics in it.",
     "Play a match, watch a story that is computed as it plays, or see step by step how that is done.",
 )
-PLAY, COURSE = "billiards", "Course"  # the scene to play, and the category of the menu
+COURSE = "Course"  # the category of the menu
 ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
-TOP, CHOICE, GAP, WORDS, RADIUS = (
-    124,
-    212,
-    16,
-    68,
-    12,
-)  # design px
+TOP, CHOICE, GAP, WORDS, RADIUS = 124, 212, 16, 68, 12  # design px
+LOWER = 172  # design px, of a choice where there are two rows
 BESIDE_FROM = 560  # design px of the card's width below which one choice stands above the next
 
 
@@ -41,15 +37,21 @@ class Choice(NamedTuple):
     scene: str
 
 
-CHOICES = (
-    Choice("play", "Play billiards", "alone, with a friend or the computer", PLAY),
+GAMES = (
+    Choice("play", "Play billiards", "alone, with a friend or the computer", "billiards"),
+    Choice("carom", "Play carom", "with a map of all that scores", "carom"),
+    Choice("snooker", "Play snooker", "fifteen reds, six colours", "snooker"),
+)
+OTHERS = (
     Choice("stories", "Watch a story", "fireworks, fire, falling dominoes", "a09"),
     Choice("course", "See the course", "from key-frames to soft bodies", "c04"),
 )
 
 
 class WelcomeCard(CardScreen):
-    """Three large choices; Esc, the cross or a press beside it close the card."""
+    """Large choices: several games above the others, a single one beside them. Esc, the cross or a press
+    beside it close the card.
+    """
 
     called: ClassVar[str] = "The first card"
     height: ClassVar[float] = TOP + CHOICE + 32.0
@@ -59,6 +61,14 @@ class WelcomeCard(CardScreen):
         """``show_category``: has the menu below go to a category."""
         super().__init__(host)
         self._show_category = show_category
+        names = {entry.name for entry in host.catalogue}
+        games = tuple(game for game in GAMES if game.scene in names)
+        self._rows: tuple[tuple[Choice, ...], ...] = (
+            (games, OTHERS) if len(games) > 1 else ((*games, *OTHERS),)
+        )
+        self._choices = (*games, *OTHERS)
+        if len(self._rows) > 1:
+            self.veil = Overlay(host.look, TOP + 2 * LOWER + GAP + 32.0, self.width)
         self.restyle()
 
     @property
@@ -68,34 +78,38 @@ class WelcomeCard(CardScreen):
     def places(self) -> list[Hotspot]:
         card, px = self.veil.card, self.host.look.px
         left, top, gap = card.x + px(32), card.y + px(TOP), px(GAP)
-        width, height = max(2, card.w - px(64)), max(2, min(px(CHOICE), card.bottom - px(16) - top))
-        count = len(CHOICES)
+        width, height = max(2, card.w - px(64)), max(2, card.bottom - px(16) - top)
+        rows = self._rows
         if card.w < px(BESIDE_FROM):
-            part = max(1, (height - (count - 1) * gap) // count)
-            rects = [pygame.Rect(left, top + i * (part + gap), width, part) for i in range(count)]
-        else:
-            part = max(1, (width - (count - 1) * gap) // count)
-            rects = [pygame.Rect(left + i * (part + gap), top, part, height) for i in range(count)]
-        return [Hotspot(choice.name, rect) for choice, rect in zip(CHOICES, rects, strict=True)]
+            rows = tuple((choice,) for choice in self._choices)
+        tall = max(1, min(px(CHOICE), (height - (len(rows) - 1) * gap) // len(rows)))
+        spots = []
+        for j, row in enumerate(rows):
+            wide = max(1, (width - (len(row) - 1) * gap) // len(row))
+            for i, choice in enumerate(row):
+                rect = pygame.Rect(left + i * (wide + gap), top + j * (tall + gap), wide, tall)
+                spots.append(Hotspot(choice.name, rect))
+        return spots
 
     def handle(self, event: pygame.Event) -> None:
         key = event.key if event.type == pygame.KEYDOWN else None
         if event.type == pygame.MOUSEBUTTONDOWN and not self.veil.card.collidepoint(event.pos):
             self.close()
         elif key in (pygame.K_LEFT, pygame.K_RIGHT):
-            names = [choice.name for choice in CHOICES]
+            names = [choice.name for choice in self._choices]
             at = names.index(self.spots.focused) if self.spots.focused in names else 0
             self.spots.focused = names[min(max(at + (1 if key == pygame.K_RIGHT else -1), 0), len(names) - 1)]
         elif key in ENTER and self.spots.focused is None:
-            self.pressed(CHOICES[0].name)
+            self.pressed(self._choices[0].name)
         else:
             super().handle(event)
 
     def pressed(self, name: str) -> None:
         if self.leaving:
             return
-        if name == "play":
-            self.host.open_scene(PLAY)
+        scene = next((game.scene for game in GAMES if game.name == name), None)
+        if scene is not None:
+            self.host.open_scene(scene)
         else:
             self._show_category(STORIES if name == "stories" else COURSE)
             self.close()
@@ -106,7 +120,7 @@ class WelcomeCard(CardScreen):
         for i, line in enumerate(LINES):
             words = look.fonts.fit(line, 13, "medium", space)
             look.text(picture, words, (px(32), px(74) + i * px(20)), 13, "medium", "text2")
-        for choice in CHOICES:
+        for choice in self._choices:
             self._paint_choice(picture, choice)
 
     def _paint_choice(self, picture: pygame.Surface, choice: Choice) -> None:
@@ -125,7 +139,7 @@ class WelcomeCard(CardScreen):
         look.text(picture, words, (x, middle - px(11)), 18, "display", "text1")
         about = look.fonts.fit(choice.about, 12, "medium", space)
         look.text(picture, about, (x, middle + px(13)), 12, "medium", "text2")
-        chosen = choice.name == (self.spots.focused or CHOICES[0].name)
+        chosen = choice.name == (self.spots.focused or self._choices[0].name)
         edge, width = (theme.accent, max(2, px(2))) if chosen else (theme.line2, look.border)
         draw_box(picture, rect, px(RADIUS), None, edge, width)
 

@@ -1,4 +1,4 @@
-"""The card of the very first start: three ways on, shown once."""
+"""The card of the very first start: games, stories and the course, shown once."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ from game.stage.catalogue import STORIES, Catalogue
 from tests.app.menu.eighty import eighty
 from tests.app.tests_app import Driver, example_entry
 
+GAMES = ("billiards", "carom", "snooker")
+
 
 @pytest.fixture
 def first(start) -> Driver:
@@ -27,6 +29,43 @@ def first(start) -> Driver:
     driver.frames(30)
     assert isinstance(driver.top, WelcomeCard)
     return driver
+
+
+@pytest.fixture
+def with_games(start) -> Driver:
+    """A first card where there are all games."""
+    rows = tuple(entry for entry in eighty() if entry.category != "Play")
+    games = tuple(example_entry(name)._replace(category="Play") for name in GAMES)
+    driver = start(catalogue=Catalogue((*rows, *games)))
+    driver.app.welcome_due = True
+    driver.frames(30)
+    assert isinstance(driver.top, WelcomeCard)
+    return driver
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_every_game_that_there_is_can_be_played_from_the_card(with_games: Driver, game: str):
+    with_games.click(*with_games.top.spots.find("play" if game == "billiards" else game).rect.center)
+    assert isinstance(with_games.top, SceneScreen) and with_games.top.entry.name == game
+
+
+def test_keys_go_through_games_and_then_the_others(with_games: Driver):
+    for _ in range(2):
+        with_games.key(pygame.K_RIGHT)
+    assert with_games.top.spots.focused == "snooker"
+    with_games.key(pygame.K_RIGHT)
+    assert with_games.top.spots.focused == "stories"
+
+
+@pytest.mark.parametrize("size", [(1, 1), (320, 240), (400, 700), (900, 600), (1280, 720), (3840, 2160)])
+def test_all_games_fit_any_window(with_games: Driver, size: tuple[int, int]):
+    with_games.resize(*size)
+    with_games.frames(3)
+    card, names = with_games.top.veil.card, ("play", *GAMES[1:], "stories", "course")
+    places = [with_games.top.spots.find(name).rect for name in names]
+    assert not any(a.colliderect(b) for a, b in itertools.combinations(places, 2))
+    if size[0] >= 320:
+        assert all(card.contains(place) for place in places)
 
 
 def test_shown_at_the_very_first_start_only(first: Driver):
@@ -106,5 +145,6 @@ def test_fits_any_window(first: Driver, size: tuple[int, int]):
 
 def test_what_it_leads_to_is_there():
     assert CATALOGUE["billiards"].category == "Play"
+    assert all(CATALOGUE[game].module for game in GAMES)
     assert "Course" in CATALOGUE.categories() and STORIES in CATALOGUE.categories()
     assert len([entry for entry in CATALOGUE if entry.task.startswith("C")]) >= 15
