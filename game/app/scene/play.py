@@ -92,7 +92,7 @@ class ScenePlay:
             "pause": self.gate.pause,
             "step": self.gate.step,
             "step-back": self.gate.step_back,
-            "undo": self.gate.undo,
+            "undo": self.undo,
             "reset": self.gate.reset,
             "defaults": self.gate.set_defaults,
             "slower": lambda: self.change_speed(-1),
@@ -201,6 +201,13 @@ class ScenePlay:
         """One of the scene's named actions."""
         self.gate.post_hand()
         self.post(Action(name))
+
+    def undo(self) -> None:
+        """Take back what was done last: by the scene's own action of that name, else the last press."""
+        if "undo" in self._chords.values():
+            self.act("undo")
+        else:
+            self.gate.undo()
 
     def open_tools(self) -> None:
         """All that one measures and shows with."""

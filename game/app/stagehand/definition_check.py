@@ -25,7 +25,8 @@ def check_definition(scene_type: type[Scene]) -> None:
     """
     for equation in scene_type.equations:
         parse(equation.formula)
-    keys = {command.key.lower(): command.label for command in COMMANDS}
+    own = {action.name for action in scene_type.actions}  # a scene may do what a command does in its own way
+    keys = {command.key.lower(): command.label for command in COMMANDS if command.name not in own}
     for action in scene_type.actions:
         key = action.key.lower()
         if key in keys:

@@ -1,4 +1,4 @@
-"""`kernel` under its old name, for modules that have not moved to `game.compiler.decorator` yet."""
+"""`kernel` under the name by which programs beside Carom import it."""
 
 from game.compiler.decorator import kernel
 from game.compiler.progress import compiling

@@ -117,6 +117,17 @@ def test_where_nothing_is_built_undo_goes_nowhere(driver: Driver, monkeypatch):
     assert driver.stage.step_number >= step and any("step by step" in words for words in said)
 
 
+def test_a_scene_that_undoes_by_itself_is_asked(start, monkeypatch):
+    driver = start(catalogue=CATALOGUE)
+    driver.open("c12")
+    driver.frames(3)
+    done = []
+    monkeypatch.setattr(driver.stage.scene, "action", done.append)
+    driver.key(pygame.K_z, mod=pygame.KMOD_LCTRL)
+    driver.frames(3)
+    assert done == ["undo"]
+
+
 @pytest.mark.parametrize(
     ("scene", "press", "release"),
     [("solids", (0.0, 6.0), (0.6, 6.6)), ("wind-tunnel", (-0.3, 0.0), (0.3, 0.2))],

@@ -20,6 +20,13 @@ def test_a_scene_without_a_fault():
     assert check_definition(BouncingBall) is None  # and nothing is raised
 
 
+def test_a_scene_may_undo_in_its_own_way():
+    class Undoing(BouncingBall):
+        actions = (SceneAction("undo", "undo", "ctrl+z"),)
+
+    assert check_definition(Undoing) is None  # the command of that name asks the scene
+
+
 def test_a_key_that_is_taken():
     class Taken(BouncingBall):
         actions = (SceneAction("kick", "Kick", "A"),)

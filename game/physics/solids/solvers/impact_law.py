@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 
 NEWTON, POISSON, ENERGETIC = range(3)
 IMPACT_LAWS = ("newton", "poisson", "energetic")

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import inner_kernel
+from game.compiler.decorator import inner_kernel
 from game.physics.solids.joints.sweeps import solve_three
 from game.physics.solids.rows import FIRST, RESTLESS, SECOND
 from game.physics.solids.solvers.impact_law import impact_impulse
