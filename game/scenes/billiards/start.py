@@ -22,7 +22,7 @@ START = (
     ),
     StartLine(
         "guide", "Guide", "what is shown of your stroke",
-        (("auto", "Suits the game"), ("whole", "Whole path"), ("first", "To the first ball"),
+        (("auto", "Suits the game"), ("whole", "Full path"), ("first", "To the first ball"),
          ("none", "None")),
         "auto",
     ),

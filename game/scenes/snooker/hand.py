@@ -18,7 +18,7 @@ FINER = 0.1  # of it while Shift is held
 POWER_STEP, TIP_STEP = 0.1, 0.05  # m/s, ball radii, for a key or a notch
 CLICK = 0.008  # m; a pointer that moves no farther while it presses has clicked, not pulled
 OPTIONS = ("first", "second", "third")
-GUIDE_BUTTONS = {"whole": "Whole path", "first": "First ball", "none": "No guide"}
+GUIDE_BUTTONS = {"whole": "Full path", "first": "First ball", "none": "No guide"}
 
 
 class SnookerHand(Part):

@@ -14,7 +14,7 @@ LEAST_POWER = 0.1  # m/s
 LARGEST_TIP = 0.6  # ball radii
 STEEPEST_DEG = 80.0
 WHOLE, FIRST, NONE = GUIDES = ("whole", "first", "none")
-GUIDE_LABELS = ("Whole path", "To the first ball", "None")
+GUIDE_LABELS = ("Full path", "To the first ball", "None")
 
 
 class SnookerParameters(Parameters):

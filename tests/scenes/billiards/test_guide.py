@@ -41,7 +41,7 @@ def test_a_choice_holds_in_every_game_and_the_button_and_v_go_round():
     for _ in range(3):
         press(stage, layout.button_box(row))
         seen.append((play.guide, stage.scene.buttons.rows()[row][1]))
-    assert seen == [(FIRST, "First ball"), (NONE, "No guide"), (WHOLE, "Whole path")]
+    assert seen == [(FIRST, "First ball"), (NONE, "No guide"), (WHOLE, "Full path")]
     stage.post(Action("view"))
     assert play.guide == FIRST
     stage.post(SetParameter("guide", "auto"))

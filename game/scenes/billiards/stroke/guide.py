@@ -7,8 +7,8 @@ from game.billiards.game.rules import Game
 
 WHOLE, FIRST, NONE = "whole", "first", "none"
 GUIDES = (WHOLE, FIRST, NONE)
-GUIDE_LABELS = ("Whole path", "To the first ball", "None")
-GUIDE_BUTTONS = {WHOLE: "Whole path", FIRST: "First ball", NONE: "No guide"}
+GUIDE_LABELS = ("Full path", "To the first ball", "None")
+GUIDE_BUTTONS = {WHOLE: "Full path", FIRST: "First ball", NONE: "No guide"}
 
 
 def guide_of(chosen: str, game: Game) -> str:

@@ -11,6 +11,8 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 
+LEAST = 10  # design px of letters
+
 
 def draw_button(
     canvas: Canvas, look: Look, box: Box, words: str, on: bool = False, pressed: bool = False
@@ -29,10 +31,14 @@ def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pre
     fill = theme.accent if on else theme.hover if pressed else theme.inset
     draw_box(picture, rect, look.px(8), fill, None if on else theme.line2, look.border)
     color = theme.on_accent if on else theme.text1
-    letters, space = 12, rect.w - look.px(8)
+    letters, space = 12, rect.w - look.px(4)
     lines = [words]
-    if rect.h >= look.px(32) and look.fonts.size(words, 12, "semibold")[0] > space:
-        letters, lines = 11, look.fonts.wrap(words, 11, "semibold", space)[:2]
+    if look.fonts.size(words, 12, "semibold")[0] > space:
+        letters = 11
+        if rect.h >= look.px(32):
+            lines = look.fonts.wrap(words, 11, "semibold", space)[:2]
+        elif look.fonts.size(words, 11, "semibold")[0] > space:
+            letters = LEAST
     for row, line in enumerate(lines):
         y = rect.centery + (row - 0.5 * (len(lines) - 1)) * look.px(14)
         fitted = look.fonts.fit(line, letters, "semibold", space)
