@@ -9,6 +9,7 @@ Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 Longs = NDArray[np.int64]
 Samples = NDArray[np.int16]  # of sound, (n, 2)
+Ints = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 Inks = NDArray[np.uint32]  # colours as pixels have them
 Point = tuple[float, float]

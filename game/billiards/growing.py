@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.state import IN_MOTION, IN_WZ
 from game.billiards.lecture.shot import LecturePlay, lecture_settings_for
 from game.billiards.shot.physics import ShotError
@@ -24,8 +24,6 @@ from game.billiards.shot.sampled import (
 from game.billiards.shot.shot import Shot
 from game.billiards.stepped.play import SteppedPlay
 
-Array = NDArray[np.float64]
-
 GRID_HZ = 120.0  # what lies at multiples of 1/120 s is known to one step, however short that is
 FIRST_CAPACITY = 256  # samples
 
@@ -36,10 +34,10 @@ class Play(Protocol):
     time: float
 
     @property
-    def events(self) -> Array:
+    def events(self) -> Floats:
         """Events so far (e, 4), as in `Trajectory`."""
 
-    def write(self, sample: Array) -> None:
+    def write(self, sample: Floats) -> None:
         """Write the balls as they are to sample (n, 8)."""
 
     def play_to(self, step: int, dt: float) -> bool:
@@ -104,7 +102,7 @@ class GrowingTrajectory(SampledTrajectory):
         self.end[:, IN_MOTION] = self._samples[k, :, SAMPLE_MOTION]
 
     @property
-    def _turns(self) -> Array:
+    def _turns(self) -> Floats:
         """Quaternions at the samples (m, n, 4); those that are new since the last time are computed."""
         new = slice(self._turned - 1, self._kept)
         turn_samples(self._times[new], self._samples[new], self._quaternions[new])

@@ -12,10 +12,10 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.batch import Batch, Log
-from game.billiards.laws.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, IN_COLUMNS, STATUS
 from game.billiards.shot.shot import Shot, batch_of
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import (
@@ -25,8 +25,6 @@ from game.billiards.simulation import (
     play_into,
     simulate_exact,
 )
-
-Array = NDArray[np.float64]
 
 CHUNK = 256  # shots a thread takes at a time
 EVENTS_A_SHOT = 40  # first guess of the capacity of a log
@@ -43,9 +41,9 @@ class Trajectories(Sequence[Trajectory]):
     def __init__(
         self,
         shots: Sequence[Shot],
-        rows: list[Array],
-        ends: list[Array],
-        end_times: Array,
+        rows: list[Floats],
+        ends: list[Floats],
+        end_times: Floats,
         options: dict[str, Any],
     ) -> None:
         """options: how to play a shot again."""
@@ -84,24 +82,24 @@ def simulate_many(
     else:
         with ThreadPoolExecutor(workers) as pool:
             played = list(pool.map(lambda batch: play_batch(batch, until, max_events), batches))
-    rows: list[Array] = [np.empty((0, 4))] * len(shots)
-    ends: list[Array] = [np.empty((0, 11))] * len(shots)
+    rows: list[Floats] = [np.empty((0, 4))] * len(shots)
+    ends: list[Floats] = [np.empty((0, 11))] * len(shots)
     end_times = np.empty(len(shots))
     for chunk, parts in zip(chunks, played, strict=True):
         places = iter(chunk)
         for log, first, end in parts:
             for row in range(first, end):
                 i = next(places)
-                rows[i] = log.events[int(log.ends[row, EVENTS_START]) : int(log.ends[row, EVENTS_END])]
+                rows[i] = log.events[int(log.ends[row, s.EVENTS_START]) : int(log.ends[row, s.EVENTS_END])]
                 ends[i] = log.final[row]
-                end_times[i] = log.ends[row, END_TIME]
+                end_times[i] = log.ends[row, s.END_TIME]
     return Trajectories(shots, rows, ends, end_times, {"until": until, "max_events": max_events})
 
 
 def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, int, int]]:
     """Play a batch into as many logs as it takes: (log, first row, end of rows) each."""
     shots, n, columns = batch.balls.shape
-    flies = columns > IN_COLUMNS
+    flies = columns > s.IN_COLUMNS
     parts = []
     first = 0
     capacity = max(1024, 2 * n * n, EVENTS_A_SHOT * shots)
@@ -111,7 +109,7 @@ def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, i
         if end == first:
             capacity *= 4
             continue
-        for row in first + np.flatnonzero(log.ends[first:end, STATUS] != FINISHED):
+        for row in first + np.flatnonzero(log.ends[first:end, s.STATUS] != s.FINISHED):
             check_status(log.ends[row], max_events)
         parts.append((log, first, end))
         first = end

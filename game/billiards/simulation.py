@@ -9,33 +9,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.exact.play import play_shots
 from game.billiards.flight.play import play_flying_shots
+from game.billiards.laws import state as s
 from game.billiards.laws.batch import Batch, Log, Workspace, workspace
-from game.billiards.laws.state import (
-    END_TIME,
-    EVENT_LIMIT,
-    EVENTS_END,
-    EVENTS_START,
-    FLIGHT_IN_COLUMNS,
-    FLIGHT_SEGMENT_COLUMNS,
-    IN_COLUMNS,
-    NOT_FINITE,
-    SEGMENT_COLUMNS,
-    SEGMENTS_END,
-    SEGMENTS_START,
-    STATUS,
-)
 from game.billiards.lecture.shot import simulate_lecture
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot.shot_file import load_shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.stepped.play import simulate_stepped
 from game.billiards.table.table import Table
-
-Array = NDArray[np.float64]
 
 MAX_EVENTS = 20_000  # of one shot; breaks have about 150
 FIRST_CAPACITY = 1024  # events in a log
@@ -63,11 +48,11 @@ def log_for(shots: int, n: int, capacity: int, paths: bool = True, flies: bool =
         np.empty(
             (
                 2 * capacity + shots * n if paths else 0,
-                FLIGHT_SEGMENT_COLUMNS if flies else SEGMENT_COLUMNS,
+                s.FLIGHT_SEGMENT_COLUMNS if flies else s.SEGMENT_COLUMNS,
             )
         ),
         np.empty((shots, 6)),
-        np.empty((shots, n, FLIGHT_IN_COLUMNS if flies else IN_COLUMNS)),
+        np.empty((shots, n, s.FLIGHT_IN_COLUMNS if flies else s.IN_COLUMNS)),
     )
 
 
@@ -77,7 +62,7 @@ def play_into(log: Log, batch: Batch, first: int, until: float, max_events: int)
     The door to the two kernels: balls (m, n, 13) may leave the slate, balls (m, n, 11) do not.
     """
     work = workspace_for(batch.balls.shape[1])
-    if batch.balls.shape[2] > IN_COLUMNS:
+    if batch.balls.shape[2] > s.IN_COLUMNS:
         return int(play_flying_shots(work, batch, log, first, until, max_events))
     return int(play_shots(*work, *batch, *log, first, until, max_events))
 
@@ -90,13 +75,13 @@ def _log_of_one(n: int, capacity: int, flies: bool) -> Log:
     return logs[n]
 
 
-def check_status(ends: Array, max_events: int) -> None:
+def check_status(ends: Floats, max_events: int) -> None:
     """SimulationError if a shot did not finish. ends (6,): its row of the log."""
-    if int(ends[STATUS]) == EVENT_LIMIT:
+    if int(ends[s.STATUS]) == s.EVENT_LIMIT:
         raise SimulationError(
-            f"more than {max_events} events by {ends[END_TIME]:.6g} s; the shot was given up"
+            f"more than {max_events} events by {ends[s.END_TIME]:.6g} s; the shot was given up"
         )
-    if int(ends[STATUS]) == NOT_FINITE:
+    if int(ends[s.STATUS]) == s.NOT_FINITE:
         raise SimulationError("a number of the shot's end state is not finite")
 
 
@@ -124,10 +109,10 @@ def cut_from_log(shot: Shot, log: Log, number: int) -> Trajectory:
     ends = log.ends[number].tolist()
     return Trajectory(
         shot,
-        log.events[int(ends[EVENTS_START]) : int(ends[EVENTS_END])].copy(),
-        log.segments[int(ends[SEGMENTS_START]) : int(ends[SEGMENTS_END])].copy(),
+        log.events[int(ends[s.EVENTS_START]) : int(ends[s.EVENTS_END])].copy(),
+        log.segments[int(ends[s.SEGMENTS_START]) : int(ends[s.SEGMENTS_END])].copy(),
         log.final[number].copy(),
-        ends[END_TIME],
+        ends[s.END_TIME],
     )
 
 

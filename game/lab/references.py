@@ -9,11 +9,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 
 class Carom(NamedTuple):
@@ -26,12 +24,12 @@ class Carom(NamedTuple):
     width: float
     length: float
     radius: float
-    start: Array
-    velocities: Array
+    start: Floats
+    velocities: Floats
     event_times: tuple[float, ...]
     time: float
-    end: Array
-    end_velocities: Array
+    end: Floats
+    end_velocities: Floats
 
 
 # roots of the quadratics of contact, each flight and reflection exact
@@ -50,7 +48,7 @@ CAROM = Carom(
 )
 
 
-def two_balls(start: Array, velocities: Array, radius: float, time: float) -> Array:
+def two_balls(start: Floats, velocities: Floats, radius: float, time: float) -> Floats:
     """Positions (2, 2) m at `time` s of two equal balls that meet once, elastic, without friction.
 
     start, velocities (2, 2). Time of contact from |d + u t| = 2 R, its constant term written as

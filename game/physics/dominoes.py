@@ -13,11 +13,10 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
 
-Floats = NDArray[np.float64]
 STANDARD_GRAVITY = 9.81  # m/s²
 PIECES = 200  # of the front's way from upright to the next domino
 NEGLIGIBLE = 1e-10  # weight of a domino in the train, beside that of the front

@@ -22,34 +22,35 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
-Acceleration = Callable[[Array, Array, float], Any]
-Step = Callable[[Acceleration, Array, Array, float, float], tuple[Array, Array]]
+from game.arrays import Floats
+
+Acceleration = Callable[[Floats, Floats, float], Any]
+Step = Callable[[Acceleration, Floats, Floats, float, float], tuple[Floats, Floats]]
 
 MAX_STEPS = 100_000_000
 
 
-def _explicit_euler(a: Acceleration, x: Array, v: Array, t: float, dt: float) -> tuple[Array, Array]:
+def _explicit_euler(a: Acceleration, x: Floats, v: Floats, t: float, dt: float) -> tuple[Floats, Floats]:
     """Both from the old state (Euler 1768)."""
     return x + v * dt, v + a(x, v, t) * dt
 
 
-def _semi_implicit_euler(a: Acceleration, x: Array, v: Array, t: float, dt: float) -> tuple[Array, Array]:
+def _semi_implicit_euler(a: Acceleration, x: Floats, v: Floats, t: float, dt: float) -> tuple[Floats, Floats]:
     """Velocity first, position with the new velocity; symplectic."""
     v = v + a(x, v, t) * dt
     return x + v * dt, v
 
 
-def _midpoint(a: Acceleration, x: Array, v: Array, t: float, dt: float) -> tuple[Array, Array]:
+def _midpoint(a: Acceleration, x: Floats, v: Floats, t: float, dt: float) -> tuple[Floats, Floats]:
     """Slope in the middle, reached by half an Euler step (Runge 1895)."""
     half = 0.5 * dt
     x_middle, v_middle = x + v * half, v + a(x, v, t) * half
     return x + v_middle * dt, v + a(x_middle, v_middle, t + half) * dt
 
 
-def _verlet(a: Acceleration, x: Array, v: Array, t: float, dt: float) -> tuple[Array, Array]:
+def _verlet(a: Acceleration, x: Floats, v: Floats, t: float, dt: float) -> tuple[Floats, Floats]:
     """Velocity Verlet (Swope, Andersen, Berens, Wilson 1982), the velocity in a(...) predicted by Euler."""
     before = a(x, v, t)
     x = x + v * dt + before * (0.5 * dt * dt)
@@ -57,7 +58,7 @@ def _verlet(a: Acceleration, x: Array, v: Array, t: float, dt: float) -> tuple[A
     return x, v + (before + after) * (0.5 * dt)
 
 
-def _rk4(a: Acceleration, x: Array, v: Array, t: float, dt: float) -> tuple[Array, Array]:
+def _rk4(a: Acceleration, x: Floats, v: Floats, t: float, dt: float) -> tuple[Floats, Floats]:
     """Classical Runge-Kutta (Kutta 1901)."""
     half = 0.5 * dt
     a1 = a(x, v, t)
@@ -89,7 +90,7 @@ def integrate(
     velocity: ArrayLike,
     dt: float,
     steps: int,
-) -> tuple[Array, Array]:
+) -> tuple[Floats, Floats]:
     """Position and velocity after `steps` steps of dt s, from time 0; new arrays.
 
     acceleration(position, velocity, time): a Python function or a kernel; it gets arrays of the shape of
@@ -114,7 +115,7 @@ def integrate(
     return np.asarray(x), np.asarray(v)
 
 
-def _finite(name: str, value: ArrayLike) -> Array:
+def _finite(name: str, value: ArrayLike) -> Floats:
     """A float64 copy; ValueError if an entry is not finite."""
     array = np.array(value, dtype=np.float64)
     if not np.isfinite(array).all():

@@ -9,7 +9,7 @@ import numpy as np
 
 from game.arrays import Floats
 from game.physics.solids import SolidWorld
-from game.physics.solids import state as s
+from game.physics.solids.arrays import state as s
 from game.stage import Steady
 
 QUIETEST = 0.02  # m/s; what creeps is silent

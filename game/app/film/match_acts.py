@@ -6,14 +6,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.players.match import Match, Round
 from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
-
-Array = NDArray[np.float64]
 
 TITLE_S, END_S = 4.0, 5.0
 BEFORE_S, AFTER_S = 0.5, 0.9  # s of rest before and after each round
@@ -61,7 +59,7 @@ def potted_at(one: Round) -> float:
     return one.trajectory.end_time
 
 
-def what_matters(act: Act, time: float) -> tuple[Array, Array]:
+def what_matters(act: Act, time: float) -> tuple[Floats, Floats]:
     """Corners (m) of a box round the balls of the chain that move or soon will, and then the pocket."""
     trajectory, fallen = act.round.trajectory, act.round.fallen
     chain = [trajectory.shot.ids.index(str(number)) for number in (CUE_BALL, *fallen.chain)]

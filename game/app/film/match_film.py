@@ -8,11 +8,11 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
 from game.app.film.match_acts import END_S, TITLE_S, WHOLE, Act, acts_of, potted_at, what_matters, width_of
 from game.app.film.match_tally import draw_tally
 from game.app.film.story_film import Excerpt, StoryFilm, write_story_film
+from game.arrays import Floats
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.players.match import PLAYERS, Match
@@ -33,8 +33,6 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import TableView, table_picture
 
-Array = NDArray[np.float64]
-
 BACKDROP_SCALE = 700.0  # px/m, of the painted table
 SURROUND = 0.8  # m of floor round the bed in the backdrop
 BANDS = ("chalk", "vermilion")  # of the two cues
@@ -47,7 +45,7 @@ HEADING = "A billiard match"
 class MatchState(NamedTuple):
     """clock: (1,) s since the match began."""
 
-    clock: Array
+    clock: Floats
 
 
 class MatchScene(Scene):
@@ -148,7 +146,7 @@ class MatchScene(Scene):
             self._backdrop = table_picture(size, table, view, canvas.theme)
         return self._backdrop
 
-    def _all_turns(self) -> list[Array]:
+    def _all_turns(self) -> list[Floats]:
         """How the sixteen balls lie at the beginning of each round, (16, 3, 3)."""
         turns = rotation_matrices(scattered_orientations(16, self.match.seed))
         found = []

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts import NO_FRICTION
 from game.billiards.laws.contacts.ball_ball_friction import (
     friction_limit,
@@ -27,44 +28,6 @@ from game.billiards.laws.contacts.ball_ball_friction import (
 from game.billiards.laws.contacts.ball_ball_normal import reach_of
 from game.billiards.laws.joint import ContactGraph, solve_joint_impulses
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    AIRBORNE,
-    AT_REST,
-    AX,
-    AY,
-    BALL_LAW,
-    BALL_RESTITUTION,
-    CONTACT_GAP,
-    FIRST,
-    IMPULSE,
-    INVERSE_MASS,
-    JOINT_IMPULSE,
-    MARK,
-    MEET,
-    MEMBER,
-    MOTION,
-    PUSH_X,
-    PUSH_Y,
-    PX,
-    PY,
-    PZ,
-    RADIUS,
-    RESTITUTION,
-    RUBBED,
-    SECOND,
-    TIME,
-    TURN_X,
-    TURN_Y,
-    TURN_Z,
-    VALENCE,
-    VX,
-    VY,
-    WX,
-    WY,
-    WZ,
-    X,
-    Y,
-)
 
 FRICTION_PASSES = 8
 SAME_MOMENT = 1e-9  # s; how far ahead a predicted contact is looked at as a candidate
@@ -77,9 +40,9 @@ def has_company(pairs, i, j, now):
     soon = now + SAME_MOMENT
     for k in range(pairs.shape[1]):
         if k != i and k != j:
-            if pairs[MEET, i, k] <= soon or pairs[MEET, i, k] == AT_REST:
+            if pairs[s.MEET, i, k] <= soon or pairs[s.MEET, i, k] == s.AT_REST:
                 return True
-            if pairs[MEET, j, k] <= soon or pairs[MEET, j, k] == AT_REST:
+            if pairs[s.MEET, j, k] <= soon or pairs[s.MEET, j, k] == s.AT_REST:
                 return True
     return False
 
@@ -87,16 +50,16 @@ def has_company(pairs, i, j, now):
 @inner_kernel(inline="always")
 def gap_at(state, i, j, now):
     """Gap of balls i and j at the time `now`, m, and the unit vector from i to j."""
-    t = now - state[TIME, i]
-    x = -(state[X, i] + t * (state[VX, i] + t * state[AX, i]))
-    y = -(state[Y, i] + t * (state[VY, i] + t * state[AY, i]))
-    t = now - state[TIME, j]
-    x += state[X, j] + t * (state[VX, j] + t * state[AX, j])
-    y += state[Y, j] + t * (state[VY, j] + t * state[AY, j])
+    t = now - state[s.TIME, i]
+    x = -(state[s.X, i] + t * (state[s.VX, i] + t * state[s.AX, i]))
+    y = -(state[s.Y, i] + t * (state[s.VY, i] + t * state[s.AY, i]))
+    t = now - state[s.TIME, j]
+    x += state[s.X, j] + t * (state[s.VX, j] + t * state[s.AX, j])
+    y += state[s.Y, j] + t * (state[s.VY, j] + t * state[s.AY, j])
     distance = math.sqrt(x * x + y * y)
     if distance == 0.0:
-        return -reach_of(state[RADIUS, i], state[RADIUS, j]), 1.0, 0.0
-    return distance - reach_of(state[RADIUS, i], state[RADIUS, j]), x / distance, y / distance
+        return -reach_of(state[s.RADIUS, i], state[s.RADIUS, j]), 1.0, 0.0
+    return distance - reach_of(state[s.RADIUS, i], state[s.RADIUS, j]), x / distance, y / distance
 
 
 @inner_kernel
@@ -109,35 +72,35 @@ def gather_contacts(state, modes, pairs, i, j, now, ends, normals):
     """
     n = state.shape[1]
     for k in range(n):
-        modes[MARK, k] = NEW
-    modes[MEMBER, 0] = i
-    modes[MEMBER, 1] = j
-    modes[MARK, i] = WAITING
-    modes[MARK, j] = WAITING
+        modes[s.MARK, k] = NEW
+    modes[s.MEMBER, 0] = i
+    modes[s.MEMBER, 1] = j
+    modes[s.MARK, i] = WAITING
+    modes[s.MARK, j] = WAITING
     found = 2
     count = 0
     soon = now + SAME_MOMENT
     head = 0
     while head < found:
-        a = modes[MEMBER, head]
-        modes[MARK, a] = DONE
+        a = modes[s.MEMBER, head]
+        modes[s.MARK, a] = DONE
         head += 1
         for k in range(n):
             struck = head == 1 and k == j
-            near = struck or pairs[MEET, a, k] <= soon or pairs[MEET, a, k] == AT_REST
-            if not near or modes[MARK, k] == DONE or modes[MOTION, k] == AIRBORNE:
+            near = struck or pairs[s.MEET, a, k] <= soon or pairs[s.MEET, a, k] == s.AT_REST
+            if not near or modes[s.MARK, k] == DONE or modes[s.MOTION, k] == s.AIRBORNE:
                 continue
             gap, nx, ny = gap_at(state, a, k, now)
-            if gap > CONTACT_GAP and not struck:
+            if gap > s.CONTACT_GAP and not struck:
                 continue
-            ends[FIRST, count] = a
-            ends[SECOND, count] = k
+            ends[s.FIRST, count] = a
+            ends[s.SECOND, count] = k
             normals[count, 0] = nx
             normals[count, 1] = ny
             count += 1
-            if modes[MARK, k] == NEW:
-                modes[MARK, k] = WAITING
-                modes[MEMBER, found] = k
+            if modes[s.MARK, k] == NEW:
+                modes[s.MARK, k] = WAITING
+                modes[s.MEMBER, found] = k
                 found += 1
     return count, found
 
@@ -147,25 +110,25 @@ def _demand_friction(state, count, ends, normals, forces, physics):
     """Tangential impulse that each contact demands in this pass, shared out. Returns the largest, N s."""
     largest = 0.0
     for m in range(count):
-        forces[PX, m] = 0.0
-        forces[PY, m] = 0.0
-        forces[PZ, m] = 0.0
-        if forces[IMPULSE, m] <= 0.0:
+        forces[s.PX, m] = 0.0
+        forces[s.PY, m] = 0.0
+        forces[s.PZ, m] = 0.0
+        if forces[s.IMPULSE, m] <= 0.0:
             continue
-        i = ends[FIRST, m]
-        j = ends[SECOND, m]
+        i = ends[s.FIRST, m]
+        j = ends[s.SECOND, m]
         cx, cy, cz, cosine = slip_between(state, i, j, normals[m, 0], normals[m, 1])
         slip = math.sqrt(cx * cx + cy * cy + cz * cz)
         if slip == 0.0:
             continue
-        limit = friction_limit(slip, forces[IMPULSE, m], physics) / cosine
-        demand = min(limit - forces[RUBBED, m], sticking_impulse(state, i, j, slip))
-        demand /= max(state[VALENCE, i], state[VALENCE, j])
+        limit = friction_limit(slip, forces[s.IMPULSE, m], physics) / cosine
+        demand = min(limit - forces[s.RUBBED, m], sticking_impulse(state, i, j, slip))
+        demand /= max(state[s.VALENCE, i], state[s.VALENCE, j])
         if demand > 0.0:
-            forces[PX, m] = -demand * cx / slip
-            forces[PY, m] = -demand * cy / slip
-            forces[PZ, m] = -demand * cz / slip
-            forces[RUBBED, m] += demand
+            forces[s.PX, m] = -demand * cx / slip
+            forces[s.PY, m] = -demand * cy / slip
+            forces[s.PZ, m] = -demand * cz / slip
+            forces[s.RUBBED, m] += demand
             largest = max(largest, demand)
     return largest
 
@@ -174,53 +137,53 @@ def _demand_friction(state, count, ends, normals, forces, physics):
 def _sum_friction(state, count, ends, normals, forces, grid):
     """Sum impulses and torques of each ball, on a grid: adding and subtracting `grid` rounds to it."""
     for m in range(count):
-        if forces[IMPULSE, m] <= 0.0:
+        if forces[s.IMPULSE, m] <= 0.0:
             continue
-        i = ends[FIRST, m]
-        j = ends[SECOND, m]
-        px = (forces[PX, m] + grid) - grid
-        py = (forces[PY, m] + grid) - grid
+        i = ends[s.FIRST, m]
+        j = ends[s.SECOND, m]
+        px = (forces[s.PX, m] + grid) - grid
+        py = (forces[s.PY, m] + grid) - grid
         turn_x, turn_y, turn_z = torque_direction(
-            state, i, j, normals[m, 0], normals[m, 1], forces[PX, m], forces[PY, m], forces[PZ, m]
+            state, i, j, normals[m, 0], normals[m, 1], forces[s.PX, m], forces[s.PY, m], forces[s.PZ, m]
         )
-        state[PUSH_X, i] += px
-        state[PUSH_Y, i] += py
-        state[PUSH_X, j] -= px
-        state[PUSH_Y, j] -= py
+        state[s.PUSH_X, i] += px
+        state[s.PUSH_Y, i] += py
+        state[s.PUSH_X, j] -= px
+        state[s.PUSH_Y, j] -= py
         for side in range(2):
             ball = ends[side, m]
-            state[TURN_X, ball] += (turn_x + grid) - grid
-            state[TURN_Y, ball] += (turn_y + grid) - grid
-            state[TURN_Z, ball] += (turn_z + grid) - grid
+            state[s.TURN_X, ball] += (turn_x + grid) - grid
+            state[s.TURN_Y, ball] += (turn_y + grid) - grid
+            state[s.TURN_Z, ball] += (turn_z + grid) - grid
 
 
 @inner_kernel
 def _rub_jointly(state, modes, found, count, ends, normals, forces, physics):
     """Friction of all contacts that got an impulse."""
     for q in range(found):
-        state[VALENCE, modes[MEMBER, q]] = 0.0
+        state[s.VALENCE, modes[s.MEMBER, q]] = 0.0
     for m in range(count):
-        forces[RUBBED, m] = 0.0
-        if forces[IMPULSE, m] > 0.0:
-            state[VALENCE, ends[FIRST, m]] += 1.0
-            state[VALENCE, ends[SECOND, m]] += 1.0
+        forces[s.RUBBED, m] = 0.0
+        if forces[s.IMPULSE, m] > 0.0:
+            state[s.VALENCE, ends[s.FIRST, m]] += 1.0
+            state[s.VALENCE, ends[s.SECOND, m]] += 1.0
     for _ in range(FRICTION_PASSES):
         largest = _demand_friction(state, count, ends, normals, forces, physics)
         if largest == 0.0:
             return
         for q in range(found):
-            for row in range(PUSH_X, VALENCE):
-                state[row, modes[MEMBER, q]] = 0.0
+            for row in range(s.PUSH_X, s.VALENCE):
+                state[row, modes[s.MEMBER, q]] = 0.0
         # the grid is 2^-40 of the largest; sums of 2^10 numbers on it are exact
         _sum_friction(state, count, ends, normals, forces, 1.5 * math.ldexp(1.0, math.frexp(largest)[1] + 12))
         for q in range(found):
-            k = modes[MEMBER, q]
-            lever = 2.5 * state[INVERSE_MASS, k] / state[RADIUS, k]
-            state[VX, k] += state[PUSH_X, k] * state[INVERSE_MASS, k]
-            state[VY, k] += state[PUSH_Y, k] * state[INVERSE_MASS, k]
-            state[WX, k] += state[TURN_X, k] * lever
-            state[WY, k] += state[TURN_Y, k] * lever
-            state[WZ, k] += state[TURN_Z, k] * lever
+            k = modes[s.MEMBER, q]
+            lever = 2.5 * state[s.INVERSE_MASS, k] / state[s.RADIUS, k]
+            state[s.VX, k] += state[s.PUSH_X, k] * state[s.INVERSE_MASS, k]
+            state[s.VY, k] += state[s.PUSH_Y, k] * state[s.INVERSE_MASS, k]
+            state[s.WX, k] += state[s.TURN_X, k] * lever
+            state[s.WY, k] += state[s.TURN_Y, k] * lever
+            state[s.WZ, k] += state[s.TURN_Z, k] * lever
 
 
 @inner_kernel
@@ -231,31 +194,31 @@ def collide_jointly(state, modes, found, count, cluster, physics):
     contact's normal impulses, N s; the rest is scratch.
     """
     ends, forces, normals, velocities, scratch = cluster
-    graph = ContactGraph(ends[FIRST], ends[SECOND], normals)
+    graph = ContactGraph(ends[s.FIRST], ends[s.SECOND], normals)
     for m in range(count):
-        forces[RESTITUTION, m] = physics[BALL_RESTITUTION]
-        forces[IMPULSE, m] = 0.0
+        forces[s.RESTITUTION, m] = physics[s.BALL_RESTITUTION]
+        forces[s.IMPULSE, m] = 0.0
     for turn in range(2):
         for q in range(found):
-            k = modes[MEMBER, q]
-            velocities[k, 0] = state[VX, k]
-            velocities[k, 1] = state[VY, k]
+            k = modes[s.MEMBER, q]
+            velocities[k, 0] = state[s.VX, k]
+            velocities[k, 1] = state[s.VY, k]
         solve_joint_impulses(
             count,
             graph,
-            forces[RESTITUTION],
-            state[INVERSE_MASS],
+            forces[s.RESTITUTION],
+            state[s.INVERSE_MASS],
             velocities,
-            forces[JOINT_IMPULSE],
+            forces[s.JOINT_IMPULSE],
             False,
             scratch,
         )
         for q in range(found):
-            k = modes[MEMBER, q]
-            state[VX, k] = velocities[k, 0]
-            state[VY, k] = velocities[k, 1]
+            k = modes[s.MEMBER, q]
+            state[s.VX, k] = velocities[k, 0]
+            state[s.VY, k] = velocities[k, 1]
         for m in range(count):
-            forces[IMPULSE, m] += forces[JOINT_IMPULSE, m]
-        if turn == 1 or physics[BALL_LAW] == NO_FRICTION:
+            forces[s.IMPULSE, m] += forces[s.JOINT_IMPULSE, m]
+        if turn == 1 or physics[s.BALL_LAW] == NO_FRICTION:
             return
         _rub_jointly(state, modes, found, count, ends, normals, forces, physics)

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import AT_REST, CLOSING_SPEED, CONTACT_GAP, NEVER
 
 MAX_STEPS = 200
 LAST_PLACE = 2.0**-52
@@ -97,8 +97,8 @@ def first_contact_time(x, y, vx, vy, ax, ay, reach, horizon):
     c2 = vx * vx + vy * vy + 2.0 * (x * ax + y * ay)
     c3 = 2.0 * (vx * ax + vy * ay)
     c4 = ax * ax + ay * ay
-    threshold = 2.0 * reach * CLOSING_SPEED
-    missed = AT_REST if distance - reach <= CONTACT_GAP and c1 <= threshold else NEVER
+    threshold = 2.0 * reach * s.CLOSING_SPEED
+    missed = s.AT_REST if distance - reach <= s.CONTACT_GAP and c1 <= threshold else s.NEVER
     return first_closing(c0, c1, c2, c3, c4, threshold, missed, horizon)
 
 
@@ -111,20 +111,20 @@ def first_crossing(gap, speed, half_acceleration, horizon):
     if gap < -BEHIND:
         discriminant = speed * speed - 4.0 * half_acceleration * gap
         if speed <= 0.0 or half_acceleration >= 0.0 or discriminant <= 0.0:
-            return NEVER
+            return s.NEVER
         t = (speed + math.sqrt(discriminant)) / (-2.0 * half_acceleration)
-        return t if t <= horizon else NEVER
+        return t if t <= horizon else s.NEVER
     if gap <= 0.0:
-        if speed <= -CLOSING_SPEED:
+        if speed <= -s.CLOSING_SPEED:
             return 0.0
         if half_acceleration >= 0.0:
-            return NEVER
-        if speed > CLOSING_SPEED:
+            return s.NEVER
+        if speed > s.CLOSING_SPEED:
             t = speed / (-half_acceleration)
         else:
-            t = (speed + CLOSING_SPEED) / (-2.0 * half_acceleration)
-        return t if t <= horizon else NEVER
+            t = (speed + s.CLOSING_SPEED) / (-2.0 * half_acceleration)
+        return t if t <= horizon else s.NEVER
     t = _step_apart(gap, speed, 2.0 * half_acceleration)
-    if t < 0.0 or not (t <= horizon) or speed + 2.0 * half_acceleration * t > -CLOSING_SPEED:
-        return NEVER
+    if t < 0.0 or not (t <= horizon) or speed + 2.0 * half_acceleration * t > -s.CLOSING_SPEED:
+        return s.NEVER
     return t

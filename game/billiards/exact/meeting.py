@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from game.billiards.exact.cluster import collide_jointly, gather_contacts, has_company
+from game.billiards.laws import state as s
 from game.billiards.laws.impacts import collide_pair, end_chatter, normal_between
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.motion import advance, enter_phase
-from game.billiards.laws.state import FIRST, IMPULSE, MARK, MEMBER, SECOND, SLIDING
 
 HIT = 3  # mark of a ball that got an impulse
 
@@ -19,10 +19,10 @@ def meet_alone(state, modes, pairs, i, j, now, physics):
     nx, ny = normal_between(state, i, j)
     collide_pair(state, i, j, nx, ny, physics)
     stuck = end_chatter(state, pairs, i, j, nx, ny, now)
-    modes[MEMBER, 0] = i
-    modes[MEMBER, 1] = j
-    enter_phase(state, modes, i, SLIDING, physics)
-    enter_phase(state, modes, j, SLIDING, physics)
+    modes[s.MEMBER, 0] = i
+    modes[s.MEMBER, 1] = j
+    enter_phase(state, modes, i, s.SLIDING, physics)
+    enter_phase(state, modes, j, s.SLIDING, physics)
     return stuck
 
 
@@ -37,28 +37,28 @@ def meet_in_company(arrays, i, j, now, physics):
     ends, forces, normals = cluster.ends, cluster.forces, cluster.normals
     count, found = gather_contacts(state, modes, pairs, i, j, now, ends, normals)
     for q in range(found):
-        advance(state, modes, modes[MEMBER, q], now, physics)
+        advance(state, modes, modes[s.MEMBER, q], now, physics)
     collide_jointly(state, modes, found, count, cluster, physics)
     written = 0
     stuck = -1
     for m in range(count):
-        if forces[IMPULSE, m] > 0.0:
-            a = ends[FIRST, m]
-            b = ends[SECOND, m]
+        if forces[s.IMPULSE, m] > 0.0:
+            a = ends[s.FIRST, m]
+            b = ends[s.SECOND, m]
             if end_chatter(state, pairs, a, b, normals[m, 0], normals[m, 1], now):
                 stuck = a
-            ends[FIRST, written] = a
-            ends[SECOND, written] = b
+            ends[s.FIRST, written] = a
+            ends[s.SECOND, written] = b
             written += 1
-            modes[MARK, a] = HIT
-            modes[MARK, b] = HIT
+            modes[s.MARK, a] = HIT
+            modes[s.MARK, b] = HIT
     changed = 0
     for q in range(found):
-        k = modes[MEMBER, q]
-        if modes[MARK, k] == HIT:
-            modes[MEMBER, changed] = k
+        k = modes[s.MEMBER, q]
+        if modes[s.MARK, k] == HIT:
+            modes[s.MEMBER, changed] = k
             changed += 1
-            enter_phase(state, modes, k, SLIDING, physics)
+            enter_phase(state, modes, k, s.SLIDING, physics)
     return written, changed, stuck
 
 
@@ -70,8 +70,8 @@ def meet(arrays, i, j, now, physics):
     row MEMBER of modes. Returns the numbers of both, and a ball that is stuck (see `settling`), or -1.
     """
     ends = arrays.cluster.ends
-    ends[FIRST, 0] = i
-    ends[SECOND, 0] = j
+    ends[s.FIRST, 0] = i
+    ends[s.SECOND, 0] = j
     if has_company(arrays.pairs, i, j, now):
         return meet_in_company(arrays, i, j, now, physics)
     stuck = meet_alone(arrays.state, arrays.modes, arrays.pairs, i, j, now, physics)

@@ -11,27 +11,9 @@ import numpy as np
 
 from game.billiards.exact.detection import first_contact_time
 from game.billiards.exact.elements import LONGEST_SEARCH
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts.ball_ball_normal import reach_of
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    AT_REST,
-    AX,
-    AY,
-    MEET,
-    MOTION,
-    NEVER,
-    NEXT_TIME,
-    OWN_TIME,
-    PAIR_TIME,
-    PARTNER,
-    POCKETED,
-    RADIUS,
-    TIME,
-    VX,
-    VY,
-    X,
-    Y,
-)
 
 BLOCK = 32  # balls whose bits stand in one number
 
@@ -49,32 +31,32 @@ def may_meet(state, modes, pairs, i, start, count):
     One expression without branches, and an index that cannot be negative, so that the compiler takes several
     balls at a time.
     """
-    now = state[TIME, i]
-    xi = state[X, i]
-    yi = state[Y, i]
-    vxi = state[VX, i]
-    vyi = state[VY, i]
-    axi = state[AX, i]
-    ayi = state[AY, i]
-    own = min(state[OWN_TIME, i], now + LONGEST_SEARCH)
-    four_radius = 4.0 * state[RADIUS, i]
+    now = state[s.TIME, i]
+    xi = state[s.X, i]
+    yi = state[s.Y, i]
+    vxi = state[s.VX, i]
+    vyi = state[s.VY, i]
+    axi = state[s.AX, i]
+    ayi = state[s.AY, i]
+    own = min(state[s.OWN_TIME, i], now + LONGEST_SEARCH)
+    four_radius = 4.0 * state[s.RADIUS, i]
     bits = 0
     foreseen = 0
     for k in range(count):
         j = np.uintp(start + k)
-        elapsed = now - state[TIME, j]
-        ax = state[AX, j]
-        ay = state[AY, j]
-        vx = state[VX, j] + elapsed * ax
-        vy = state[VY, j] + elapsed * ay
-        x = state[X, j] + elapsed * vx - xi
-        y = state[Y, j] + elapsed * vy - yi
+        elapsed = now - state[s.TIME, j]
+        ax = state[s.AX, j]
+        ay = state[s.AY, j]
+        vx = state[s.VX, j] + elapsed * ax
+        vy = state[s.VY, j] + elapsed * ay
+        x = state[s.X, j] + elapsed * vx - xi
+        y = state[s.Y, j] + elapsed * vy - yi
         vx = vx + elapsed * ax - vxi
         vy = vy + elapsed * ay - vyi
         ax -= axi
         ay -= ayi
-        horizon = min(own, state[OWN_TIME, j]) - now
-        reach_square = four_radius * state[RADIUS, j]
+        horizon = min(own, state[s.OWN_TIME, j]) - now
+        reach_square = four_radius * state[s.RADIUS, j]
         # half of the square of the distance, less the reach: its value, slope and least curvature
         gap = 0.5 * (x * x + y * y - reach_square)
         along = x * vx + y * vy
@@ -90,58 +72,58 @@ def may_meet(state, modes, pairs, i, start, count):
         across = abs(x * vy - y * vx) - bend * abs(ax * vy - ay * vx)
         latest = along + horizon * speed_square + bend * max(push, 0.0)
         ruled_out = (
-            grows | ((gap > 1e-11 * reach_square) & above & (not dips)) | (modes[MOTION, j] == POCKETED)
+            grows | ((gap > 1e-11 * reach_square) & above & (not dips)) | (modes[s.MOTION, j] == s.POCKETED)
         )
         ruled_out |= ((across > 0.0) & (across * across > limit)) | (
             (latest < 0.0) & (latest * latest > limit)
         )
         ruled_out |= (speed_square == 0.0) & (gap > 0.1 * reach_square)
         bits |= (0 if ruled_out else 1) << k
-        foreseen |= (1 if pairs[MEET, i, j] < NEVER else 0) << k
+        foreseen |= (1 if pairs[s.MEET, i, j] < s.NEVER else 0) << k
     return bits, foreseen
 
 
 @inner_kernel(inline="always")
 def contact_time(state, i, j, now):
     """Time of the next contact of balls i and j, where i stands at `now`, s."""
-    elapsed = now - state[TIME, j]
-    ax = state[AX, j]
-    ay = state[AY, j]
-    vx = state[VX, j] + elapsed * ax
-    vy = state[VY, j] + elapsed * ay
-    x = state[X, j] + elapsed * vx - state[X, i]
-    y = state[Y, j] + elapsed * vy - state[Y, i]
-    vx += elapsed * ax - state[VX, i]
-    vy += elapsed * ay - state[VY, i]
-    ax -= state[AX, i]
-    ay -= state[AY, i]
-    reach = reach_of(state[RADIUS, i], state[RADIUS, j])
-    horizon = min(min(state[OWN_TIME, i], state[OWN_TIME, j]) - now, LONGEST_SEARCH)
+    elapsed = now - state[s.TIME, j]
+    ax = state[s.AX, j]
+    ay = state[s.AY, j]
+    vx = state[s.VX, j] + elapsed * ax
+    vy = state[s.VY, j] + elapsed * ay
+    x = state[s.X, j] + elapsed * vx - state[s.X, i]
+    y = state[s.Y, j] + elapsed * vy - state[s.Y, i]
+    vx += elapsed * ax - state[s.VX, i]
+    vy += elapsed * ay - state[s.VY, i]
+    ax -= state[s.AX, i]
+    ay -= state[s.AY, i]
+    reach = reach_of(state[s.RADIUS, i], state[s.RADIUS, j])
+    horizon = min(min(state[s.OWN_TIME, i], state[s.OWN_TIME, j]) - now, LONGEST_SEARCH)
     t = first_contact_time(x, y, vx, vy, ax, ay, reach, horizon)
-    return t if t >= AT_REST else now + t
+    return t if t >= s.AT_REST else now + t
 
 
 @inner_kernel(inline="always")
 def rescan(state, modes, pairs, j):
     """Find the least of row j again."""
-    best = NEVER
+    best = s.NEVER
     partner = -1
     for k in range(state.shape[1]):
-        if pairs[MEET, j, k] < best:
-            best = pairs[MEET, j, k]
+        if pairs[s.MEET, j, k] < best:
+            best = pairs[s.MEET, j, k]
             partner = k
-    state[PAIR_TIME, j] = best
-    modes[PARTNER, j] = partner
-    state[NEXT_TIME, j] = min(best, state[OWN_TIME, j])
+    state[s.PAIR_TIME, j] = best
+    modes[s.PARTNER, j] = partner
+    state[s.NEXT_TIME, j] = min(best, state[s.OWN_TIME, j])
 
 
 @inner_kernel(forceinline=True)
 def refresh_pairs(state, modes, pairs, i):
     """Renew all contact times of ball i, which has just changed and whose plan is made."""
     n = state.shape[1]
-    now = state[TIME, i]
-    gone = modes[MOTION, i] == POCKETED
-    best = NEVER
+    now = state[s.TIME, i]
+    gone = modes[s.MOTION, i] == s.POCKETED
+    best = s.NEVER
     partner = -1
     for start in range(0, n, BLOCK):
         end = min(start + BLOCK, n)
@@ -151,20 +133,20 @@ def refresh_pairs(state, modes, pairs, i):
         for j in range(start, end):
             if j == i or not ((bits | foreseen) >> (j - start)) & 1:
                 continue
-            t = NEVER
+            t = s.NEVER
             if (bits >> (j - start)) & 1:
                 t = contact_time(state, i, j, now)
-            pairs[MEET, i, j] = t
-            pairs[MEET, j, i] = t
+            pairs[s.MEET, i, j] = t
+            pairs[s.MEET, j, i] = t
             if t < best:
                 best = t
                 partner = j
-            if t < state[PAIR_TIME, j]:
-                state[PAIR_TIME, j] = t
-                modes[PARTNER, j] = i
-                state[NEXT_TIME, j] = min(t, state[OWN_TIME, j])
-            elif modes[PARTNER, j] == i:
+            if t < state[s.PAIR_TIME, j]:
+                state[s.PAIR_TIME, j] = t
+                modes[s.PARTNER, j] = i
+                state[s.NEXT_TIME, j] = min(t, state[s.OWN_TIME, j])
+            elif modes[s.PARTNER, j] == i:
                 rescan(state, modes, pairs, j)
-    state[PAIR_TIME, i] = best
-    modes[PARTNER, i] = partner
-    state[NEXT_TIME, i] = min(best, state[OWN_TIME, i])
+    state[s.PAIR_TIME, i] = best
+    modes[s.PARTNER, i] = partner
+    state[s.NEXT_TIME, i] = min(best, state[s.OWN_TIME, i])

@@ -13,76 +13,22 @@ from game.billiards.exact.elements import plan_ball
 from game.billiards.exact.meeting import meet
 from game.billiards.exact.pairs import refresh_pairs
 from game.billiards.exact.settling import settle_group
+from game.billiards.laws import state as col
 from game.billiards.laws.batch import Elements, view_workspace
 from game.billiards.laws.impacts import hit_rail
 from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.laws.motion import advance, end_phase, enter_phase
-from game.billiards.laws.state import (
-    AT_REST,
-    BALL_BALL,
-    BALL_POCKET,
-    BUFFER_FULL,
-    CLEAR,
-    END_TIME,
-    EVENT_LIMIT,
-    EVENTS_END,
-    EVENTS_START,
-    FINISHED,
-    FIRST,
-    IN_CLEAR,
-    IN_MASS,
-    IN_MOTION,
-    IN_RADIUS,
-    IN_WZ,
-    IN_X,
-    IN_Y,
-    INVERSE_MASS,
-    MASS,
-    MEET,
-    MEMBER,
-    MET,
-    MIDDLE_X,
-    MIDDLE_Y,
-    MOTION,
-    NEVER,
-    NEXT_TIME,
-    NO_EVENT,
-    NOT_FINITE,
-    OWN_ELEMENT,
-    OWN_EVENT,
-    OWN_TIME,
-    PAIR_TIME,
-    PARTNER,
-    POCKETED,
-    RADIUS,
-    RAIL_COUNT,
-    RAIL_TIME,
-    REPEATS,
-    SECOND,
-    SEG_BALL,
-    SEG_MOTION,
-    SEG_X,
-    SEG_Y,
-    SEGMENTS_END,
-    SEGMENTS_START,
-    SLIDING,
-    STATUS,
-    TIME,
-    VX,
-    WZ,
-    X,
-)
 
 
 @inner_kernel(inline="always")
 def record_ball(segments, row, state, modes, i, physics):
     """Write the segment that ball i now begins."""
-    for column in range(SEG_BALL):
-        segments[row, column] = state[TIME + column, i]
-    segments[row, SEG_X] += physics[MIDDLE_X]
-    segments[row, SEG_Y] += physics[MIDDLE_Y]
-    segments[row, SEG_BALL] = i
-    segments[row, SEG_MOTION] = modes[MOTION, i]
+    for column in range(col.SEG_BALL):
+        segments[row, column] = state[col.TIME + column, i]
+    segments[row, col.SEG_X] += physics[col.MIDDLE_X]
+    segments[row, col.SEG_Y] += physics[col.MIDDLE_Y]
+    segments[row, col.SEG_BALL] = i
+    segments[row, col.SEG_MOTION] = modes[col.MOTION, i]
 
 
 @inner_kernel(inline="always")
@@ -99,31 +45,31 @@ def place_balls(state, modes, pairs, balls, physics):
     """Put the balls of a shot on the table, at time 0."""
     n = balls.shape[0]
     for i in range(n):
-        state[TIME, i] = 0.0
-        for column in range(IN_WZ + 1):
-            state[X + column, i] = balls[i, column]
-        state[RADIUS, i] = balls[i, IN_RADIUS]
-        state[MASS, i] = balls[i, IN_MASS]
-        state[INVERSE_MASS, i] = 1.0 / balls[i, IN_MASS]
-        state[CLEAR, i] = balls[i, IN_CLEAR]
-        state[RAIL_TIME, i] = -1.0
-        state[PAIR_TIME, i] = NEVER
-        modes[PARTNER, i] = -1
-        modes[RAIL_COUNT, i] = 0
-        enter_phase(state, modes, i, int(balls[i, IN_MOTION]), physics)
+        state[col.TIME, i] = 0.0
+        for column in range(col.IN_WZ + 1):
+            state[col.X + column, i] = balls[i, column]
+        state[col.RADIUS, i] = balls[i, col.IN_RADIUS]
+        state[col.MASS, i] = balls[i, col.IN_MASS]
+        state[col.INVERSE_MASS, i] = 1.0 / balls[i, col.IN_MASS]
+        state[col.CLEAR, i] = balls[i, col.IN_CLEAR]
+        state[col.RAIL_TIME, i] = -1.0
+        state[col.PAIR_TIME, i] = col.NEVER
+        modes[col.PARTNER, i] = -1
+        modes[col.RAIL_COUNT, i] = 0
+        enter_phase(state, modes, i, int(balls[i, col.IN_MOTION]), physics)
         for j in range(n):
-            pairs[MEET, i, j] = NEVER
-            pairs[MET, i, j] = -1.0
-            pairs[REPEATS, i, j] = 0.0
+            pairs[col.MEET, i, j] = col.NEVER
+            pairs[col.MET, i, j] = -1.0
+            pairs[col.REPEATS, i, j] = 0.0
 
 
 @inner_kernel(inline="always")
 def soonest_ball(state):
     """The ball whose next event comes first, the lowest number of several."""
     first = 0
-    least = state[NEXT_TIME, 0]
+    least = state[col.NEXT_TIME, 0]
     for i in range(1, state.shape[1]):
-        time = state[NEXT_TIME, i]
+        time = state[col.NEXT_TIME, i]
         first = i if time < least else first
         least = min(time, least)
     return first
@@ -132,19 +78,19 @@ def soonest_ball(state):
 @inner_kernel(forceinline=True)
 def happen_to_ball(state, modes, i, elements, physics):
     """Carry out what ball i planned of its own. Returns the event, and whether the ball is stuck."""
-    event = modes[OWN_EVENT, i]
-    if event == NO_EVENT:
+    event = modes[col.OWN_EVENT, i]
+    if event == col.NO_EVENT:
         return end_phase(state, modes, i, physics), False
-    advance(state, modes, i, state[OWN_TIME, i], physics)
+    advance(state, modes, i, state[col.OWN_TIME, i], physics)
     stuck = False
-    if event == BALL_POCKET:
-        for row in range(VX, WZ + 1):
+    if event == col.BALL_POCKET:
+        for row in range(col.VX, col.WZ + 1):
             state[row, i] = 0.0
-        enter_phase(state, modes, i, POCKETED, physics)
+        enter_phase(state, modes, i, col.POCKETED, physics)
     else:
         cushions, jaws = elements.cushions, elements.jaws
-        stuck = hit_rail(state, modes, i, event, modes[OWN_ELEMENT, i], cushions, jaws, physics)
-        enter_phase(state, modes, i, SLIDING, physics)
+        stuck = hit_rail(state, modes, i, event, modes[col.OWN_ELEMENT, i], cushions, jaws, physics)
+        enter_phase(state, modes, i, col.SLIDING, physics)
     return event, stuck
 
 
@@ -154,13 +100,13 @@ def plan_changed(arrays, changed, elements, physics, segments, segment):
     state, modes, pairs = arrays.state, arrays.modes, arrays.pairs
     cushions, jaws, pockets = elements
     for q in range(changed):
-        i = modes[MEMBER, q]
+        i = modes[col.MEMBER, q]
         if segments.shape[0] > 0:
             record_ball(segments, segment, state, modes, i, physics)
             segment += 1
         plan_ball(state, modes, i, cushions, jaws, pockets, physics)
     for q in range(changed):
-        refresh_pairs(state, modes, pairs, modes[MEMBER, q])
+        refresh_pairs(state, modes, pairs, modes[col.MEMBER, q])
     return segment
 
 
@@ -173,39 +119,39 @@ def play_shot(arrays, elements, physics, until, max_events, events, segments, ro
     last_row = row + max_events
     end_time = 0.0
     changed = n
-    status = FINISHED
+    status = col.FINISHED
     for i in range(n):
-        modes[MEMBER, i] = i
+        modes[col.MEMBER, i] = i
     while True:
         if row + ends.shape[1] > events.shape[0] or (
             segments.shape[0] > 0 and segment + n > segments.shape[0]
         ):
-            status = BUFFER_FULL
+            status = col.BUFFER_FULL
             break
         segment = plan_changed(arrays, changed, elements, physics, segments, segment)
         i = soonest_ball(state)
-        now = state[NEXT_TIME, i]
-        if not (now < AT_REST and now <= until):
-            end_time = until if now < AT_REST else end_time
+        now = state[col.NEXT_TIME, i]
+        if not (now < col.AT_REST and now <= until):
+            end_time = until if now < col.AT_REST else end_time
             break
         if row >= last_row:
-            status = EVENT_LIMIT
+            status = col.EVENT_LIMIT
             break
         end_time = now
-        if not state[PAIR_TIME, i] < state[OWN_TIME, i]:
+        if not state[col.PAIR_TIME, i] < state[col.OWN_TIME, i]:
             event, stuck = happen_to_ball(state, modes, i, elements, physics)
-            record_event(events, row, now, event, i, modes[OWN_ELEMENT, i])
+            record_event(events, row, now, event, i, modes[col.OWN_ELEMENT, i])
             row += 1
-            modes[MEMBER, 0] = i
+            modes[col.MEMBER, 0] = i
             changed = 1
             if stuck:
                 changed = settle_group(state, modes, i, now, cushions, jaws, physics)
             continue
-        written, changed, stuck_ball = meet(arrays, i, modes[PARTNER, i], now, physics)
+        written, changed, stuck_ball = meet(arrays, i, modes[col.PARTNER, i], now, physics)
         for m in range(written):
-            i = ends[FIRST, m]
-            j = ends[SECOND, m]
-            record_event(events, row, now, BALL_BALL, min(i, j), max(i, j))
+            i = ends[col.FIRST, m]
+            j = ends[col.SECOND, m]
+            record_event(events, row, now, col.BALL_BALL, min(i, j), max(i, j))
             row += 1
         if stuck_ball >= 0:
             changed = settle_group(state, modes, stuck_ball, now, cushions, jaws, physics)
@@ -216,21 +162,21 @@ def play_shot(arrays, elements, physics, until, max_events, events, segments, ro
 def write_final(state, modes, end_time, final, physics):
     """Bring all balls to the end and write them. Returns False if a number is not finite."""
     total = 0.0
-    middle_x = physics[MIDDLE_X]
-    middle_y = physics[MIDDLE_Y]
+    middle_x = physics[col.MIDDLE_X]
+    middle_y = physics[col.MIDDLE_Y]
     for i in range(final.shape[0]):
-        if modes[MOTION, i] != POCKETED:
+        if modes[col.MOTION, i] != col.POCKETED:
             advance(state, modes, i, end_time, physics)
-        for column in range(IN_WZ + 1):
-            final[i, column] = state[X + column, i]
+        for column in range(col.IN_WZ + 1):
+            final[i, column] = state[col.X + column, i]
             total += abs(final[i, column])
-        final[i, IN_X] += middle_x
-        final[i, IN_Y] += middle_y
-        final[i, IN_RADIUS] = state[RADIUS, i]
-        final[i, IN_MASS] = state[MASS, i]
-        final[i, IN_MOTION] = modes[MOTION, i]
-        final[i, IN_CLEAR] = state[CLEAR, i]
-    return total < NEVER
+        final[i, col.IN_X] += middle_x
+        final[i, col.IN_Y] += middle_y
+        final[i, col.IN_RADIUS] = state[col.RADIUS, i]
+        final[i, col.IN_MASS] = state[col.MASS, i]
+        final[i, col.IN_MOTION] = modes[col.MOTION, i]
+        final[i, col.IN_CLEAR] = state[col.CLEAR, i]
+    return total < col.NEVER
 
 
 @lean_kernel
@@ -270,16 +216,16 @@ def play_shots(
         status, row_end, segment_end, end_time = play_shot(
             arrays, table, physics, until, max_events, events, segments, row, segment
         )
-        if status == BUFFER_FULL:
+        if status == col.BUFFER_FULL:
             return s
         if not write_final(arrays.state, arrays.modes, end_time, final[s], physics):
-            status = NOT_FINITE
-        ends[s, EVENTS_START] = row
-        ends[s, EVENTS_END] = row_end
-        ends[s, SEGMENTS_START] = segment
-        ends[s, SEGMENTS_END] = segment_end
-        ends[s, STATUS] = status
-        ends[s, END_TIME] = end_time
+            status = col.NOT_FINITE
+        ends[s, col.EVENTS_START] = row
+        ends[s, col.EVENTS_END] = row_end
+        ends[s, col.SEGMENTS_START] = segment
+        ends[s, col.SEGMENTS_END] = segment_end
+        ends[s, col.STATUS] = status
+        ends[s, col.END_TIME] = end_time
         row = row_end
         segment = segment_end
     return shots

@@ -15,30 +15,9 @@ from __future__ import annotations
 import math
 
 from game.billiards.exact.cluster import gap_at
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.motion import advance, enter_phase
-from game.billiards.laws.state import (
-    AIRBORNE,
-    FROM_X,
-    FROM_Y,
-    MARK,
-    MASS,
-    MEMBER,
-    MOTION,
-    NORMAL_X,
-    NORMAL_Y,
-    POCKETED,
-    RADIUS,
-    SLIDING,
-    TO_X,
-    TO_Y,
-    VX,
-    VY,
-    WX,
-    WZ,
-    X,
-    Y,
-)
 
 JOINED = 1e-7  # m; what is so near belongs to the group: its bounces at 3 mm/s take 30 microseconds
 
@@ -48,23 +27,27 @@ def _gather_group(state, modes, i, now, physics):
     """Write all balls that hang together with ball i to row MEMBER of modes, at `now`; returns how many."""
     n = state.shape[1]
     for k in range(n):
-        modes[MARK, k] = 0
-    modes[MEMBER, 0] = i
-    modes[MARK, i] = 1
+        modes[s.MARK, k] = 0
+    modes[s.MEMBER, 0] = i
+    modes[s.MARK, i] = 1
     found = 1
     head = 0
     while head < found:
-        a = modes[MEMBER, head]
+        a = modes[s.MEMBER, head]
         head += 1
         for k in range(n):
-            if modes[MARK, k] == 0 and modes[MOTION, k] != POCKETED and modes[MOTION, k] != AIRBORNE:
+            if (
+                modes[s.MARK, k] == 0
+                and modes[s.MOTION, k] != s.POCKETED
+                and modes[s.MOTION, k] != s.AIRBORNE
+            ):
                 gap, _, _ = gap_at(state, a, k, now)
                 if gap <= JOINED:
-                    modes[MARK, k] = 1
-                    modes[MEMBER, found] = k
+                    modes[s.MARK, k] = 1
+                    modes[s.MEMBER, found] = k
                     found += 1
     for q in range(found):
-        advance(state, modes, modes[MEMBER, q], now, physics)
+        advance(state, modes, modes[s.MEMBER, q], now, physics)
     return found
 
 
@@ -75,9 +58,9 @@ def _common_velocity(state, modes, found):
     largest = 0.0
     heaviest = 0.0
     for q in range(found):
-        k = modes[MEMBER, q]
-        mass = state[MASS, k]
-        largest = max(largest, mass * max(abs(state[VX, k]), abs(state[VY, k])))
+        k = modes[s.MEMBER, q]
+        mass = state[s.MASS, k]
+        largest = max(largest, mass * max(abs(state[s.VX, k]), abs(state[s.VY, k])))
         heaviest = max(heaviest, mass)
     grid = 1.5 * math.ldexp(1.0, math.frexp(largest)[1] + 12)
     mass_grid = 1.5 * math.ldexp(1.0, math.frexp(heaviest)[1] + 12)
@@ -85,10 +68,10 @@ def _common_velocity(state, modes, found):
     y = 0.0
     whole = 0.0
     for q in range(found):
-        k = modes[MEMBER, q]
-        mass = state[MASS, k]
-        x += (mass * state[VX, k] + grid) - grid
-        y += (mass * state[VY, k] + grid) - grid
+        k = modes[s.MEMBER, q]
+        mass = state[s.MASS, k]
+        x += (mass * state[s.VX, k] + grid) - grid
+        y += (mass * state[s.VY, k] + grid) - grid
         whole += (mass + mass_grid) - mass_grid
     return x / whole, y / whole
 
@@ -100,23 +83,23 @@ def _rail_at(state, modes, found, number, cushions, jaws):
     Rails are numbered for each ball of the group in turn: the cushions, then the jaws.
     """
     rails = cushions.shape[0] + jaws.shape[0]
-    ball = modes[MEMBER, number // rails]
+    ball = modes[s.MEMBER, number // rails]
     k = number % rails
     if k < cushions.shape[0]:
-        nx = cushions[k, NORMAL_X]
-        ny = cushions[k, NORMAL_Y]
-        x = state[X, ball] - cushions[k, FROM_X]
-        y = state[Y, ball] - cushions[k, FROM_Y]
-        dx = cushions[k, TO_X] - cushions[k, FROM_X]
-        dy = cushions[k, TO_Y] - cushions[k, FROM_Y]
+        nx = cushions[k, s.NORMAL_X]
+        ny = cushions[k, s.NORMAL_Y]
+        x = state[s.X, ball] - cushions[k, s.FROM_X]
+        y = state[s.Y, ball] - cushions[k, s.FROM_Y]
+        dx = cushions[k, s.TO_X] - cushions[k, s.FROM_X]
+        dy = cushions[k, s.TO_Y] - cushions[k, s.FROM_Y]
         along = x * dx + y * dy
-        contact = abs(x * nx + y * ny - state[RADIUS, ball]) <= JOINED
+        contact = abs(x * nx + y * ny - state[s.RADIUS, ball]) <= JOINED
         return contact and 0.0 <= along <= dx * dx + dy * dy, nx, ny
     k -= cushions.shape[0]
-    x = state[X, ball] - jaws[k, 0]
-    y = state[Y, ball] - jaws[k, 1]
+    x = state[s.X, ball] - jaws[k, 0]
+    y = state[s.Y, ball] - jaws[k, 1]
     distance = math.sqrt(x * x + y * y)
-    return abs(distance - jaws[k, 2] - state[RADIUS, ball]) <= JOINED, x / distance, y / distance
+    return abs(distance - jaws[k, 2] - state[s.RADIUS, ball]) <= JOINED, x / distance, y / distance
 
 
 @inner_kernel
@@ -163,10 +146,10 @@ def settle_group(state, modes, i, now, cushions, jaws, physics):
     vx, vy = _common_velocity(state, modes, found)
     vx, vy = _freed_velocity(state, modes, found, vx, vy, cushions, jaws)
     for q in range(found):
-        k = modes[MEMBER, q]
-        state[VX, k] = vx
-        state[VY, k] = vy
-        for row in range(WX, WZ + 1):
+        k = modes[s.MEMBER, q]
+        state[s.VX, k] = vx
+        state[s.VY, k] = vy
+        for row in range(s.WX, s.WZ + 1):
             state[row, k] = 0.0
-        enter_phase(state, modes, k, SLIDING, physics)
+        enter_phase(state, modes, k, s.SLIDING, physics)
     return found

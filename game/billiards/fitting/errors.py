@@ -12,33 +12,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.exact.play import place_balls, play_shot
+from game.billiards.laws import state as col
 from game.billiards.laws.batch import Elements, view_workspace, workspace
 from game.billiards.laws.lean import inner_kernel, lean_kernel
-from game.billiards.laws.state import (
-    FINISHED,
-    IN_COLUMNS,
-    IN_MOTION,
-    IN_RADIUS,
-    IN_VX,
-    IN_VY,
-    IN_WX,
-    IN_WY,
-    IN_WZ,
-    SEG_AX,
-    SEG_AY,
-    SEG_BALL,
-    SEG_TIME,
-    SEG_VX,
-    SEG_VY,
-    SEG_X,
-    SEG_Y,
-    SEGMENT_COLUMNS,
-    SLIDING,
-)
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 DIRECTION, SPEED, LEFT, UP, START = range(5)
 STROKE_COLUMNS = 5
@@ -57,16 +36,16 @@ class Target(NamedTuple):
     """What a stroke is to explain. balls (n, 11): at rest, as the kernels read them, the struck one first.
     samples (s, 3): time s, x, y m in the table's frame; ranges (n, 2): rows of each ball."""
 
-    balls: Array
-    samples: Array
+    balls: Floats
+    samples: Floats
     ranges: NDArray[np.int64]
 
 
 class Ground(NamedTuple):
     """The table: physics (20,), elements (4, 7), the cushions, about its middle."""
 
-    physics: Array
-    elements: Array
+    physics: Floats
+    elements: Floats
 
 
 class Goal(NamedTuple):
@@ -79,12 +58,12 @@ class Goal(NamedTuple):
 class Scratch(NamedTuple):
     """Room for one shot of n balls, and for a simplex."""
 
-    floats: Array
+    floats: Floats
     integers: NDArray[np.int64]
-    balls: Array
-    events: Array
-    segments: Array
-    simplex: Array
+    balls: Floats
+    events: Floats
+    segments: Floats
+    simplex: Floats
 
 
 def scratch_for(n: int) -> Scratch:
@@ -93,9 +72,9 @@ def scratch_for(n: int) -> Scratch:
     return Scratch(
         space.floats,
         space.integers,
-        np.zeros((n, IN_COLUMNS)),
+        np.zeros((n, col.IN_COLUMNS)),
         np.zeros((ROOM_EVENTS, 4)),
-        np.zeros((ROOM_SEGMENTS, SEGMENT_COLUMNS)),
+        np.zeros((ROOM_SEGMENTS, col.SEGMENT_COLUMNS)),
         np.zeros((STROKE_COLUMNS + 4, STROKE_COLUMNS + 1)),
     )
 
@@ -106,19 +85,19 @@ def strike_ball(balls, stroke):
     speed = stroke[SPEED]
     dx = elementary.cos(stroke[DIRECTION])
     dy = elementary.sin(stroke[DIRECTION])
-    turn = 2.5 * speed / balls[0, IN_RADIUS]
-    balls[0, IN_VX] = speed * dx
-    balls[0, IN_VY] = speed * dy
-    balls[0, IN_WX] = -turn * stroke[UP] * dy
-    balls[0, IN_WY] = turn * stroke[UP] * dx
-    balls[0, IN_WZ] = -turn * stroke[LEFT]
-    balls[0, IN_MOTION] = SLIDING
+    turn = 2.5 * speed / balls[0, col.IN_RADIUS]
+    balls[0, col.IN_VX] = speed * dx
+    balls[0, col.IN_VY] = speed * dy
+    balls[0, col.IN_WX] = -turn * stroke[UP] * dy
+    balls[0, col.IN_WY] = turn * stroke[UP] * dx
+    balls[0, col.IN_WZ] = -turn * stroke[LEFT]
+    balls[0, col.IN_MOTION] = col.SLIDING
 
 
 @inner_kernel(inline="always")
 def _next_of(segments, row, end, ball):
     """First row from `row` on that is a segment of that ball, or `end`."""
-    while row < end and segments[row, SEG_BALL] != ball:
+    while row < end and segments[row, col.SEG_BALL] != ball:
         row += 1
     return row
 
@@ -136,12 +115,12 @@ def compare_ball(target, segments, end, ball, start, goal, sums):
         if target.samples[s, 0] > goal.horizon:
             break
         t = target.samples[s, 0] - start
-        while after < end and segments[after, SEG_TIME] <= t:
+        while after < end and segments[after, col.SEG_TIME] <= t:
             row = after
             after = _next_of(segments, row + 1, end, ball)
-        e = max(t - segments[row, SEG_TIME], 0.0)
-        x = segments[row, SEG_X] + e * (segments[row, SEG_VX] + e * segments[row, SEG_AX])
-        y = segments[row, SEG_Y] + e * (segments[row, SEG_VY] + e * segments[row, SEG_AY])
+        e = max(t - segments[row, col.SEG_TIME], 0.0)
+        x = segments[row, col.SEG_X] + e * (segments[row, col.SEG_VX] + e * segments[row, col.SEG_AX])
+        y = segments[row, col.SEG_Y] + e * (segments[row, col.SEG_VY] + e * segments[row, col.SEG_AY])
         x -= target.samples[s, 1]
         y -= target.samples[s, 2]
         square = x * x + y * y
@@ -174,7 +153,7 @@ def track_error(target, scratch, ground, stroke, goal, sums):
     n = target.balls.shape[0]
     balls = scratch.balls
     for i in range(n):
-        for column in range(IN_COLUMNS):
+        for column in range(col.IN_COLUMNS):
             balls[i, column] = target.balls[i, column]
     strike_ball(balls, stroke)
     arrays = view_workspace(scratch.floats, scratch.integers, n)
@@ -190,7 +169,7 @@ def track_error(target, scratch, ground, stroke, goal, sums):
         compare_ball(target, scratch.segments, end, i, stroke[START], goal, sums)
         cost += sums[i, ROBUST]
     times, plus = _out_of_reach(target, stroke)
-    if status != FINISHED:
+    if status != col.FINISHED:
         plus += UNPLAYABLE
     return times * cost + plus
 

@@ -10,11 +10,9 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise, linear
-
-Array = NDArray[np.float64]
 
 LAMBDA = 10
 MU = LAMBDA // 2
@@ -26,7 +24,7 @@ MU_EFF = 1.0 / float((WEIGHTS * WEIGHTS).sum())
 class Evolution:
     """Where the search is: mean (n,), in the function's own units; and the shape of its steps."""
 
-    def __init__(self, start: Array, steps: Array, seed: int) -> None:
+    def __init__(self, start: Floats, steps: Floats, seed: int) -> None:
         """steps (n,): how far to look at first in each number. ValueError if one is not positive."""
         if not (steps > 0.0).all():
             raise ValueError("evolution: every first step must be positive")
@@ -40,7 +38,7 @@ class Evolution:
         self._size_path = np.zeros(n)
         self._turns = 0
 
-    def turn(self, value: Callable[[Array], float]) -> float:
+    def turn(self, value: Callable[[Floats], float]) -> float:
         """One generation: asks for LAMBDA values, moves the mean. Returns the least of them."""
         lengths, axes = linear.eigenvectors(self._covariance)
         lengths = np.sqrt(np.maximum(lengths, 1e-20))
@@ -51,7 +49,7 @@ class Evolution:
         self._move(steps[order], axes, lengths)
         return float(values[order[0]])
 
-    def _move(self, steps: Array, axes: Array, lengths: Array) -> None:
+    def _move(self, steps: Floats, axes: Floats, lengths: Floats) -> None:
         """Move the mean to the weighted best steps (MU, n), and adapt shape and size to them."""
         n = len(self.mean)
         for_path = (4.0 + MU_EFF / n) / (n + 4.0 + 2.0 * MU_EFF / n)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from game.billiards.fitting.errors import DIRECTION, LEFT, SPEED, START, UP
+from game.billiards.fitting import errors
 from game.billiards.fitting.strokes import THOROUGH, Bench, fit_stroke, polish, root_mean_squares
 from game.billiards.fitting.tables import CAROM_MASS, FittedTable, TableSearch, target_of
 from game.billiards.fitting.tracks import TrackedShot, TrackFile
@@ -80,7 +80,11 @@ def fit_shot(shot: TrackedShot, table: FittedTable, held_out: bool = False) -> F
     best = polish(bench, ground, fit_stroke(bench, ground, THOROUGH))
     row = best.stroke.tolist()
     stroke = FittedStroke(
-        math.remainder(row[DIRECTION], math.tau), row[SPEED], row[LEFT], row[UP], row[START]
+        math.remainder(row[errors.DIRECTION], math.tau),
+        row[errors.SPEED],
+        row[errors.LEFT],
+        row[errors.UP],
+        row[errors.START],
     )
     return FittedShot(shot.id, stroke, *root_mean_squares(best.sums), held_out)
 

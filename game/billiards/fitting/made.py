@@ -9,16 +9,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.fitting.fitting import FittedShot, FittedStroke
 from game.billiards.fitting.tables import CAROM_MASS, FittedTable
 from game.billiards.fitting.tracks import Track, TrackedShot
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.simulation import simulate_exact
 from game.physics.kernels import elementary, linear
-
-Array = NDArray[np.float64]
 
 FRAMES_HZ = 50.0
 STILL = 0.003  # m; a ball that has not moved so far since its last sample is not noted again
@@ -69,7 +67,7 @@ def _make_shot(table: FittedTable, name: str, chance: np.random.Generator, noise
     return MadeShot(track_shot(shot, name, stroke.start, chance, noise), stroke, shot)
 
 
-def _scattered(table: FittedTable, chance: np.random.Generator) -> Array:
+def _scattered(table: FittedTable, chance: np.random.Generator) -> Floats:
     """Three places, apart from each other and from the cushions."""
     low = table.radius + AT_CUSHION
     high = np.array([table.size.width, table.size.length]) - low
@@ -95,7 +93,7 @@ def track_shot(shot: Shot, name: str, start: float, chance: np.random.Generator,
     return TrackedShot(name, shot.ids, tuple(tracks))
 
 
-def _noted(places: Array) -> list[int]:
+def _noted(places: Floats) -> list[int]:
     """Frames (rows) that a tracker notes of a ball at places (m, 2): the first, the last, and each in which
     it has moved."""
     rows = [0]

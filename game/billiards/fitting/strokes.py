@@ -11,28 +11,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.billiards.fitting import errors as e
 from game.billiards.fitting.descent import descend
-from game.billiards.fitting.errors import (
-    COUNT,
-    LARGEST_TIP,
-    LEFT,
-    SQUARES,
-    START,
-    STROKE_COLUMNS,
-    SUM_COLUMNS,
-    UP,
-    Goal,
-    Ground,
-    Scratch,
-    Target,
-    errors_of,
-    scratch_for,
-)
+from game.billiards.fitting.errors import Goal, Ground, Scratch, Target, errors_of, scratch_for
 from game.physics.kernels import elementary, elementwise
-
-Array = NDArray[np.float64]
 
 EVERYTHING = 1e6  # s; a horizon beyond every track
 SHARP = 0.1  # m
@@ -62,9 +46,9 @@ THOROUGH = Effort(50, 2)
 class Fit(NamedTuple):
     """A stroke (5,), what it costs, and how far off each ball is: sums (n, 3) as in `errors`."""
 
-    stroke: Array
+    stroke: Floats
     cost: float
-    sums: Array
+    sums: Floats
 
 
 class Bench:
@@ -75,24 +59,24 @@ class Bench:
         self.scratch: Scratch = scratch_for(len(target.balls))
         self.first = first_guess(target)
 
-    def errors(self, ground: Ground, strokes: Array, goal: Goal) -> tuple[Array, Array]:
+    def errors(self, ground: Ground, strokes: Floats, goal: Goal) -> tuple[Floats, Floats]:
         """Sums (k, n, 3) and costs (k,) of strokes (k, 5)."""
-        sums = np.zeros((len(strokes), len(self.target.balls), SUM_COLUMNS))
+        sums = np.zeros((len(strokes), len(self.target.balls), e.SUM_COLUMNS))
         costs = np.zeros(len(strokes))
         errors_of(self.target, self.scratch, ground, np.ascontiguousarray(strokes), goal, sums, costs)
         return sums, costs
 
-    def downhill(self, ground: Ground, strokes: Array, goal: Goal, evaluations: int) -> list[Fit]:
+    def downhill(self, ground: Ground, strokes: Floats, goal: Goal, evaluations: int) -> list[Fit]:
         """Where strokes (k, 5) lead, best first."""
         found = np.ascontiguousarray(strokes).copy()
-        sums = np.zeros((len(found), len(self.target.balls), SUM_COLUMNS))
+        sums = np.zeros((len(found), len(self.target.balls), e.SUM_COLUMNS))
         costs = np.zeros(len(found))
         descend(self.target, self.scratch, ground, found, goal, SCALES, evaluations, sums, costs)
         order = np.argsort(costs, kind="stable")
         return [Fit(found[k], float(costs[k]), sums[k]) for k in order]
 
 
-def first_guess(target: Target) -> Array:
+def first_guess(target: Target) -> Floats:
     """A stroke (5,) from the first samples of the struck ball, tip in the middle."""
     first, end = (int(row) for row in target.ranges[0])
     samples = target.samples[first : min(end, first + FIRST_SAMPLES + 1)]
@@ -107,18 +91,20 @@ def first_guess(target: Target) -> Array:
     return np.array([elementary.atan2(towards[1], towards[0]), speed, 0.0, 0.0, start])
 
 
-def grid_about(first: Array) -> Array:
+def grid_about(first: Floats) -> Floats:
     """Strokes (k, 5) about the first guess, with the tip anywhere it may be."""
     axes = np.meshgrid(first[0] + TURNS, first[1] * SPEEDS, TIPS, TIPS, indexing="ij")
     grid = np.stack([axis.ravel() for axis in axes], axis=1)
-    grid = grid[grid[:, LEFT] * grid[:, LEFT] + grid[:, UP] * grid[:, UP] < LARGEST_TIP * LARGEST_TIP]
-    return np.column_stack([grid, np.full(len(grid), first[START])])
+    grid = grid[
+        grid[:, e.LEFT] * grid[:, e.LEFT] + grid[:, e.UP] * grid[:, e.UP] < e.LARGEST_TIP * e.LARGEST_TIP
+    ]
+    return np.column_stack([grid, np.full(len(grid), first[e.START])])
 
 
 def fit_stroke(bench: Bench, ground: Ground, effort: Effort = THOROUGH) -> list[Fit]:
     """Strokes that explain the track on this table, best first, none of them the same as another."""
     grid = grid_about(bench.first)
-    seen = float(bench.first[START])
+    seen = float(bench.first[e.START])
     _, costs = bench.errors(ground, grid, Goal(seen + GRID_SECONDS, SHARP))
     strokes = grid[np.argsort(costs, kind="stable")[: effort.keep]]
     keep = effort.keep
@@ -159,11 +145,11 @@ def polish(bench: Bench, ground: Ground, fits: list[Fit]) -> Fit:
     return bench.downhill(ground, strokes, Goal(EVERYTHING, PLAIN), 300)[0]
 
 
-def root_mean_squares(sums: Array) -> tuple[float, float]:
+def root_mean_squares(sums: Floats) -> tuple[float, float]:
     """Root of the mean squared distance, m, over all samples of the struck ball, and of all balls."""
-    cue = math.sqrt(sums[0, SQUARES] / max(sums[0, COUNT], 1.0))
-    every = math.sqrt(sums[:, SQUARES].sum() / max(sums[:, COUNT].sum(), 1.0))
+    cue = math.sqrt(sums[0, e.SQUARES] / max(sums[0, e.COUNT], 1.0))
+    every = math.sqrt(sums[:, e.SQUARES].sum() / max(sums[:, e.COUNT].sum(), 1.0))
     return cue, every
 
 
-assert len(SCALES) == len(SPREADS) == STROKE_COLUMNS
+assert len(SCALES) == len(SPREADS) == e.STROKE_COLUMNS

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.fitting.errors import Goal, Ground, Target
 from game.billiards.fitting.evolution import Evolution
 from game.billiards.fitting.strokes import (
@@ -29,8 +29,6 @@ from game.billiards.shot.physics import Physics
 from game.billiards.shot.shot import make_shot
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 CUSHION_HEIGHT = 0.037  # m; nose above the cloth of a carom table (UMB: 36 to 38 mm)
 CAROM_MASS = 0.21  # kg
@@ -115,7 +113,7 @@ def target_of(shot: TrackedShot, table: FittedTable) -> Target:
     return Target(ready.balls.copy(), np.concatenate(samples), ranges)
 
 
-def resting_places(places: Array, table: FittedTable) -> Array:
+def resting_places(places: Floats, table: FittedTable) -> Floats:
     """Places (n, 2) m moved no more than needed: off the cushions, and balls off each other."""
     radius = table.radius
     low = np.full(2, radius)
@@ -153,8 +151,8 @@ class TableSearch:
         self.benches = [Bench(target_of(shot, start)) for shot in shots]
         self.ranges = free_names(start.physics, fixed)
         self.progress = progress
-        self.strokes: list[Array] = []
-        self._last: list[Array] = []
+        self.strokes: list[Floats] = []
+        self._last: list[Floats] = []
 
     def run(self, rounds: tuple[tuple[int, float], ...] | None = None) -> FittedTable:
         """The table after some rounds (ROUNDS), each so many generations and a share of the first steps."""
@@ -176,7 +174,7 @@ class TableSearch:
                 )
         return self.table
 
-    def _with(self, values: Array) -> FittedTable:
+    def _with(self, values: Floats) -> FittedTable:
         numbers: dict[str, Any] = {
             name: float(value) for name, value in zip(self.ranges, values, strict=True)
         }
@@ -189,7 +187,7 @@ class TableSearch:
             self.progress(f"{words}: strokes, shot {k + 1} of {len(self.benches)}")
             self.strokes.append(fit_stroke(bench, ground, QUICK)[0].stroke)
 
-    def score(self, values: Array) -> float:
+    def score(self, values: Floats) -> float:
         """Mean over the shots of log(rms of the cue ball)/2 + log(rms of all)/2, each not below BLUR."""
         for value, spread in zip(values.tolist(), self.ranges.values(), strict=True):
             if not spread.least <= value <= spread.most:

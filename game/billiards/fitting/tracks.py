@@ -19,11 +19,9 @@ from typing import Annotated, Any, NamedTuple, NoReturn
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.files import FileProblem, read_text
-
-Array = NDArray[np.float64]
 
 MAX_BYTES = 64 * 2**20
 MAX_SHOTS = 2000
@@ -53,8 +51,8 @@ class TableSize(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Track(NamedTuple):
     """Where one ball was: times (m,) s, never falling; places (m, 2) m in the table's frame."""
 
-    times: Array
-    places: Array
+    times: Floats
+    places: Floats
 
 
 class TrackedShot(NamedTuple):

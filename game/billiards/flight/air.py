@@ -8,62 +8,44 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.motion import advance, enter_phase
-from game.billiards.laws.state import (
-    AIR_COUNT,
-    AIRBORNE,
-    AX,
-    AY,
-    GRAVITY,
-    LANDING_SPEED,
-    MOTION,
-    NEVER,
-    PHASE_END,
-    SLIDING,
-    TIME,
-    VX,
-    VY,
-    VZ,
-    X,
-    Y,
-    Z,
-)
 
 
 @inner_kernel
 def advance_anywhere(state, modes, i, now, physics):
     """Bring the state of ball i to `now` (s), on the slate or in the air."""
-    if modes[MOTION, i] != AIRBORNE:
+    if modes[s.MOTION, i] != s.AIRBORNE:
         advance(state, modes, i, now, physics)
         return
-    t = now - state[TIME, i]
-    state[TIME, i] = now
-    state[X, i] += t * state[VX, i]
-    state[Y, i] += t * state[VY, i]
-    state[Z, i] += t * (state[VZ, i] - 0.5 * physics[GRAVITY] * t)
-    state[VZ, i] -= physics[GRAVITY] * t
+    t = now - state[s.TIME, i]
+    state[s.TIME, i] = now
+    state[s.X, i] += t * state[s.VX, i]
+    state[s.Y, i] += t * state[s.VY, i]
+    state[s.Z, i] += t * (state[s.VZ, i] - 0.5 * physics[s.GRAVITY] * t)
+    state[s.VZ, i] -= physics[s.GRAVITY] * t
 
 
 @inner_kernel
 def enter_air_or_slate(state, modes, i, physics):
     """Start the phase that follows from height and vertical speed of ball i: in the air, or sliding."""
-    if state[Z, i] <= 0.0 and state[VZ, i] <= LANDING_SPEED:
-        state[Z, i] = 0.0
-        state[VZ, i] = 0.0
-        modes[AIR_COUNT, i] = 0
-        enter_phase(state, modes, i, SLIDING, physics)
+    if state[s.Z, i] <= 0.0 and state[s.VZ, i] <= s.LANDING_SPEED:
+        state[s.Z, i] = 0.0
+        state[s.VZ, i] = 0.0
+        modes[s.AIR_COUNT, i] = 0
+        enter_phase(state, modes, i, s.SLIDING, physics)
         return
-    modes[MOTION, i] = AIRBORNE
-    state[AX, i] = 0.0
-    state[AY, i] = 0.0
-    state[PHASE_END, i] = NEVER
+    modes[s.MOTION, i] = s.AIRBORNE
+    state[s.AX, i] = 0.0
+    state[s.AY, i] = 0.0
+    state[s.PHASE_END, i] = s.NEVER
 
 
 @inner_kernel(inline="always")
 def height_after(state, i, t, physics):
     """Height z of ball i t s from now if it is in the air, m."""
-    return state[Z, i] + t * (state[VZ, i] - 0.5 * physics[GRAVITY] * t)
+    return state[s.Z, i] + t * (state[s.VZ, i] - 0.5 * physics[s.GRAVITY] * t)
 
 
 @inner_kernel
@@ -73,8 +55,8 @@ def falls_to(z, vz, level, gravity):
     above = z - level
     square = vz * vz + 2.0 * gravity * above
     if square < 0.0:
-        return NEVER
+        return s.NEVER
     root = math.sqrt(square)
     if vz >= 0.0:
         return (vz + root) / gravity
-    return 2.0 * above / (root - vz) if above > 0.0 else NEVER
+    return 2.0 * above / (root - vz) if above > 0.0 else s.NEVER

@@ -19,55 +19,38 @@ import math
 
 from game.billiards.flight.air import advance_anywhere, enter_air_or_slate
 from game.billiards.flight.slate import press_on_level
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts import NO_FRICTION
 from game.billiards.laws.contacts.ball_ball_friction import friction_limit, sticking_impulse
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    AIR_COUNT,
-    BALL_LAW,
-    BALL_RESTITUTION,
-    LANDING_SPEED,
-    MASS,
-    MEMBER,
-    RADIUS,
-    VX,
-    VY,
-    VZ,
-    WX,
-    WY,
-    WZ,
-    X,
-    Y,
-    Z,
-)
 
 
 @inner_kernel
 def _push(state, i, px, py, pz):
     """Give ball i an impulse, N s."""
-    state[VX, i] += px / state[MASS, i]
-    state[VY, i] += py / state[MASS, i]
-    state[VZ, i] += pz / state[MASS, i]
+    state[s.VX, i] += px / state[s.MASS, i]
+    state[s.VY, i] += py / state[s.MASS, i]
+    state[s.VZ, i] += pz / state[s.MASS, i]
 
 
 @inner_kernel
 def _turn(state, i, tx, ty, tz):
     """Turn ball i by R t, t in N s."""
-    lever = 2.5 / (state[MASS, i] * state[RADIUS, i])
-    state[WX, i] += lever * tx
-    state[WY, i] += lever * ty
-    state[WZ, i] += lever * tz
+    lever = 2.5 / (state[s.MASS, i] * state[s.RADIUS, i])
+    state[s.WX, i] += lever * tx
+    state[s.WY, i] += lever * ty
+    state[s.WZ, i] += lever * tz
 
 
 @inner_kernel
 def _rub(state, i, j, nx, ny, nz, impulse, physics):
     """Friction of a contact along n with the normal impulse `impulse`, N s."""
-    wx = state[RADIUS, i] * state[WX, i] + state[RADIUS, j] * state[WX, j]
-    wy = state[RADIUS, i] * state[WY, i] + state[RADIUS, j] * state[WY, j]
-    wz = state[RADIUS, i] * state[WZ, i] + state[RADIUS, j] * state[WZ, j]
-    cx = state[VX, i] - state[VX, j] + wy * nz - wz * ny
-    cy = state[VY, i] - state[VY, j] + wz * nx - wx * nz
-    cz = state[VZ, i] - state[VZ, j] + wx * ny - wy * nx
+    wx = state[s.RADIUS, i] * state[s.WX, i] + state[s.RADIUS, j] * state[s.WX, j]
+    wy = state[s.RADIUS, i] * state[s.WY, i] + state[s.RADIUS, j] * state[s.WY, j]
+    wz = state[s.RADIUS, i] * state[s.WZ, i] + state[s.RADIUS, j] * state[s.WZ, j]
+    cx = state[s.VX, i] - state[s.VX, j] + wy * nz - wz * ny
+    cy = state[s.VY, i] - state[s.VY, j] + wz * nx - wx * nz
+    cz = state[s.VZ, i] - state[s.VZ, j] + wx * ny - wy * nx
     along = cx * nx + cy * ny + cz * nz
     cx -= along * nx
     cy -= along * ny
@@ -88,34 +71,34 @@ def _rub(state, i, j, nx, ny, nz, impulse, physics):
 @inner_kernel
 def collide_in_space(state, i, j, physics):
     """Balls i and j, both at the same time, collide where they are. The lying one is pressed on the slate."""
-    nx = state[X, j] - state[X, i]
-    ny = state[Y, j] - state[Y, i]
-    nz = state[Z, j] + state[RADIUS, j] - state[Z, i] - state[RADIUS, i]
+    nx = state[s.X, j] - state[s.X, i]
+    ny = state[s.Y, j] - state[s.Y, i]
+    nz = state[s.Z, j] + state[s.RADIUS, j] - state[s.Z, i] - state[s.RADIUS, i]
     distance = math.sqrt(nx * nx + ny * ny + nz * nz)
     nx /= distance
     ny /= distance
     nz /= distance
-    closing = (state[VX, i] - state[VX, j]) * nx + (state[VY, i] - state[VY, j]) * ny
-    closing += (state[VZ, i] - state[VZ, j]) * nz
+    closing = (state[s.VX, i] - state[s.VX, j]) * nx + (state[s.VY, i] - state[s.VY, j]) * ny
+    closing += (state[s.VZ, i] - state[s.VZ, j]) * nz
     if closing <= 0.0:
         return
     flat = nx * nx + ny * ny
-    holds_i = state[Z, i] <= 0.0 and nz > 0.0
-    holds_j = state[Z, j] <= 0.0 and nz < 0.0
-    give = (flat if holds_i else 1.0) / state[MASS, i] + (flat if holds_j else 1.0) / state[MASS, j]
-    restitution = physics[BALL_RESTITUTION]
+    holds_i = state[s.Z, i] <= 0.0 and nz > 0.0
+    holds_j = state[s.Z, j] <= 0.0 and nz < 0.0
+    give = (flat if holds_i else 1.0) / state[s.MASS, i] + (flat if holds_j else 1.0) / state[s.MASS, j]
+    restitution = physics[s.BALL_RESTITUTION]
     if holds_i or holds_j:
-        restitution = max(restitution, min(LANDING_SPEED / closing, 1.0))
+        restitution = max(restitution, min(s.LANDING_SPEED / closing, 1.0))
     impulse = (1.0 + restitution) * closing / give
     _push(state, i, -impulse * nx, -impulse * ny, -impulse * nz)
     _push(state, j, impulse * nx, impulse * ny, impulse * nz)
-    smooth = closing <= LANDING_SPEED and (holds_i or holds_j)
-    if physics[BALL_LAW] != NO_FRICTION and not smooth:
+    smooth = closing <= s.LANDING_SPEED and (holds_i or holds_j)
+    if physics[s.BALL_LAW] != NO_FRICTION and not smooth:
         _rub(state, i, j, nx, ny, nz, impulse, physics)
     for ball in (i, j):
-        if state[Z, ball] <= 0.0 and state[VZ, ball] < 0.0:
+        if state[s.Z, ball] <= 0.0 and state[s.VZ, ball] < 0.0:
             if smooth:
-                state[VZ, ball] = 0.0
+                state[s.VZ, ball] = 0.0
             else:
                 press_on_level(state, ball, 0.0, physics)
 
@@ -126,8 +109,8 @@ def meet_in_air(state, modes, i, j, now, physics):
     advance_anywhere(state, modes, i, now, physics)
     advance_anywhere(state, modes, j, now, physics)
     collide_in_space(state, i, j, physics)
-    modes[MEMBER, 0] = i
-    modes[MEMBER, 1] = j
+    modes[s.MEMBER, 0] = i
+    modes[s.MEMBER, 1] = j
     for ball in (i, j):
-        modes[AIR_COUNT, ball] += 1
+        modes[s.AIR_COUNT, ball] += 1
         enter_air_or_slate(state, modes, ball, physics)

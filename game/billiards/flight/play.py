@@ -21,71 +21,11 @@ from game.billiards.flight.nose import hit_nose, hop_of
 from game.billiards.flight.pairs import refresh_everywhere
 from game.billiards.flight.plans import plan_flight
 from game.billiards.flight.slate import bounce_on_level
+from game.billiards.laws import state as col
 from game.billiards.laws.batch import Elements, view_workspace
 from game.billiards.laws.impacts import hit_rail
 from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.laws.motion import end_phase, enter_phase
-from game.billiards.laws.state import (
-    AIR_COUNT,
-    AIRBORNE,
-    AT_REST,
-    BALL_BALL,
-    BALL_OFF,
-    BALL_POCKET,
-    BALL_RAIL_TOP,
-    BALL_SLATE,
-    BUFFER_FULL,
-    CLEAR,
-    CUSHION_HEIGHT,
-    END_TIME,
-    EVENT_LIMIT,
-    EVENTS_END,
-    EVENTS_START,
-    FINISHED,
-    FIRST,
-    IN_CLEAR,
-    IN_MASS,
-    IN_MOTION,
-    IN_RADIUS,
-    IN_VZ,
-    IN_WZ,
-    IN_X,
-    IN_Y,
-    IN_Z,
-    MASS,
-    MEMBER,
-    MIDDLE_X,
-    MIDDLE_Y,
-    MOTION,
-    NEVER,
-    NEXT_TIME,
-    NO_EVENT,
-    NOT_FINITE,
-    OFF_TABLE,
-    OWN_ELEMENT,
-    OWN_EVENT,
-    OWN_TIME,
-    PAIR_TIME,
-    PARTNER,
-    POCKETED,
-    RADIUS,
-    SECOND,
-    SEG_BALL,
-    SEG_MOTION,
-    SEG_VZ,
-    SEG_X,
-    SEG_Y,
-    SEG_Z,
-    SEGMENTS_END,
-    SEGMENTS_START,
-    STATUS,
-    TIME,
-    VX,
-    VZ,
-    WZ,
-    X,
-    Z,
-)
 
 MOST_CONTACTS = 1000  # of a ball in the air in a row, none with the slate
 LOST = -1  # in AIR_COUNT: the ball has left the table; it is POCKETED for all that asks who is still there
@@ -94,41 +34,41 @@ LOST = -1  # in AIR_COUNT: the ball has left the table; it is POCKETED for all t
 @inner_kernel
 def _motion_of(modes, i):
     """The motion of ball i as it is written down."""
-    return OFF_TABLE if modes[AIR_COUNT, i] == LOST else modes[MOTION, i]
+    return col.OFF_TABLE if modes[col.AIR_COUNT, i] == LOST else modes[col.MOTION, i]
 
 
 @inner_kernel
 def _record(segments, row, state, modes, i, physics):
     """Write the segment that ball i now begins."""
-    for column in range(SEG_BALL):
-        segments[row, column] = state[TIME + column, i]
-    segments[row, SEG_X] += physics[MIDDLE_X]
-    segments[row, SEG_Y] += physics[MIDDLE_Y]
-    segments[row, SEG_BALL] = i
-    segments[row, SEG_MOTION] = _motion_of(modes, i)
-    segments[row, SEG_Z] = state[Z, i]
-    segments[row, SEG_VZ] = state[VZ, i]
+    for column in range(col.SEG_BALL):
+        segments[row, column] = state[col.TIME + column, i]
+    segments[row, col.SEG_X] += physics[col.MIDDLE_X]
+    segments[row, col.SEG_Y] += physics[col.MIDDLE_Y]
+    segments[row, col.SEG_BALL] = i
+    segments[row, col.SEG_MOTION] = _motion_of(modes, i)
+    segments[row, col.SEG_Z] = state[col.Z, i]
+    segments[row, col.SEG_VZ] = state[col.VZ, i]
 
 
 @inner_kernel
 def _take_away(state, modes, i, event, physics):
     """Ball i is gone: into a pocket, or off the table."""
-    for row in range(VX, WZ + 1):
+    for row in range(col.VX, col.WZ + 1):
         state[row, i] = 0.0
-    state[Z, i] = 0.0
-    state[VZ, i] = 0.0
-    enter_phase(state, modes, i, POCKETED, physics)
-    modes[AIR_COUNT, i] = LOST if event == BALL_OFF else 0
+    state[col.Z, i] = 0.0
+    state[col.VZ, i] = 0.0
+    enter_phase(state, modes, i, col.POCKETED, physics)
+    modes[col.AIR_COUNT, i] = LOST if event == col.BALL_OFF else 0
 
 
 @inner_kernel
 def _come_down(state, modes, i, event, physics):
     """Ball i bounces on the slate or on top of a rail. Returns the event; BALL_OFF if it stays there."""
-    state[Z, i] = physics[CUSHION_HEIGHT] if event == BALL_RAIL_TOP else 0.0
+    state[col.Z, i] = physics[col.CUSHION_HEIGHT] if event == col.BALL_RAIL_TOP else 0.0
     bounce_on_level(state, i, physics)
-    if event == BALL_RAIL_TOP and state[VZ, i] == 0.0:
-        _take_away(state, modes, i, BALL_OFF, physics)
-        return BALL_OFF
+    if event == col.BALL_RAIL_TOP and state[col.VZ, i] == 0.0:
+        _take_away(state, modes, i, col.BALL_OFF, physics)
+        return col.BALL_OFF
     enter_air_or_slate(state, modes, i, physics)
     return event
 
@@ -136,24 +76,24 @@ def _come_down(state, modes, i, event, physics):
 @inner_kernel
 def _happen(state, modes, i, elements, physics):
     """Carry out what ball i planned of its own. Returns the event, and whether the ball is stuck."""
-    event = modes[OWN_EVENT, i]
-    if event == NO_EVENT:
+    event = modes[col.OWN_EVENT, i]
+    if event == col.NO_EVENT:
         return end_phase(state, modes, i, physics), False
-    flies = modes[MOTION, i] == AIRBORNE
-    advance_anywhere(state, modes, i, state[OWN_TIME, i], physics)
-    if event in (BALL_POCKET, BALL_OFF):
+    flies = modes[col.MOTION, i] == col.AIRBORNE
+    advance_anywhere(state, modes, i, state[col.OWN_TIME, i], physics)
+    if event in (col.BALL_POCKET, col.BALL_OFF):
         _take_away(state, modes, i, event, physics)
         return event, False
-    if event in (BALL_SLATE, BALL_RAIL_TOP):
+    if event in (col.BALL_SLATE, col.BALL_RAIL_TOP):
         return _come_down(state, modes, i, event, physics), False
-    element = modes[OWN_ELEMENT, i]
+    element = modes[col.OWN_ELEMENT, i]
     if flies:
-        modes[AIR_COUNT, i] += 1
+        modes[col.AIR_COUNT, i] += 1
         hit_nose(state, modes, i, event, element, elements.cushions, elements.jaws, physics)
         return event, False
     hop = hop_of(state, i, event, element, elements.cushions, elements.jaws, physics)
     stuck = hit_rail(state, modes, i, event, element, elements.cushions, elements.jaws, physics)
-    state[VZ, i] = hop
+    state[col.VZ, i] = hop
     enter_air_or_slate(state, modes, i, physics)
     return event, stuck
 
@@ -164,16 +104,16 @@ def _plan_changed(arrays, changed, elements, physics, segments, segment):
     state, modes, pairs = arrays.state, arrays.modes, arrays.pairs
     cushions, jaws, pockets = elements
     for q in range(changed):
-        i = modes[MEMBER, q]
+        i = modes[col.MEMBER, q]
         if segments.shape[0] > 0:
             _record(segments, segment, state, modes, i, physics)
             segment += 1
-        if modes[MOTION, i] == AIRBORNE:
+        if modes[col.MOTION, i] == col.AIRBORNE:
             plan_flight(state, modes, i, elements, physics)
         else:
             plan_ball(state, modes, i, cushions, jaws, pockets, physics)
     for q in range(changed):
-        refresh_everywhere(state, modes, pairs, modes[MEMBER, q], physics)
+        refresh_everywhere(state, modes, pairs, modes[col.MEMBER, q], physics)
     return segment
 
 
@@ -181,11 +121,11 @@ def _plan_changed(arrays, changed, elements, physics, segments, segment):
 def _meet(arrays, i, j, now, physics):
     """As `meeting.meet`, for balls anywhere. Returns contacts, changed balls, and one that is stuck or -1."""
     state, modes, ends = arrays.state, arrays.modes, arrays.cluster.ends
-    if modes[MOTION, i] != AIRBORNE and modes[MOTION, j] != AIRBORNE:
+    if modes[col.MOTION, i] != col.AIRBORNE and modes[col.MOTION, j] != col.AIRBORNE:
         return meet(arrays, i, j, now, physics)
     meet_in_air(state, modes, i, j, now, physics)
-    ends[FIRST, 0] = i
-    ends[SECOND, 0] = j
+    ends[col.FIRST, 0] = i
+    ends[col.SECOND, 0] = j
     return 1, 2, -1
 
 
@@ -193,10 +133,10 @@ def _meet(arrays, i, j, now, physics):
 def _remove_wedged(state, modes, changed, now, events, row, physics):
     """Take those of the first balls of row MEMBER away that find no end. Returns the next row of events."""
     for q in range(changed):
-        i = modes[MEMBER, q]
-        if modes[AIR_COUNT, i] > MOST_CONTACTS:
-            _take_away(state, modes, i, BALL_OFF, physics)
-            record_event(events, row, now, BALL_OFF, i, -1)
+        i = modes[col.MEMBER, q]
+        if modes[col.AIR_COUNT, i] > MOST_CONTACTS:
+            _take_away(state, modes, i, col.BALL_OFF, physics)
+            record_event(events, row, now, col.BALL_OFF, i, -1)
             row += 1
     return row
 
@@ -207,16 +147,16 @@ def _place(arrays, balls, physics, events, row):
     state, modes = arrays.state, arrays.modes
     place_balls(state, modes, arrays.pairs, balls, physics)
     for i in range(balls.shape[0]):
-        state[Z, i] = balls[i, IN_Z]
-        state[VZ, i] = balls[i, IN_VZ]
-        modes[AIR_COUNT, i] = LOST if modes[MOTION, i] == OFF_TABLE else 0
-        if modes[MOTION, i] == OFF_TABLE:
-            modes[MOTION, i] = POCKETED
-        if modes[MOTION, i] == POCKETED or (state[Z, i] == 0.0 and state[VZ, i] == 0.0):
+        state[col.Z, i] = balls[i, col.IN_Z]
+        state[col.VZ, i] = balls[i, col.IN_VZ]
+        modes[col.AIR_COUNT, i] = LOST if modes[col.MOTION, i] == col.OFF_TABLE else 0
+        if modes[col.MOTION, i] == col.OFF_TABLE:
+            modes[col.MOTION, i] = col.POCKETED
+        if modes[col.MOTION, i] == col.POCKETED or (state[col.Z, i] == 0.0 and state[col.VZ, i] == 0.0):
             continue
-        if state[Z, i] == 0.0 and state[VZ, i] < 0.0:
+        if state[col.Z, i] == 0.0 and state[col.VZ, i] < 0.0:
             bounce_on_level(state, i, physics)
-            record_event(events, row, 0.0, BALL_SLATE, i, -1)
+            record_event(events, row, 0.0, col.BALL_SLATE, i, -1)
             row += 1
         enter_air_or_slate(state, modes, i, physics)
     return row
@@ -229,42 +169,42 @@ def _play(arrays, elements, physics, until, last_row, events, segments, row, seg
     n = state.shape[1]
     end_time = 0.0
     changed = n
-    status = FINISHED
+    status = col.FINISHED
     for i in range(n):
-        modes[MEMBER, i] = i
+        modes[col.MEMBER, i] = i
     while True:
         if row + ends.shape[1] + n > events.shape[0] or (
             segments.shape[0] > 0 and segment + n > segments.shape[0]
         ):
-            status = BUFFER_FULL
+            status = col.BUFFER_FULL
             break
         segment = _plan_changed(arrays, changed, elements, physics, segments, segment)
         i = soonest_ball(state)
-        now = state[NEXT_TIME, i]
-        if not (now < AT_REST and now <= until):
-            end_time = until if now < AT_REST else end_time
+        now = state[col.NEXT_TIME, i]
+        if not (now < col.AT_REST and now <= until):
+            end_time = until if now < col.AT_REST else end_time
             break
         if row >= last_row:
-            status = EVENT_LIMIT
+            status = col.EVENT_LIMIT
             break
         end_time = now
         stuck_ball = -1
-        if not state[PAIR_TIME, i] < state[OWN_TIME, i]:
+        if not state[col.PAIR_TIME, i] < state[col.OWN_TIME, i]:
             event, stuck = _happen(state, modes, i, elements, physics)
-            record_event(events, row, now, event, i, modes[OWN_ELEMENT, i])
+            record_event(events, row, now, event, i, modes[col.OWN_ELEMENT, i])
             row += 1
-            modes[MEMBER, 0] = i
+            modes[col.MEMBER, 0] = i
             changed = 1
             stuck_ball = i if stuck else -1
         else:
-            written, changed, stuck_ball = _meet(arrays, i, modes[PARTNER, i], now, physics)
+            written, changed, stuck_ball = _meet(arrays, i, modes[col.PARTNER, i], now, physics)
             for m in range(written):
-                a = ends[FIRST, m]
-                b = ends[SECOND, m]
-                record_event(events, row, now, BALL_BALL, min(a, b), max(a, b))
+                a = ends[col.FIRST, m]
+                b = ends[col.SECOND, m]
+                record_event(events, row, now, col.BALL_BALL, min(a, b), max(a, b))
                 row += 1
         row = _remove_wedged(state, modes, changed, now, events, row, physics)
-        if stuck_ball >= 0 and modes[MOTION, stuck_ball] != AIRBORNE:
+        if stuck_ball >= 0 and modes[col.MOTION, stuck_ball] != col.AIRBORNE:
             changed = settle_group(state, modes, stuck_ball, now, elements.cushions, elements.jaws, physics)
     return status, row, segment, end_time
 
@@ -274,21 +214,21 @@ def _write_final(state, modes, end_time, final, physics):
     """Bring all balls to the end and write them. Returns False if a number is not finite."""
     total = 0.0
     for i in range(final.shape[0]):
-        if modes[MOTION, i] != POCKETED:
+        if modes[col.MOTION, i] != col.POCKETED:
             advance_anywhere(state, modes, i, end_time, physics)
-        for column in range(IN_WZ + 1):
-            final[i, column] = state[X + column, i]
+        for column in range(col.IN_WZ + 1):
+            final[i, column] = state[col.X + column, i]
             total += abs(final[i, column])
-        final[i, IN_X] += physics[MIDDLE_X]
-        final[i, IN_Y] += physics[MIDDLE_Y]
-        final[i, IN_RADIUS] = state[RADIUS, i]
-        final[i, IN_MASS] = state[MASS, i]
-        final[i, IN_MOTION] = _motion_of(modes, i)
-        final[i, IN_CLEAR] = state[CLEAR, i]
-        final[i, IN_Z] = state[Z, i]
-        final[i, IN_VZ] = state[VZ, i]
-        total += abs(state[Z, i]) + abs(state[VZ, i])
-    return total < NEVER
+        final[i, col.IN_X] += physics[col.MIDDLE_X]
+        final[i, col.IN_Y] += physics[col.MIDDLE_Y]
+        final[i, col.IN_RADIUS] = state[col.RADIUS, i]
+        final[i, col.IN_MASS] = state[col.MASS, i]
+        final[i, col.IN_MOTION] = _motion_of(modes, i)
+        final[i, col.IN_CLEAR] = state[col.CLEAR, i]
+        final[i, col.IN_Z] = state[col.Z, i]
+        final[i, col.IN_VZ] = state[col.VZ, i]
+        total += abs(state[col.Z, i]) + abs(state[col.VZ, i])
+    return total < col.NEVER
 
 
 @lean_kernel
@@ -316,16 +256,16 @@ def play_flying_shots(workspace, batch, log, first, until, max_events):
         status, row_end, segment_end, end_time = _play(
             arrays, table, physics, until, row + max_events, events, segments, row_end, segment
         )
-        if status == BUFFER_FULL:
+        if status == col.BUFFER_FULL:
             return s
         if not _write_final(arrays.state, arrays.modes, end_time, final[s], physics):
-            status = NOT_FINITE
-        ends[s, EVENTS_START] = row
-        ends[s, EVENTS_END] = row_end
-        ends[s, SEGMENTS_START] = segment
-        ends[s, SEGMENTS_END] = segment_end
-        ends[s, STATUS] = status
-        ends[s, END_TIME] = end_time
+            status = col.NOT_FINITE
+        ends[s, col.EVENTS_START] = row
+        ends[s, col.EVENTS_END] = row_end
+        ends[s, col.SEGMENTS_START] = segment
+        ends[s, col.SEGMENTS_END] = segment_end
+        ends[s, col.STATUS] = status
+        ends[s, col.END_TIME] = end_time
         row = row_end
         segment = segment_end
     return shots

@@ -2,28 +2,17 @@
 
 from __future__ import annotations
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    FREE_LEFT,
-    FREE_LOWER,
-    FREE_RIGHT,
-    FREE_UPPER,
-    FROM_X,
-    FROM_Y,
-    NORMAL_X,
-    NORMAL_Y,
-    TO_X,
-    TO_Y,
-)
 from game.billiards.table.table import CUSHION_DEPTH
 
 
 @inner_kernel
 def faces_cushion(x, y, cushions, k):
     """True if the foot of (x, y) on the line of cushion k lies on the cushion."""
-    dx = cushions[k, TO_X] - cushions[k, FROM_X]
-    dy = cushions[k, TO_Y] - cushions[k, FROM_Y]
-    along = (x - cushions[k, FROM_X]) * dx + (y - cushions[k, FROM_Y]) * dy
+    dx = cushions[k, s.TO_X] - cushions[k, s.FROM_X]
+    dy = cushions[k, s.TO_Y] - cushions[k, s.FROM_Y]
+    along = (x - cushions[k, s.FROM_X]) * dx + (y - cushions[k, s.FROM_Y]) * dy
     return 0.0 <= along <= dx * dx + dy * dy
 
 
@@ -42,8 +31,8 @@ def pocket_below(x, y, pockets):
 def is_over_bed(x, y, elements, physics):
     """True where there is slate, or a hole in it, below (x, y): between the noses, or in a pocket's mouth."""
     outside = max(
-        max(physics[FREE_LEFT] - x, x - physics[FREE_RIGHT]),
-        max(physics[FREE_LOWER] - y, y - physics[FREE_UPPER]),
+        max(physics[s.FREE_LEFT] - x, x - physics[s.FREE_RIGHT]),
+        max(physics[s.FREE_LOWER] - y, y - physics[s.FREE_UPPER]),
     )
     if outside <= 0.0:
         return True
@@ -51,7 +40,7 @@ def is_over_bed(x, y, elements, physics):
         return False
     for k in range(elements.cushions.shape[0]):
         row = elements.cushions[k]
-        gap = (x - row[FROM_X]) * row[NORMAL_X] + (y - row[FROM_Y]) * row[NORMAL_Y]
+        gap = (x - row[s.FROM_X]) * row[s.NORMAL_X] + (y - row[s.FROM_Y]) * row[s.NORMAL_Y]
         if -CUSHION_DEPTH <= gap < 0.0 and faces_cushion(x, y, elements.cushions, k):
             return False
     for k in range(elements.jaws.shape[0]):

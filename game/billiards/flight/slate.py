@@ -14,45 +14,33 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    LANDING_SPEED,
-    RADIUS,
-    SLATE_RESTITUTION,
-    SLIDING_FRICTION,
-    SPINNING_FRICTION,
-    VX,
-    VY,
-    VZ,
-    WX,
-    WY,
-    WZ,
-)
 
 
 @inner_kernel
 def bounce_on_level(state, i, physics):
     """Ball i meets a level from above, v_z < 0. It stays down if it would rise at LANDING_SPEED or less."""
-    press_on_level(state, i, physics[SLATE_RESTITUTION], physics)
+    press_on_level(state, i, physics[s.SLATE_RESTITUTION], physics)
 
 
 @inner_kernel
 def press_on_level(state, i, restitution, physics):
     """`bounce_on_level` with another restitution."""
-    closing = -state[VZ, i]
-    if restitution * closing <= LANDING_SPEED:
+    closing = -state[s.VZ, i]
+    if restitution * closing <= s.LANDING_SPEED:
         restitution = 0.0
-    state[VZ, i] = restitution * closing
+    state[s.VZ, i] = restitution * closing
     pressed = (1.0 + restitution) * closing  # impulse over mass, m/s
-    radius = state[RADIUS, i]
-    ux = state[VX, i] - radius * state[WY, i]
-    uy = state[VY, i] + radius * state[WX, i]
+    radius = state[s.RADIUS, i]
+    ux = state[s.VX, i] - radius * state[s.WY, i]
+    uy = state[s.VY, i] + radius * state[s.WX, i]
     slip = math.sqrt(ux * ux + uy * uy)
     if slip > 0.0:
-        share = min(physics[SLIDING_FRICTION] * pressed, 2.0 / 7.0 * slip) / slip
-        state[VX, i] -= share * ux
-        state[VY, i] -= share * uy
-        state[WX, i] -= 2.5 * share * uy / radius
-        state[WY, i] += 2.5 * share * ux / radius
-    lost = 2.5 * physics[SPINNING_FRICTION] * pressed / radius
-    state[WZ, i] = math.copysign(max(abs(state[WZ, i]) - lost, 0.0), state[WZ, i])
+        share = min(physics[s.SLIDING_FRICTION] * pressed, 2.0 / 7.0 * slip) / slip
+        state[s.VX, i] -= share * ux
+        state[s.VY, i] -= share * uy
+        state[s.WX, i] -= 2.5 * share * uy / radius
+        state[s.WY, i] += 2.5 * share * ux / radius
+    lost = 2.5 * physics[s.SPINNING_FRICTION] * pressed / radius
+    state[s.WZ, i] = math.copysign(max(abs(state[s.WZ, i]) - lost, 0.0), state[s.WZ, i])

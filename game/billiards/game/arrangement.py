@@ -6,26 +6,19 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.billiards.game.rules import CUE_BALL, Hand, ShotSummary
 from game.billiards.laws.layout import layout_of
 from game.billiards.shot.cue import strike
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.shot import Shot, make_shot
-from game.billiards.table.rack import (
-    BALL_MASS,
-    BALL_RADIUS,
-    FOOT_SPOT,
-    HEAD_SPOT,
-    eight_ball_rack,
-    nine_ball_rack,
-    ten_ball_rack,
-)
+from game.billiards.table import rack as r
+from game.billiards.table.rack import eight_ball_rack, nine_ball_rack, ten_ball_rack
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary
 
-Array = NDArray[np.float64]
 Places = tuple[tuple[int, float, float], ...]  # ball, x, y m; ascending
 
 BALLS = 16  # the cue ball and fifteen numbered ones
@@ -45,11 +38,11 @@ class Stroke(NamedTuple):
 class BallSet(NamedTuple):
     """Radii (16,) m and masses (16,) kg of the balls, by number."""
 
-    radii: Array
-    masses: Array
+    radii: Floats
+    masses: Floats
 
 
-def equal_balls(radius: float = BALL_RADIUS, mass: float = BALL_MASS) -> BallSet:
+def equal_balls(radius: float = r.BALL_RADIUS, mass: float = r.BALL_MASS) -> BallSet:
     """A set of like balls."""
     return BallSet(np.full(BALLS, radius), np.full(BALLS, mass))
 
@@ -58,11 +51,11 @@ class Arrangement(NamedTuple):
     """Balls on a table: numbers (n,), ascending, positions (n, 2) m in its frame, and the set they are of."""
 
     numbers: tuple[int, ...]
-    positions: Array
+    positions: Floats
     balls: BallSet
 
     @property
-    def radii(self) -> Array:
+    def radii(self) -> Floats:
         """Radii (n,) m."""
         return self.balls.radii[list(self.numbers)]
 
@@ -155,7 +148,7 @@ def is_free(
     left, right, lower, upper = bed_for(table, radius)
     if not (left <= x <= right and lower <= y <= upper):
         return False
-    if hand == "behind the line" and y > HEAD_SPOT * table.length:
+    if hand == "behind the line" and y > r.HEAD_SPOT * table.length:
         return False
     for other, place in zip(layout.numbers, layout.positions.tolist(), strict=True):
         if other == number:
@@ -185,7 +178,7 @@ def nearest_free(
     radius = float(layout.balls.radii[number])
     left, right, lower, upper = bed_for(table, radius)
     if hand == "behind the line":
-        upper = min(upper, HEAD_SPOT * table.length)
+        upper = min(upper, r.HEAD_SPOT * table.length)
     x, y = min(max(x, left), right), min(max(y, lower), upper)
     for ring in range(400):
         distance = 0.1 * radius * ring
@@ -201,7 +194,7 @@ def nearest_free(
 
 def spotted(layout: Arrangement, table: Table, numbers: tuple[int, ...]) -> Arrangement:
     """Balls put back (WPA 1.4): on the foot spot, else behind it as near as can be, else before it."""
-    x, y = 0.5 * table.width, FOOT_SPOT * table.length
+    x, y = 0.5 * table.width, r.FOOT_SPOT * table.length
     for number in sorted(numbers):
         layout = layout.without(number)
         radius = float(layout.balls.radii[number])

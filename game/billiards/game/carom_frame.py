@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_summary import CaromSummary, summarize_carom
 from game.billiards.game.games.carom import Carom, CaromVerdict
@@ -20,14 +20,15 @@ from game.billiards.simulation import SimulationError, simulate
 from game.billiards.table.carom import BALL_MASS, BALL_NAMES, BALL_RADIUS, RED
 from game.billiards.table.table import Table
 
-Array = NDArray[np.float64]
 Points = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
 
 LONGEST_S = 60.0  # s; without cloth a shot would never end
 MOST_KEPT = 60  # frames that can be gone back to
 
 
-def carom_shot(table: Table, physics: Physics, places: Array, cue: int, stroke: Stroke | None = None) -> Shot:
+def carom_shot(
+    table: Table, physics: Physics, places: Floats, cue: int, stroke: Stroke | None = None
+) -> Shot:
     """The shot of a stroke with ball `cue`, which is its first row, then the other cue ball, then the red
     one.
 
@@ -72,7 +73,7 @@ class CaromFrame(msgspec.Struct, frozen=True, eq=False):
         return msgspec.structs.replace(self, **changes)
 
     @property
-    def positions(self) -> Array:
+    def positions(self) -> Floats:
         """Places (3, 2) m of white, yellow, red."""
         return np.array(self.places)
 
@@ -159,7 +160,7 @@ def carom_trajectory(frame: CaromFrame, stroke: Stroke) -> Trajectory:
         raise ValueError(f"stroke: {error}") from None
 
 
-def points_of(places: Array) -> Points:
+def points_of(places: Floats) -> Points:
     """Places (3, 2) m as plain values."""
     white, yellow, red = ((float(x), float(y)) for x, y in places.tolist())
     return white, yellow, red

@@ -6,13 +6,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, BALL_OFF, IN_X, IN_Y, SEG_BALL, SEG_TIME
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions, touching
 
-Array = NDArray[np.float64]
 BALL, CUSHION = "ball", "cushion"
 LOOKS = 8  # at each stretch of a path, for whether it leaves a corner
 
@@ -26,7 +25,7 @@ class CaromSummary(NamedTuple):
     """
 
     path: tuple[tuple[str, int], ...]
-    rest: Array
+    rest: Floats
     into: tuple[int, ...] = ()
     off_table: tuple[int, ...] = ()
     left_corner: tuple[int, ...] = ()
@@ -62,19 +61,19 @@ def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
     path: list[tuple[str, int]] = []
     into: tuple[int, ...] = ()
     for _, event, i, j in trajectory.rows.tolist():
-        if event == BALL_BALL and row in (i, j):
+        if event == s.BALL_BALL and row in (i, j):
             ball = numbers[int(j if i == row else i)]
             if not path and ball in near:
                 into = (ball,)
             path.append((BALL, ball))
-        elif event == BALL_CUSHION and i == row and (path or int(j) not in against):
+        elif event == s.BALL_CUSHION and i == row and (path or int(j) not in against):
             path.append((CUSHION, int(j)))
-        elif event == BALL_CUSHION and i == row:
+        elif event == s.BALL_CUSHION and i == row:
             against = ()  # it has left that cushion; from now on it counts
     rest = np.empty((3, 2))
-    rest[numbers] = trajectory.end[:, [IN_X, IN_Y]]
+    rest[numbers] = trajectory.end[:, [s.IN_X, s.IN_Y]]
     left = tuple(ball for ball in (1 - cue, RED) if _leaves_corner(trajectory, numbers.index(ball)))
-    off = tuple(numbers[int(i)] for _, event, i, _ in trajectory.rows.tolist() if event == BALL_OFF)
+    off = tuple(numbers[int(i)] for _, event, i, _ in trajectory.rows.tolist() if event == s.BALL_OFF)
     return CaromSummary(tuple(path), rest, into, off, left)
 
 
@@ -91,7 +90,7 @@ def _leaves_corner(trajectory: Trajectory, row: int) -> bool:
     if corner < 0:
         return False
     segments = trajectory.segments
-    times = [*segments[segments[:, SEG_BALL] == row, SEG_TIME].tolist(), trajectory.end_time]
+    times = [*segments[segments[:, s.SEG_BALL] == row, s.SEG_TIME].tolist(), trajectory.end_time]
     for begin, end in pairwise(times):
         for share in np.linspace(0.0, 1.0, LOOKS).tolist():
             px, py = trajectory.state_at(begin + share * (end - begin)).positions[row].tolist()

@@ -8,33 +8,14 @@ its motion to does not send that one: a chain names no ball twice.
 from __future__ import annotations
 
 from game.billiards.game.rules import CUE_BALL, Pocketing, ShotSummary
-from game.billiards.laws.state import (
-    BALL_BALL,
-    BALL_CUSHION,
-    BALL_JAW,
-    BALL_OFF,
-    BALL_POCKET,
-    IN_MOTION,
-    IN_RADIUS,
-    IN_X,
-    OFF_TABLE,
-    POCKETED,
-    ROLLING_SPINNING,
-    ROLLING_STATIONARY,
-    SEG_BALL,
-    SEG_TIME,
-    SEG_X,
-    SEG_Y,
-    SPINNING_STATIONARY,
-    STATIONARY,
-)
+from game.billiards.laws import state as s
 from game.billiards.shot.crossing import short_contact
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.rack import HEAD_SPOT
 
 MOUTH = 4.0  # ball radii that the mouth of a pocket reaches beyond its circle
 FROZEN = 1e-4  # m; a ball that is so near to a cushion lies against it
-STOPS = (ROLLING_STATIONARY, ROLLING_SPINNING, SPINNING_STATIONARY)
+STOPS = (s.ROLLING_STATIONARY, s.ROLLING_SPINNING, s.SPINNING_STATIONARY)
 
 Row = tuple[float, int, int, int]
 
@@ -47,23 +28,23 @@ def summarize(trajectory: Trajectory) -> ShotSummary:
     numbers = ball_numbers(trajectory.shot.ids)
     rows: list[Row] = [(t, int(e), int(i), int(j)) for t, e, i, j in trajectory.rows.tolist()]
     cue = numbers.index(CUE_BALL) if CUE_BALL in numbers else -1
-    first_time = next((t for t, e, i, j in rows if e == BALL_BALL and cue in (i, j)), None)
+    first_time = next((t for t, e, i, j in rows if e == s.BALL_BALL and cue in (i, j)), None)
     first = tuple(
         numbers[j if i == cue else i] for t, e, i, j in rows
-        if t == first_time and e == BALL_BALL and cue in (i, j)
+        if t == first_time and e == s.BALL_BALL and cue in (i, j)
     )  # fmt: skip
     end = trajectory.end
     rest = tuple(
-        (number, *row[IN_X : IN_X + 2]) for number, row in zip(numbers, end.tolist(), strict=True)
-        if int(row[IN_MOTION]) not in (POCKETED, OFF_TABLE)
+        (number, *row[s.IN_X : s.IN_X + 2]) for number, row in zip(numbers, end.tolist(), strict=True)
+        if int(row[s.IN_MOTION]) not in (s.POCKETED, s.OFF_TABLE)
     )  # fmt: skip
-    touched = [k for _, e, i, j in rows if e == BALL_BALL for k in (i, j)]
+    touched = [k for _, e, i, j in rows if e == s.BALL_BALL for k in (i, j)]
     return ShotSummary(
         first,
         _pocketings(trajectory, rows, numbers, cue),
-        any(e == BALL_POCKET and i == cue for _, e, i, _ in rows),
+        any(e == s.BALL_POCKET and i == cue for _, e, i, _ in rows),
         tuple(numbers[k] for k in _cushioned(trajectory, rows, first_time)),
-        tuple(numbers[i] for _, e, i, _ in rows if e == BALL_OFF),
+        tuple(numbers[i] for _, e, i, _ in rows if e == s.BALL_OFF),
         _cue_path(rows, numbers, cue),
         tuple(numbers[k] for k in dict.fromkeys(touched) if k != cue),
         rest,
@@ -83,25 +64,27 @@ def _pocketings(
     trajectory: Trajectory, rows: list[Row], numbers: list[int], cue: int
 ) -> tuple[Pocketing, ...]:
     """The numbered balls that went down, in order, with their chains and cushions."""
-    moving = [int(row[IN_MOTION]) not in (STATIONARY, POCKETED) for row in trajectory.shot.balls.tolist()]
+    moving = [
+        int(row[s.IN_MOTION]) not in (s.STATIONARY, s.POCKETED) for row in trajectory.shot.balls.tolist()
+    ]
     chains: list[tuple[int, ...]] = [(k,) if moving[k] else () for k in range(len(numbers))]
     touches: list[list[float]] = [[] for _ in numbers]  # s, of cushions and jaws
     fallen = []
     at = 0
     while at < len(rows):
         time, event, i, j = rows[at]
-        if event == BALL_BALL:
+        if event == s.BALL_BALL:
             contacts = []
-            while at < len(rows) and rows[at][0] == time and rows[at][1] == BALL_BALL:
+            while at < len(rows) and rows[at][0] == time and rows[at][1] == s.BALL_BALL:
                 contacts.append(rows[at][2:])
                 at += 1
             pass_on(contacts, moving, chains)
             continue
-        if event in STOPS or event == BALL_OFF:
+        if event in STOPS or event == s.BALL_OFF:
             moving[i] = False
-        elif event in (BALL_CUSHION, BALL_JAW):
+        elif event in (s.BALL_CUSHION, s.BALL_JAW):
             touches[i].append(time)
-        elif event == BALL_POCKET:
+        elif event == s.BALL_POCKET:
             moving[i] = False
             if i != cue:
                 chain = tuple(numbers[k] for k in chains[i])
@@ -115,7 +98,7 @@ def _in_mouth(trajectory: Trajectory, ball: int, pocket: int, time: float) -> bo
     """True if a ball is in the mouth of a pocket at a time, s; its row, the pocket's."""
     x, y, radius = trajectory.shot.table.pockets[pocket].tolist()
     here, there = trajectory.state_at(time).positions[ball].tolist()
-    reach = radius + MOUTH * float(trajectory.end[ball, IN_RADIUS])
+    reach = radius + MOUTH * float(trajectory.end[ball, s.IN_RADIUS])
     return (here - x) * (here - x) + (there - y) * (there - y) <= reach * reach
 
 
@@ -142,9 +125,9 @@ def _cushioned(trajectory: Trajectory, rows: list[Row], first_time: float | None
         return []
     found: dict[int, None] = {}
     for time, event, i, j in rows:
-        if event not in (BALL_CUSHION, BALL_JAW) or time < first_time or i in found:
+        if event not in (s.BALL_CUSHION, s.BALL_JAW) or time < first_time or i in found:
             continue
-        if event == BALL_CUSHION and _still_frozen(trajectory, i, j, time):
+        if event == s.BALL_CUSHION and _still_frozen(trajectory, i, j, time):
             continue
         found[i] = None
     return list(found)
@@ -153,15 +136,15 @@ def _cushioned(trajectory: Trajectory, rows: list[Row], first_time: float | None
 def _still_frozen(trajectory: Trajectory, ball: int, cushion: int, time: float) -> bool:
     """True if a ball has been against a cushion from the start of the shot to this time."""
     x, y, _, _, nx, ny = trajectory.shot.table.cushions[cushion].tolist()
-    radius = float(trajectory.end[ball, IN_RADIUS])
+    radius = float(trajectory.end[ball, s.IN_RADIUS])
     start_x, start_y = trajectory.shot.positions[ball].tolist()
     if (start_x - x) * nx + (start_y - y) * ny - radius > FROZEN:
         return False
     for row in trajectory.segments.tolist():
-        if int(row[SEG_BALL]) == ball and row[SEG_TIME] <= time:
-            middle = 0.5 * (row[SEG_TIME] + time)
+        if int(row[s.SEG_BALL]) == ball and row[s.SEG_TIME] <= time:
+            middle = 0.5 * (row[s.SEG_TIME] + time)
             here = trajectory.state_at(middle).positions[ball].tolist()
-            for px, py in ((row[SEG_X], row[SEG_Y]), here):
+            for px, py in ((row[s.SEG_X], row[s.SEG_Y]), here):
                 if (px - x) * nx + (py - y) * ny - radius > FROZEN:
                     return False
     return True
@@ -179,8 +162,8 @@ def _cue_path(rows: list[Row], numbers: list[int], cue: int) -> tuple[tuple[str,
     """What the cue ball touched, in order."""
     path = []
     for _, event, i, j in rows:
-        if event == BALL_BALL and cue in (i, j):
+        if event == s.BALL_BALL and cue in (i, j):
             path.append(("ball", numbers[j if i == cue else i]))
-        elif event in (BALL_CUSHION, BALL_JAW) and i == cue:
+        elif event in (s.BALL_CUSHION, s.BALL_JAW) and i == cue:
             path.append(("cushion", j))
     return tuple(path)

@@ -10,26 +10,25 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.joint import BALL_COLUMNS, CONTACT_COLUMNS, JointScratch
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import END_ROWS, FLOAT_ROWS, FORCE_ROWS, INTEGER_ROWS, PAIR_PLANES
-
-Array = NDArray[np.float64]
 
 
 class Workspace(NamedTuple):
     """Arrays for one shot of n balls, kept and used again; `view_workspace` cuts it up."""
 
-    floats: Array
+    floats: Floats
     integers: NDArray[np.int64]
 
 
 def workspace(n: int) -> Workspace:
     """A workspace for shots of n balls."""
     m = max(1, n * (n - 1) // 2)
-    balls = FLOAT_ROWS + PAIR_PLANES * n + 2 + BALL_COLUMNS
-    floats = n * balls + m * (FORCE_ROWS + 2 + CONTACT_COLUMNS)
-    return Workspace(np.zeros(floats), np.zeros(n * INTEGER_ROWS + m * END_ROWS, np.int64))
+    balls = s.FLOAT_ROWS + s.PAIR_PLANES * n + 2 + BALL_COLUMNS
+    floats = n * balls + m * (s.FORCE_ROWS + 2 + CONTACT_COLUMNS)
+    return Workspace(np.zeros(floats), np.zeros(n * s.INTEGER_ROWS + m * s.END_ROWS, np.int64))
 
 
 class Batch(NamedTuple):
@@ -40,9 +39,9 @@ class Batch(NamedTuple):
     shot's table start, and end.
     """
 
-    balls: Array
-    constants: Array
-    elements: Array
+    balls: Floats
+    constants: Floats
+    elements: Floats
     ranges: NDArray[np.int64]
 
 
@@ -55,36 +54,36 @@ class Log(NamedTuple):
     but in the table's frame, as are segments.
     """
 
-    events: Array
-    segments: Array
-    ends: Array
-    final: Array
+    events: Floats
+    segments: Floats
+    ends: Floats
+    final: Floats
 
 
 class Elements(NamedTuple):
     """What balls meet: cushions (c, 7), jaws (j, 7), pockets (p, 7), as in `state`."""
 
-    cushions: Array
-    jaws: Array
-    pockets: Array
+    cushions: Floats
+    jaws: Floats
+    pockets: Floats
 
 
 class Cluster(NamedTuple):
     """Contacts of one moment: ends (2, m), forces (7, m), normals (m, 2); velocities (n, 2) and scratch."""
 
     ends: NDArray[np.int64]
-    forces: Array
-    normals: Array
-    velocities: Array
+    forces: Floats
+    normals: Floats
+    velocities: Floats
     scratch: JointScratch
 
 
 class Arrays(NamedTuple):
     """Views into a `Workspace`: state (rows, n), modes (rows, n), pairs (planes, n, n), see `state`."""
 
-    state: Array
+    state: Floats
     modes: NDArray[np.int64]
-    pairs: Array
+    pairs: Floats
     cluster: Cluster
 
 
@@ -92,9 +91,9 @@ class Arrays(NamedTuple):
 def view_workspace(floats, integers, n):
     """The `Arrays` of a `Workspace` for n balls."""
     m = max(1, n * (n - 1) // 2)
-    a = FLOAT_ROWS * n
-    b = a + PAIR_PLANES * n * n
-    c = b + FORCE_ROWS * m
+    a = s.FLOAT_ROWS * n
+    b = a + s.PAIR_PLANES * n * n
+    c = b + s.FORCE_ROWS * m
     d = c + 2 * m
     e = d + 2 * n
     f = e + CONTACT_COLUMNS * m
@@ -103,15 +102,15 @@ def view_workspace(floats, integers, n):
         floats[f : f + BALL_COLUMNS * n].reshape((n, BALL_COLUMNS)),
     )
     cluster = Cluster(
-        integers[INTEGER_ROWS * n : INTEGER_ROWS * n + END_ROWS * m].reshape((END_ROWS, m)),
-        floats[b:c].reshape((FORCE_ROWS, m)),
+        integers[s.INTEGER_ROWS * n : s.INTEGER_ROWS * n + s.END_ROWS * m].reshape((s.END_ROWS, m)),
+        floats[b:c].reshape((s.FORCE_ROWS, m)),
         floats[c:d].reshape((m, 2)),
         floats[d:e].reshape((n, 2)),
         scratch,
     )
     return Arrays(
-        floats[:a].reshape((FLOAT_ROWS, n)),
-        integers[: INTEGER_ROWS * n].reshape((INTEGER_ROWS, n)),
-        floats[a:b].reshape((PAIR_PLANES, n, n)),
+        floats[:a].reshape((s.FLOAT_ROWS, n)),
+        integers[: s.INTEGER_ROWS * n].reshape((s.INTEGER_ROWS, n)),
+        floats[a:b].reshape((s.PAIR_PLANES, n, n)),
         cluster,
     )

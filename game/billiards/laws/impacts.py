@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.laws.contacts import HAN_2005, MATHAVAN_2010, NO_FRICTION, STRONGE_2000
+from game.billiards.laws import contacts
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts.ball_ball_friction import rub_in_contact
 from game.billiards.laws.contacts.ball_ball_normal import collide_along_normal
 from game.billiards.laws.contacts.chatter import (
@@ -19,56 +20,39 @@ from game.billiards.laws.contacts.cushion_mathavan_2010 import bounce_mathavan_2
 from game.billiards.laws.contacts.cushion_restitution import bounce, restitution_at
 from game.billiards.laws.contacts.cushion_stronge_2000 import bounce_stronge_2000
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    BALL_JAW,
-    BALL_LAW,
-    BALL_RESTITUTION,
-    CUSHION_LAW,
-    MET,
-    NORMAL_X,
-    NORMAL_Y,
-    RAIL_COUNT,
-    RAIL_TIME,
-    REPEATS,
-    TIME,
-    VX,
-    VY,
-    X,
-    Y,
-)
 
 
 @inner_kernel(inline="always")
 def bounce_off(state, i, nx, ny, physics):
     """Bounce ball i off a rail with the table's model; n is the unit vector from the rail to the ball."""
-    if physics[CUSHION_LAW] == HAN_2005:
+    if physics[s.CUSHION_LAW] == contacts.HAN_2005:
         bounce_han_2005(state, i, nx, ny, physics)
-    elif physics[CUSHION_LAW] == MATHAVAN_2010:
+    elif physics[s.CUSHION_LAW] == contacts.MATHAVAN_2010:
         bounce_mathavan_2010(state, i, nx, ny, physics)
-    elif physics[CUSHION_LAW] == STRONGE_2000:
+    elif physics[s.CUSHION_LAW] == contacts.STRONGE_2000:
         bounce_stronge_2000(state, i, nx, ny, physics)
     else:
-        closing = -(state[VX, i] * nx + state[VY, i] * ny)
+        closing = -(state[s.VX, i] * nx + state[s.VY, i] * ny)
         bounce(state, i, nx, ny, restitution_at(closing, physics))
 
 
 @inner_kernel
 def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
     """Ball i, already at the contact, meets a cushion or a jaw. Returns if it is stuck: see `settling`."""
-    if event == BALL_JAW:
-        nx = state[X, i] - jaws[element, 0]
-        ny = state[Y, i] - jaws[element, 1]
+    if event == s.BALL_JAW:
+        nx = state[s.X, i] - jaws[element, 0]
+        ny = state[s.Y, i] - jaws[element, 1]
         distance = math.sqrt(nx * nx + ny * ny)
         nx /= distance
         ny /= distance
     else:
-        nx = cushions[element, NORMAL_X]
-        ny = cushions[element, NORMAL_Y]
+        nx = cushions[element, s.NORMAL_X]
+        ny = cushions[element, s.NORMAL_Y]
     bounce_off(state, i, nx, ny, physics)
-    now = state[TIME, i]
-    repeats = modes[RAIL_COUNT, i] + 1 if now - state[RAIL_TIME, i] < CHATTER_TIME else 0
-    modes[RAIL_COUNT, i] = repeats
-    state[RAIL_TIME, i] = now
+    now = state[s.TIME, i]
+    repeats = modes[s.RAIL_COUNT, i] + 1 if now - state[s.RAIL_TIME, i] < CHATTER_TIME else 0
+    modes[s.RAIL_COUNT, i] = repeats
+    state[s.RAIL_TIME, i] = now
     if repeats >= ALLOWED_REPEATS:
         separated = separate(state, i, -1, -nx, -ny, least_separating_speed(repeats))
         return repeats >= LAST_REPEATS and not separated
@@ -78,8 +62,8 @@ def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
 @inner_kernel(inline="always")
 def normal_between(state, i, j):
     """Unit vector from ball i to ball j, both at the same time."""
-    nx = state[X, j] - state[X, i]
-    ny = state[Y, j] - state[Y, i]
+    nx = state[s.X, j] - state[s.X, i]
+    ny = state[s.Y, j] - state[s.Y, i]
     distance = math.sqrt(nx * nx + ny * ny)
     if distance == 0.0:
         return 1.0, 0.0
@@ -89,8 +73,8 @@ def normal_between(state, i, j):
 @inner_kernel(inline="always")
 def collide_pair(state, i, j, nx, ny, physics):
     """Two balls in contact collide by the table's model."""
-    impulse = collide_along_normal(state, i, j, nx, ny, physics[BALL_RESTITUTION])
-    if physics[BALL_LAW] != NO_FRICTION:
+    impulse = collide_along_normal(state, i, j, nx, ny, physics[s.BALL_RESTITUTION])
+    if physics[s.BALL_LAW] != contacts.NO_FRICTION:
         rub_in_contact(state, i, j, nx, ny, impulse, physics)
 
 
@@ -100,11 +84,11 @@ def end_chatter(state, pairs, i, j, nx, ny, now):
 
     Returns whether they are stuck: see `settling`.
     """
-    count = pairs[REPEATS, i, j] + 1.0 if now - pairs[MET, i, j] < CHATTER_TIME else 0.0
-    pairs[REPEATS, i, j] = count
-    pairs[REPEATS, j, i] = count
-    pairs[MET, i, j] = now
-    pairs[MET, j, i] = now
+    count = pairs[s.REPEATS, i, j] + 1.0 if now - pairs[s.MET, i, j] < CHATTER_TIME else 0.0
+    pairs[s.REPEATS, i, j] = count
+    pairs[s.REPEATS, j, i] = count
+    pairs[s.MET, i, j] = now
+    pairs[s.MET, j, i] = now
     if count >= ALLOWED_REPEATS:
         separated = separate(state, i, j, nx, ny, least_separating_speed(int(count)))
         return count >= LAST_REPEATS and not separated

@@ -14,12 +14,10 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.state import EDGE, NO_EDGE
 from game.billiards.table.table import Table
-
-Array = NDArray[np.float64]
 
 FAR = 1e9  # m; where a side of the table has no rail
 TOLERANCE = 1e-9  # m
@@ -32,7 +30,7 @@ class Layout(NamedTuple):
     rectangle about the middle.
     """
 
-    elements: Array
+    elements: Floats
     counts: tuple[int, int, int]
     middle: tuple[float, float]
     free: tuple[float, float, float, float]
@@ -65,7 +63,7 @@ def _layout(cushion_bytes: bytes, jaw_bytes: bytes, pocket_bytes: bytes) -> Layo
     return Layout(elements, counts, (float(middle_x), float(middle_y)), free)
 
 
-def _free_rectangle(rails: Array) -> tuple[float, float, float, float]:
+def _free_rectangle(rails: Floats) -> tuple[float, float, float, float]:
     """Innermost straight rails on the four sides: left, right, lower, upper."""
     left, right, lower, upper = -FAR, FAR, -FAR, FAR
     for x, y, _, _, normal_x, normal_y in rails.tolist():
@@ -80,7 +78,7 @@ def _free_rectangle(rails: Array) -> tuple[float, float, float, float]:
     return left, right, lower, upper
 
 
-def _edge_of(row: Array, free: tuple[float, float, float, float]) -> float:
+def _edge_of(row: Floats, free: tuple[float, float, float, float]) -> float:
     """Edge of the free rectangle on which a cushion lies, as the kernels number them."""
     normals = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
     for edge, normal in enumerate(normals):

@@ -14,41 +14,14 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    AX,
-    AY,
-    GRAVITY,
-    MOTION,
-    NEVER,
-    PHASE_END,
-    RADIUS,
-    ROLLING,
-    ROLLING_FRICTION,
-    ROLLING_SPINNING,
-    ROLLING_STATIONARY,
-    SLIDING,
-    SLIDING_FRICTION,
-    SLIDING_ROLLING,
-    SPINNING,
-    SPINNING_FRICTION,
-    SPINNING_STATIONARY,
-    STATIONARY,
-    TIME,
-    VX,
-    VY,
-    WX,
-    WY,
-    WZ,
-    X,
-    Y,
-)
 
 
 @inner_kernel(inline="always")
 def spin_after(wz, elapsed, radius, physics):
     """Spin about z, rad/s, `elapsed` s later."""
-    lost = 2.5 * physics[SPINNING_FRICTION] * physics[GRAVITY] / radius * elapsed
+    lost = 2.5 * physics[s.SPINNING_FRICTION] * physics[s.GRAVITY] / radius * elapsed
     if wz > lost:
         return wz - lost
     if wz < -lost:
@@ -59,66 +32,66 @@ def spin_after(wz, elapsed, radius, physics):
 @inner_kernel
 def advance(state, modes, i, time, physics):
     """Bring the state of ball i to `time`, within its phase. Its phase goes on."""
-    elapsed = time - state[TIME, i]
-    state[TIME, i] = time
-    motion = modes[MOTION, i]
-    if motion == STATIONARY:
+    elapsed = time - state[s.TIME, i]
+    state[s.TIME, i] = time
+    motion = modes[s.MOTION, i]
+    if motion == s.STATIONARY:
         return
-    radius = state[RADIUS, i]
-    state[WZ, i] = spin_after(state[WZ, i], elapsed, radius, physics)
-    if motion == SPINNING:
+    radius = state[s.RADIUS, i]
+    state[s.WZ, i] = spin_after(state[s.WZ, i], elapsed, radius, physics)
+    if motion == s.SPINNING:
         return
-    ax = state[AX, i]
-    ay = state[AY, i]
-    state[X, i] += elapsed * (state[VX, i] + elapsed * ax)
-    state[Y, i] += elapsed * (state[VY, i] + elapsed * ay)
-    state[VX, i] += 2.0 * elapsed * ax
-    state[VY, i] += 2.0 * elapsed * ay
-    if motion == ROLLING:
-        state[WX, i] = -state[VY, i] / radius
-        state[WY, i] = state[VX, i] / radius
+    ax = state[s.AX, i]
+    ay = state[s.AY, i]
+    state[s.X, i] += elapsed * (state[s.VX, i] + elapsed * ax)
+    state[s.Y, i] += elapsed * (state[s.VY, i] + elapsed * ay)
+    state[s.VX, i] += 2.0 * elapsed * ax
+    state[s.VY, i] += 2.0 * elapsed * ay
+    if motion == s.ROLLING:
+        state[s.WX, i] = -state[s.VY, i] / radius
+        state[s.WY, i] = state[s.VX, i] / radius
     else:
         # the torque of the same friction force: w' = 5/(2 R) (2 a) x z
-        state[WX, i] += 5.0 * elapsed * ay / radius
-        state[WY, i] -= 5.0 * elapsed * ax / radius
+        state[s.WX, i] += 5.0 * elapsed * ay / radius
+        state[s.WY, i] -= 5.0 * elapsed * ax / radius
 
 
 @inner_kernel
 def enter_phase(state, modes, i, motion, physics):
     """Start a phase of ball i from its present state: sets a, the phase's end (s), and the motion."""
-    modes[MOTION, i] = motion
-    now = state[TIME, i]
-    radius = state[RADIUS, i]
-    gravity = physics[GRAVITY]
-    state[AX, i] = 0.0
-    state[AY, i] = 0.0
-    state[PHASE_END, i] = NEVER
-    if motion == SLIDING:
-        ux = state[VX, i] - radius * state[WY, i]
-        uy = state[VY, i] + radius * state[WX, i]
+    modes[s.MOTION, i] = motion
+    now = state[s.TIME, i]
+    radius = state[s.RADIUS, i]
+    gravity = physics[s.GRAVITY]
+    state[s.AX, i] = 0.0
+    state[s.AY, i] = 0.0
+    state[s.PHASE_END, i] = s.NEVER
+    if motion == s.SLIDING:
+        ux = state[s.VX, i] - radius * state[s.WY, i]
+        uy = state[s.VY, i] + radius * state[s.WX, i]
         slip = math.sqrt(ux * ux + uy * uy)
-        force = physics[SLIDING_FRICTION] * gravity
+        force = physics[s.SLIDING_FRICTION] * gravity
         if slip == 0.0:
-            state[PHASE_END, i] = now
+            state[s.PHASE_END, i] = now
         elif force > 0.0:
-            state[AX, i] = -0.5 * force * (ux / slip)
-            state[AY, i] = -0.5 * force * (uy / slip)
-            state[PHASE_END, i] = now + 2.0 * slip / (7.0 * force)
-    elif motion == ROLLING:
-        vx = state[VX, i]
-        vy = state[VY, i]
+            state[s.AX, i] = -0.5 * force * (ux / slip)
+            state[s.AY, i] = -0.5 * force * (uy / slip)
+            state[s.PHASE_END, i] = now + 2.0 * slip / (7.0 * force)
+    elif motion == s.ROLLING:
+        vx = state[s.VX, i]
+        vy = state[s.VY, i]
         speed = math.sqrt(vx * vx + vy * vy)
-        force = physics[ROLLING_FRICTION] * gravity
+        force = physics[s.ROLLING_FRICTION] * gravity
         if speed == 0.0:
-            state[PHASE_END, i] = now
+            state[s.PHASE_END, i] = now
         elif force > 0.0:
-            state[AX, i] = -0.5 * force * (vx / speed)
-            state[AY, i] = -0.5 * force * (vy / speed)
-            state[PHASE_END, i] = now + speed / force
-    elif motion == SPINNING:
-        decay = 2.5 * physics[SPINNING_FRICTION] * gravity / radius
+            state[s.AX, i] = -0.5 * force * (vx / speed)
+            state[s.AY, i] = -0.5 * force * (vy / speed)
+            state[s.PHASE_END, i] = now + speed / force
+    elif motion == s.SPINNING:
+        decay = 2.5 * physics[s.SPINNING_FRICTION] * gravity / radius
         if decay > 0.0:
-            state[PHASE_END, i] = now + abs(state[WZ, i]) / decay
+            state[s.PHASE_END, i] = now + abs(state[s.WZ, i]) / decay
 
 
 @inner_kernel
@@ -127,20 +100,20 @@ def end_phase(state, modes, i, physics):
 
     Returns the event.
     """
-    advance(state, modes, i, state[PHASE_END, i], physics)
-    motion = modes[MOTION, i]
-    if motion == SLIDING:
-        state[WX, i] = -state[VY, i] / state[RADIUS, i]
-        state[WY, i] = state[VX, i] / state[RADIUS, i]
-        enter_phase(state, modes, i, ROLLING, physics)
-        return SLIDING_ROLLING
-    state[VX, i] = 0.0
-    state[VY, i] = 0.0
-    state[WX, i] = 0.0
-    state[WY, i] = 0.0
-    if motion == ROLLING and state[WZ, i] != 0.0:
-        enter_phase(state, modes, i, SPINNING, physics)
-        return ROLLING_SPINNING
-    state[WZ, i] = 0.0
-    enter_phase(state, modes, i, STATIONARY, physics)
-    return ROLLING_STATIONARY if motion == ROLLING else SPINNING_STATIONARY
+    advance(state, modes, i, state[s.PHASE_END, i], physics)
+    motion = modes[s.MOTION, i]
+    if motion == s.SLIDING:
+        state[s.WX, i] = -state[s.VY, i] / state[s.RADIUS, i]
+        state[s.WY, i] = state[s.VX, i] / state[s.RADIUS, i]
+        enter_phase(state, modes, i, s.ROLLING, physics)
+        return s.SLIDING_ROLLING
+    state[s.VX, i] = 0.0
+    state[s.VY, i] = 0.0
+    state[s.WX, i] = 0.0
+    state[s.WY, i] = 0.0
+    if motion == s.ROLLING and state[s.WZ, i] != 0.0:
+        enter_phase(state, modes, i, s.SPINNING, physics)
+        return s.ROLLING_SPINNING
+    state[s.WZ, i] = 0.0
+    enter_phase(state, modes, i, s.STATIONARY, physics)
+    return s.ROLLING_STATIONARY if motion == s.ROLLING else s.SPINNING_STATIONARY

@@ -10,22 +10,9 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as col
 from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.laws.motion import spin_after
-from game.billiards.laws.state import (
-    AIRBORNE,
-    ROLLING,
-    SEG_AX,
-    SEG_AY,
-    SEG_MOTION,
-    SEG_TIME,
-    SEG_VX,
-    SEG_VY,
-    SEG_WX,
-    SEG_WY,
-    SEG_WZ,
-    SLIDING,
-)
 from game.physics.kernels import elementary
 
 STEP = 0.02  # s
@@ -35,18 +22,18 @@ GAUSS = 0.5 - math.sqrt(3.0) / 6.0
 @inner_kernel
 def spin_in_segment(segment, elapsed, radius, physics):
     """Rotation vector `elapsed` s into a segment, rad/s."""
-    wx = segment[SEG_WX]
-    wy = segment[SEG_WY]
-    motion = int(segment[SEG_MOTION])
-    if motion == ROLLING:
-        wx = -(segment[SEG_VY] + 2.0 * elapsed * segment[SEG_AY]) / radius
-        wy = (segment[SEG_VX] + 2.0 * elapsed * segment[SEG_AX]) / radius
-    elif motion == SLIDING:
-        wx += 5.0 * elapsed * segment[SEG_AY] / radius
-        wy -= 5.0 * elapsed * segment[SEG_AX] / radius
-    elif motion == AIRBORNE:
-        return wx, wy, segment[SEG_WZ]
-    return wx, wy, spin_after(segment[SEG_WZ], elapsed, radius, physics)
+    wx = segment[col.SEG_WX]
+    wy = segment[col.SEG_WY]
+    motion = int(segment[col.SEG_MOTION])
+    if motion == col.ROLLING:
+        wx = -(segment[col.SEG_VY] + 2.0 * elapsed * segment[col.SEG_AY]) / radius
+        wy = (segment[col.SEG_VX] + 2.0 * elapsed * segment[col.SEG_AX]) / radius
+    elif motion == col.SLIDING:
+        wx += 5.0 * elapsed * segment[col.SEG_AY] / radius
+        wy -= 5.0 * elapsed * segment[col.SEG_AX] / radius
+    elif motion == col.AIRBORNE:
+        return wx, wy, segment[col.SEG_WZ]
+    return wx, wy, spin_after(segment[col.SEG_WZ], elapsed, radius, physics)
 
 
 @inner_kernel
@@ -121,5 +108,5 @@ def turns_at_starts(segments, order, starts, radii, physics, turns):
             before = order[place - 1]
             for k in range(4):
                 turns[row, k] = turns[before, k]
-            elapsed = segments[row, SEG_TIME] - segments[before, SEG_TIME]
+            elapsed = segments[row, col.SEG_TIME] - segments[before, col.SEG_TIME]
             turn_in_segment(segments[before], elapsed, radii[ball], physics, turns[row])

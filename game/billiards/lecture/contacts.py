@@ -11,16 +11,8 @@ import math
 import numpy as np
 
 from game.billiards.laws.joint import DEMAND, SPEED, STEP, solve_complementarity, solve_joint_impulses
+from game.billiards.lecture import state as s
 from game.billiards.lecture.settings import AT_ONCE, CONSERVING, SCALED
-from game.billiards.lecture.state import (
-    BALL_BALL,
-    BALL_CUSHION,
-    BALL_JAW,
-    CONTACTS,
-    ITERATIONS,
-    PAIR_TESTS,
-    ROUNDS,
-)
 from game.billiards.lecture.walls import bounce_off_walls, cushion_gap, jaw_gap, report
 from game.compiler.decorator import kernel
 
@@ -99,7 +91,7 @@ def collide_pair(state, settings, journal, i, j, time):
         )
     x = offsets[j, 0] + state.radii[j] * cosa
     y = offsets[j, 1] + state.radii[j] * sina
-    report(journal, np.int64(BALL_BALL), i, j, time, abs(approach), impulse, x, y)
+    report(journal, np.int64(s.BALL_BALL), i, j, time, abs(approach), impulse, x, y)
 
 
 @kernel
@@ -125,7 +117,7 @@ def collide_in_index_order(state, geometry, settings, journal, time):
                 if dx * dx + dy * dy < reach * reach and in_play[j]:
                     collide_pair(state, settings, journal, i, j, time)
                     found = True
-        journal.counters[PAIR_TESTS] += n * (n - 1) // 2
+        journal.counters[s.PAIR_TESTS] += n * (n - 1) // 2
         if not found:
             return
         if settings.walls_again:
@@ -211,11 +203,11 @@ def _report_impulses(state, geometry, contacts, journal, count, time):
             i = contacts.graph.first[c]
             x = state.offsets[i, 0] + state.radii[i] * contacts.graph.normals[c, 0]
             y = state.offsets[i, 1] + state.radii[i] * contacts.graph.normals[c, 1]
-            kind = BALL_BALL
+            kind = s.BALL_BALL
             other = contacts.graph.second[c]
             if other < 0:
                 other = -1 - other
-                kind = BALL_CUSHION if other < cushions else BALL_JAW
+                kind = s.BALL_CUSHION if other < cushions else s.BALL_JAW
                 other -= 0 if other < cushions else cushions
             speed = contacts.scratch.contacts[c, SPEED]
             if speed <= 0.0:  # it closed only because of other impacts of this instant
@@ -252,21 +244,21 @@ def collide_jointly(state, geometry, settings, contacts, journal, time):
     n = state.radii.shape[0]
     for attempt in range(settings.passes + 1):
         count, least = _list_ball_contacts(state, settings, contacts)
-        journal.counters[PAIR_TESTS] += n * (n - 1) // 2
+        journal.counters[s.PAIR_TESTS] += n * (n - 1) // 2
         if not least < (IN_CONTACT if attempt == 0 else -SEPARATED):
             return
         if settings.walls_again:
             count = _list_wall_contacts(state, geometry, settings, contacts, count)
         if attempt > 0:
-            journal.counters[ITERATIONS] += _separate(state, contacts, count)
+            journal.counters[s.ITERATIONS] += _separate(state, contacts, count)
             continue
         for c in range(count):
             if not contacts.gaps[c] < IN_CONTACT * state.radii[contacts.graph.first[c]]:
                 contacts.graph.normals[c, 0] = 0.0  # only nearby: no part in the impacts
                 contacts.graph.normals[c, 1] = 0.0
             else:
-                journal.counters[CONTACTS] += 1
-        journal.counters[ROUNDS] += solve_joint_impulses(
+                journal.counters[s.CONTACTS] += 1
+        journal.counters[s.ROUNDS] += solve_joint_impulses(
             count,
             contacts.graph,
             contacts.restitutions,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from game.billiards.lecture.state import EVENT_NAMES, Array
+from game.arrays import Floats
+from game.billiards.lecture.state import EVENT_NAMES
 
 
 class TableEvent(NamedTuple):
@@ -23,7 +24,7 @@ class TableEvent(NamedTuple):
     position: tuple[float, float]
 
 
-def table_events(rows: Array, middle: Array) -> list[TableEvent]:
+def table_events(rows: Floats, middle: Floats) -> list[TableEvent]:
     """Events of rows (k, 8), as the kernels write them; ``middle`` (2,) m: where positions count from."""
     mx, my = middle.tolist()
     return [

@@ -12,57 +12,21 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.layout import FAR
 from game.billiards.laws.lean import lean_kernel
-from game.billiards.laws.state import (
-    BALL_RESTITUTION,
-    CUSHION_RESTITUTION,
-    IN_CLEAR,
-    IN_MASS,
-    IN_MOTION,
-    IN_RADIUS,
-    IN_VX,
-    IN_VY,
-    POCKETED,
-    ROLLING,
-    STATIONARY,
-)
+from game.billiards.lecture import state as st
 from game.billiards.lecture.settings import FRAME_RATE, LectureSettings, lecture_settings
-from game.billiards.lecture.state import (
-    BALL_COLLISIONS,
-    FIRST,
-    FRICTION,
-    KIND,
-    MINIMUM_SPEED,
-    POCKETS,
-    SECOND,
-    TIME,
-    WALLS,
-)
+from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, POCKETS, WALLS
 from game.billiards.lecture.table import LectureTable
+from game.billiards.shot import sampled
 from game.billiards.shot.physics import ShotError
-from game.billiards.shot.sampled import (
-    SAMPLE_COLUMNS,
-    SAMPLE_MOTION,
-    SAMPLE_VX,
-    SAMPLE_VY,
-    SAMPLE_WX,
-    SAMPLE_WY,
-    SAMPLE_WZ,
-    SAMPLE_X,
-    SAMPLE_Y,
-    SampledTrajectory,
-    check_steps,
-    sampled_trajectory,
-    samples_for,
-)
+from game.billiards.shot.sampled import SampledTrajectory, check_steps, sampled_trajectory, samples_for
 from game.billiards.shot.shot import Shot
 from game.billiards.table.table import Table, checked_table
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 REFERENCE_SPEED = 1.0  # m/s
 MINIMUM = 0.01  # m/s; finer than the table's default, for a shot is compared with the exact table
@@ -85,8 +49,8 @@ def lecture_settings_for(
     physics = shot.physics
     moves_for_ever = physics.rolling == 0.0
     return lecture_settings(
-        bounce=float(shot.constants[CUSHION_RESTITUTION]),
-        restitution=float(shot.constants[BALL_RESTITUTION]),
+        bounce=float(shot.constants[s.CUSHION_RESTITUTION]),
+        restitution=float(shot.constants[s.BALL_RESTITUTION]),
         friction=friction_factor(physics.rolling, physics.gravity),
         minimum_speed=0.0 if moves_for_ever else MINIMUM,
         substeps=substeps,
@@ -107,7 +71,7 @@ def bed_of(shot: Shot) -> Table:
     left, right, lower, upper = layout.free
     rails, jaws, _ = layout.counts
     bounded = max(right, upper) < FAR and min(left, lower) > -FAR
-    if not ((bounded or rails == 0) and shot.balls[:, IN_CLEAR].all()):
+    if not ((bounded or rails == 0) and shot.balls[:, s.IN_CLEAR].all()):
         raise ShotError("table: the lecture's is a rectangle with rails on its four sides, or open cloth")
     width, length = (right - left, upper - lower) if bounded else (1.0, 1.0)
     elements = layout.elements.copy()
@@ -124,13 +88,13 @@ def lecture_table_for(shot: Shot, settings: LectureSettings) -> LectureTable:
     lectured = LectureTable(
         bed,
         shot.balls[:, :2] + (0.5 * bed.width, 0.5 * bed.length),
-        shot.balls[:, IN_RADIUS],
-        shot.balls[:, IN_MASS],
-        shot.balls[:, IN_VX : IN_VY + 1],
+        shot.balls[:, s.IN_RADIUS],
+        shot.balls[:, s.IN_MASS],
+        shot.balls[:, s.IN_VX : s.IN_VY + 1],
         EFFECTS,
         settings,
     )
-    for ball in np.flatnonzero(shot.balls[:, IN_MOTION] == POCKETED).tolist():
+    for ball in np.flatnonzero(shot.balls[:, s.IN_MOTION] == s.POCKETED).tolist():
         lectured.remove(ball)
     return lectured
 
@@ -141,19 +105,19 @@ def write_sample(offsets, velocities, in_play, radii, middle_x, middle_y, sample
     for i in range(radii.shape[0]):
         vx = velocities[i, 0]
         vy = velocities[i, 1]
-        sample[i, SAMPLE_X] = offsets[i, 0] + middle_x
-        sample[i, SAMPLE_Y] = offsets[i, 1] + middle_y
-        sample[i, SAMPLE_VX] = vx
-        sample[i, SAMPLE_VY] = vy
-        sample[i, SAMPLE_WX] = -vy / radii[i]
-        sample[i, SAMPLE_WY] = vx / radii[i]
-        sample[i, SAMPLE_WZ] = 0.0
+        sample[i, sampled.SAMPLE_X] = offsets[i, 0] + middle_x
+        sample[i, sampled.SAMPLE_Y] = offsets[i, 1] + middle_y
+        sample[i, sampled.SAMPLE_VX] = vx
+        sample[i, sampled.SAMPLE_VY] = vy
+        sample[i, sampled.SAMPLE_WX] = -vy / radii[i]
+        sample[i, sampled.SAMPLE_WY] = vx / radii[i]
+        sample[i, sampled.SAMPLE_WZ] = 0.0
         if not in_play[i]:
-            sample[i, SAMPLE_MOTION] = POCKETED
+            sample[i, sampled.SAMPLE_MOTION] = s.POCKETED
         elif vx != 0.0 or vy != 0.0:
-            sample[i, SAMPLE_MOTION] = ROLLING
+            sample[i, sampled.SAMPLE_MOTION] = s.ROLLING
         else:
-            sample[i, SAMPLE_MOTION] = STATIONARY
+            sample[i, sampled.SAMPLE_MOTION] = s.STATIONARY
 
 
 class LecturePlay:
@@ -163,7 +127,7 @@ class LecturePlay:
         self.table = lecture_table_for(shot, settings)
         self.middle = shot.layout.middle
         self.time = 0.0
-        self.rows: list[Array] = []
+        self.rows: list[Floats] = []
         self.counts = {"steps": 0, "pair_tests": 0, "lost_events": 0}
 
     def advance(self, dt: float, steps: int) -> None:
@@ -174,7 +138,7 @@ class LecturePlay:
                 f"ball {self.table.not_finite}: its numbers grew without limit by {self.time:.3g} s"
             )
         if len(self.table.event_rows):
-            events = self.table.event_rows[:, [TIME, KIND, FIRST, SECOND]]
+            events = self.table.event_rows[:, [st.TIME, st.KIND, st.FIRST, st.SECOND]]
             events[:, 0] += self.time
             self.rows.append(events)
         counters = self.table.counters
@@ -189,13 +153,13 @@ class LecturePlay:
             self.advance(dt, step - self.counts["steps"])
         return not self.table.moving
 
-    def write(self, sample: Array) -> None:
+    def write(self, sample: Floats) -> None:
         """Write the balls as they are to sample (n, 8)."""
         state = self.table.state
         write_sample(state.offsets, state.velocities, state.in_play, state.radii, *self.middle, sample)
 
     @property
-    def events(self) -> Array:
+    def events(self) -> Floats:
         """Events so far (e, 4), as in `Trajectory`."""
         return np.concatenate(self.rows) if self.rows else np.empty((0, 4))
 
@@ -220,7 +184,7 @@ def simulate_lecture(
     capacity = samples_for(len(shot.balls))
     stride = max(1, math.ceil(whole / (capacity - 2)))
     times = np.zeros(min(capacity, whole + 2))
-    samples = np.empty((len(times), len(shot.balls), SAMPLE_COLUMNS))
+    samples = np.empty((len(times), len(shot.balls), sampled.SAMPLE_COLUMNS))
     play.write(samples[0])
     kept = 1
     while play.table.moving and (play.counts["steps"] < whole or rest > 1e-9 * dt):

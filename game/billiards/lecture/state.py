@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.joint import ContactGraph, JointScratch, joint_scratch
 from game.billiards.table.table import Table
 from game.physics.effects import Room, declare_effect
@@ -37,8 +38,6 @@ EVENT_NAMES = ("ball-ball", "cushion", "jaw", "pocket")
 # counters
 EVENTS, EVENTS_LOST, SUBSTEPS, PAIR_TESTS, CONTACTS, ROUNDS, ITERATIONS, NOT_FINITE = range(8)
 
-Array = NDArray[np.float64]
-
 
 class LectureState(NamedTuple):
     """All that a step reads and changes; row i is ball i.
@@ -48,13 +47,13 @@ class LectureState(NamedTuple):
     -1. radii (n,) m. inverse_masses (n,) 1/kg, 0 does not yield.
     """
 
-    offsets: Array
-    velocities: Array
-    orientations: Array
+    offsets: Floats
+    velocities: Floats
+    orientations: Floats
     in_play: NDArray[np.bool_]
     pocketed_by: NDArray[np.int64]
-    radii: Array
-    inverse_masses: Array
+    radii: Floats
+    inverse_masses: Floats
 
 
 class LectureGeometry(NamedTuple):
@@ -62,15 +61,15 @@ class LectureGeometry(NamedTuple):
 
     half_width: float
     half_length: float
-    cushions: Array
-    jaws: Array
-    pockets: Array
+    cushions: Floats
+    jaws: Floats
+    pockets: Floats
 
 
 class Journal(NamedTuple):
     """What a step reports: events (EVENT_CAPACITY, 8), counters (8,)."""
 
-    events: Array
+    events: Floats
     counters: NDArray[np.int64]
 
 
@@ -82,9 +81,9 @@ class ContactList(NamedTuple):
     """
 
     graph: ContactGraph
-    gaps: Array
-    restitutions: Array
-    impulses: Array
+    gaps: Floats
+    restitutions: Floats
+    impulses: Floats
     scratch: JointScratch
 
 
@@ -95,17 +94,17 @@ class LectureScratch(NamedTuple):
     restitutions, impulses. normals (m, 2). work and sums: the two of JointScratch.
     """
 
-    events: Array
+    events: Floats
     counters: NDArray[np.int64]
-    rolled: Array
+    rolled: Floats
     links: NDArray[np.int64]
-    columns: Array
-    normals: Array
-    work: Array
-    sums: Array
+    columns: Floats
+    normals: Floats
+    work: Floats
+    sums: Floats
 
 
-def checked_rows(name: str, value: ArrayLike, rows: int, columns: int, limit: float) -> Array:
+def checked_rows(name: str, value: ArrayLike, rows: int, columns: int, limit: float) -> Floats:
     """A (rows, columns) float64 copy. ValueError if shape, finiteness or |entries| <= limit fail."""
     try:
         array = np.array(value, dtype=np.float64, order="C")
@@ -120,7 +119,7 @@ def checked_rows(name: str, value: ArrayLike, rows: int, columns: int, limit: fl
     return array
 
 
-def checked_column(name: str, value: ArrayLike, rows: int, low: float, high: float) -> Array:
+def checked_column(name: str, value: ArrayLike, rows: int, low: float, high: float) -> Floats:
     """A (rows,) float64 copy of a column or a single number, each above `low` and at most `high`.
 
     ValueError naming the field, and the row that is out of range.
@@ -136,7 +135,7 @@ def checked_column(name: str, value: ArrayLike, rows: int, low: float, high: flo
     return array
 
 
-def _about_middle(points: Array, half: Array) -> Array:
+def _about_middle(points: Floats, half: Floats) -> Floats:
     """Points (k, 2) from the middle of the table, on the grid unless they lie on the edge of the bed."""
     offsets = points - half
     return np.where(

@@ -17,15 +17,9 @@ from typing import Any
 import numpy as np
 
 from game.billiards.laws.joint import ContactGraph, JointScratch
+from game.billiards.lecture import settings as se
 from game.billiards.lecture.contacts import collide_in_index_order, collide_jointly
-from game.billiards.lecture.settings import (
-    AUTOMATIC,
-    CONSISTENT,
-    FRAME_RATE,
-    JOINT,
-    MAX_SUBSTEPS,
-    read_settings,
-)
+from game.billiards.lecture.settings import read_settings
 from game.billiards.lecture.state import (
     BALL_COLLISIONS,
     FRICTION,
@@ -52,7 +46,7 @@ _MINIMUM, _POCKETS, _ROLLING = (LECTURE.bit(effect) for effect in (MINIMUM_SPEED
 @kernel
 def count_substeps(state, settings, dt):
     """Number of substeps: as set, or so many that no ball moves over half of the least radius in one."""
-    if settings.substeps != AUTOMATIC:
+    if settings.substeps != se.AUTOMATIC:
         return settings.substeps
     fastest = 0.0
     smallest = 1e300
@@ -63,8 +57,8 @@ def count_substeps(state, settings, dt):
             fastest = max(fastest, vx * vx + vy * vy)
             smallest = min(smallest, state.radii[i])
     needed = math.sqrt(fastest) * dt / (0.5 * smallest)
-    if not needed < MAX_SUBSTEPS:
-        return MAX_SUBSTEPS
+    if not needed < se.MAX_SUBSTEPS:
+        return se.MAX_SUBSTEPS
     return max(1, math.ceil(needed))
 
 
@@ -140,8 +134,10 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
         counters[:] = 0
         factor = 1.0
         if mask & _FRICTION:
-            consistent = settings.friction_law == CONSISTENT
-            factor = elementary.pow(settings.friction, FRAME_RATE * dt) if consistent else settings.friction
+            consistent = settings.friction_law == se.CONSISTENT
+            factor = (
+                elementary.pow(settings.friction, se.FRAME_RATE * dt) if consistent else settings.friction
+            )
         for number in range(steps):
             substeps = count_substeps(state, settings, dt)
             counters[SUBSTEPS] += substeps
@@ -158,7 +154,7 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
                     swallow(state, geometry, journal, h, time)
                 if mask & _WALLS:
                     bounce_off_walls(state, geometry, settings, journal, np.bool_(False), time)
-                if mask & _BALLS and order == JOINT:
+                if mask & _BALLS and order == se.JOINT:
                     collide_jointly(state, geometry, settings, contacts, journal, time)
                     if mask & _WALLS and settings.walls_again:
                         bounce_off_walls(state, geometry, settings, journal, np.bool_(True), time)

@@ -18,18 +18,14 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.arrays import Floats
+from game.billiards.lecture import state
 from game.billiards.lecture.events import TableEvent, table_events
 from game.billiards.lecture.settings import DEFAULTS, MAX_SPEED, LectureSettings, lecture_settings
 from game.billiards.lecture.state import (
-    EVENTS,
     LECTURE,
-    LECTURE_EFFECTS,
-    MAX_BALLS,
-    MAX_COORDINATE,
-    NOT_FINITE,
     POCKETS,
     WALLS,
-    Array,
     LectureState,
     checked_column,
     checked_rows,
@@ -58,15 +54,15 @@ class LectureTable:
         radii: ArrayLike = BALL_RADIUS,
         masses: ArrayLike = BALL_MASS,
         velocities: ArrayLike | None = None,
-        effects: EffectSet | Effect = LECTURE_EFFECTS,
+        effects: EffectSet | Effect = state.LECTURE_EFFECTS,
         settings: LectureSettings = DEFAULTS,
     ) -> None:
         n = len(np.atleast_1d(np.asarray(positions)))
-        if not 1 <= n <= MAX_BALLS:
-            raise ValueError(f"positions: from 1 to {MAX_BALLS} balls, got {n}")
+        if not 1 <= n <= state.MAX_BALLS:
+            raise ValueError(f"positions: from 1 to {state.MAX_BALLS} balls, got {n}")
         self.table = table
         self.middle = np.array([0.5 * table.width, 0.5 * table.length])
-        placed = checked_rows("positions", positions, n, 2, MAX_COORDINATE)
+        placed = checked_rows("positions", positions, n, 2, state.MAX_COORDINATE)
         moving = (
             np.zeros((n, 2))
             if velocities is None
@@ -78,7 +74,7 @@ class LectureTable:
             orientations=np.tile([1.0, 0.0, 0.0, 0.0], (n, 1)),
             in_play=np.ones(n, dtype=np.bool_),
             pocketed_by=np.full(n, -1, dtype=np.int64),
-            radii=checked_column("radii", radii, n, 0.0, MAX_COORDINATE),
+            radii=checked_column("radii", radii, n, 0.0, state.MAX_COORDINATE),
             inverse_masses=1.0 / checked_column("masses", masses, n, 1e-12, math.inf),
         )
         self._scratch = scratch_for(n)
@@ -98,7 +94,7 @@ class LectureTable:
         self._set_effects(EffectSet() | effects)
 
     def _set_effects(self, effects: EffectSet) -> None:
-        foreign = [effect.name for effect in effects if effect not in LECTURE_EFFECTS]
+        foreign = [effect.name for effect in effects if effect not in state.LECTURE_EFFECTS]
         if foreign:
             raise ValueError(f"effects: the lecture's table knows no {', '.join(foreign)}")
         geometry = geometry_of(self.table, POCKETS in effects)
@@ -123,17 +119,17 @@ class LectureTable:
     # -- balls
 
     @property
-    def positions(self) -> Array:
+    def positions(self) -> Floats:
         """(n, 2) m in the table's frame; a new array."""
         return self.state.offsets + self.middle
 
     @property
-    def velocities(self) -> Array:
+    def velocities(self) -> Floats:
         """(n, 2) m/s; the state's own array."""
         return self.state.velocities
 
     @property
-    def masses(self) -> Array:
+    def masses(self) -> Floats:
         """(n,) kg; inf for balls that do not yield."""
         with np.errstate(divide="ignore"):
             return 1.0 / self.state.inverse_masses
@@ -144,7 +140,7 @@ class LectureTable:
         ValueError for a ball that there is not, or if it would not lie on the bed.
         """
         row = self._row(ball)
-        x, y = checked_rows("position", np.reshape(position, (1, -1)), 1, 2, MAX_COORDINATE)[0]
+        x, y = checked_rows("position", np.reshape(position, (1, -1)), 1, 2, state.MAX_COORDINATE)[0]
         r = self.state.radii[row]
         if not (r <= x <= self.table.width - r and r <= y <= self.table.length - r):
             raise ValueError(f"position: ball {ball} at ({x:g}, {y:g}) would not lie on the bed")
@@ -175,7 +171,7 @@ class LectureTable:
         ValueError for a ball that there is not, or what is no position.
         """
         row = self._row(ball)
-        wish = checked_rows("position", np.reshape(position, (1, -1)), 1, 2, MAX_COORDINATE)[0]
+        wish = checked_rows("position", np.reshape(position, (1, -1)), 1, 2, state.MAX_COORDINATE)[0]
         r = self.state.radii[row]
         edges = np.array([self.table.width, self.table.length])
         if (wish < r).any() or (wish > edges - r).any():
@@ -217,12 +213,12 @@ class LectureTable:
     @property
     def not_finite(self) -> int:
         """Row of the first ball that the last step left with a number that is not finite, or -1."""
-        return int(self._scratch.counters[NOT_FINITE])
+        return int(self._scratch.counters[state.NOT_FINITE])
 
     @property
-    def event_rows(self) -> Array:
+    def event_rows(self) -> Floats:
         """Events of the last step, (k, 8): columns as named in state.py; positions from the middle."""
-        return self._scratch.events[: self._scratch.counters[EVENTS]]
+        return self._scratch.events[: self._scratch.counters[state.EVENTS]]
 
     @property
     def events(self) -> list[TableEvent]:
@@ -263,13 +259,13 @@ class LectureTable:
         np.fill_diagonal(depth, 0.0)
         return max(0.0, float(depth.max(initial=0.0)))
 
-    def _finite_masses(self) -> Array:
+    def _finite_masses(self) -> Floats:
         w = self.state.inverse_masses
         return np.where(w > 0.0, 1.0 / np.where(w > 0.0, w, 1.0), 0.0)
 
 
 def warm_ups(
-    effects: EffectSet = LECTURE_EFFECTS, order: str = "joint"
+    effects: EffectSet = state.LECTURE_EFFECTS, order: str = "joint"
 ) -> list[tuple[str, Callable[[], None]]]:
     """Named calls that compile the kernels of a table with these effects and order of contacts."""
 

@@ -16,22 +16,8 @@ import math
 
 import numpy as np
 
+from game.billiards.lecture import state as s
 from game.billiards.lecture.settings import EXACT, MIRROR
-from game.billiards.lecture.state import (
-    BALL_CUSHION,
-    BALL_JAW,
-    BALL_POCKET,
-    EVENT_X,
-    EVENT_Y,
-    EVENTS,
-    EVENTS_LOST,
-    FIRST,
-    IMPULSE,
-    KIND,
-    SECOND,
-    SPEED,
-    TIME,
-)
 from game.compiler.decorator import kernel
 
 MAX_BOUNCES = 64  # off walls in one substep; a ball that needs more is put on the nearest wall
@@ -40,20 +26,20 @@ MAX_BOUNCES = 64  # off walls in one substep; a ball that needs more is put on t
 @kernel
 def report(journal, kind, first, second, time, speed, impulse, x, y):
     """Append an event, or count it as lost when the list is full."""
-    row = journal.counters[EVENTS]
+    row = journal.counters[s.EVENTS]
     if row >= journal.events.shape[0]:
-        journal.counters[EVENTS_LOST] += 1
+        journal.counters[s.EVENTS_LOST] += 1
         return
     event = journal.events[row]
-    event[KIND] = kind
-    event[FIRST] = first
-    event[SECOND] = second
-    event[TIME] = time
-    event[SPEED] = speed
-    event[IMPULSE] = impulse
-    event[EVENT_X] = x
-    event[EVENT_Y] = y
-    journal.counters[EVENTS] = row + 1
+    event[s.KIND] = kind
+    event[s.FIRST] = first
+    event[s.SECOND] = second
+    event[s.TIME] = time
+    event[s.SPEED] = speed
+    event[s.IMPULSE] = impulse
+    event[s.EVENT_X] = x
+    event[s.EVENT_Y] = y
+    journal.counters[s.EVENTS] = row + 1
 
 
 @kernel
@@ -138,7 +124,7 @@ def bounce(state, geometry, settings, journal, i, clamp, time):
             shift *= 1.0 + settings.bounce
         mass = 1.0 / state.inverse_masses[i] if state.inverse_masses[i] > 0.0 else 0.0
         jaw = element - geometry.cushions.shape[0]
-        kind = BALL_CUSHION if jaw < 0 else BALL_JAW
+        kind = s.BALL_CUSHION if jaw < 0 else s.BALL_JAW
         report(journal, kind, i, element if jaw < 0 else jaw, time, -normal_speed, mass * change, x, y)
     state.offsets[i, 0] = x + shift * normal_x
     state.offsets[i, 1] = y + shift * normal_y
@@ -201,7 +187,7 @@ def swallow(state, geometry, journal, h, time):
                 speed = math.sqrt(squared) / h
                 x -= back * path_x
                 y -= back * path_y
-                report(journal, np.int64(BALL_POCKET), i, k, time, speed, 0.0, x, y)
+                report(journal, np.int64(s.BALL_POCKET), i, k, time, speed, 0.0, x, y)
                 state.in_play[i] = False
                 state.pocketed_by[i] = k
                 state.velocities[i, 0] = 0.0

@@ -13,25 +13,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
 from game.billiards.map.grid import Grid, aims_of, neighbours
 from game.billiards.map.routes import KISSES, RAILS, Routes, Wanted, play_routes
-from game.billiards.search.strokes import (
-    AZIMUTH,
-    SPEED,
-    TIP_LEFT,
-    TIP_UP,
-    Board,
-    Noise,
-    draw_noise,
-    with_noise,
-)
+from game.billiards.search import strokes as s
+from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
 from game.billiards.shot.physics import Physics
 from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions, touching
 from game.billiards.table.table import Table
 from game.physics.kernels import elementwise
-
-Array = NDArray[np.float64]
 
 SEED = 61
 AIMS = 300
@@ -80,7 +71,7 @@ class Group(NamedTuple):
     error: float
     kisses: int
     rows: NDArray[np.intp]
-    ends: Array
+    ends: Floats
 
 
 class CaromMap(NamedTuple):
@@ -89,7 +80,7 @@ class CaromMap(NamedTuple):
     fine: chances have been counted; before, they stand for how much of the grid a group takes.
     """
 
-    strokes: Array
+    strokes: Floats
     codes: NDArray[np.int64]
     groups: tuple[Group, ...]
     fine: bool
@@ -98,7 +89,7 @@ class CaromMap(NamedTuple):
 class Position:
     """Three balls made ready. places (3, 2) m of white, yellow, red; cue: the ball that is played."""
 
-    def __init__(self, places: Array, cue: int, table: Table, physics: Physics, wanted: Wanted) -> None:
+    def __init__(self, places: Floats, cue: int, table: Table, physics: Physics, wanted: Wanted) -> None:
         self.places = np.asarray(places, dtype=np.float64)
         self.cue = cue
         self.wanted = wanted
@@ -109,7 +100,7 @@ class Position:
         self.board = Board(layout, table, physics)
         self.against = _against(own)
 
-    def moved(self, places: Array) -> Position:
+    def moved(self, places: Floats) -> Position:
         """The same with its balls elsewhere, for the next stroke. places (3, 2) m, apart and on the bed."""
         other = Position.__new__(Position)
         other.__dict__.update(self.__dict__)
@@ -119,18 +110,18 @@ class Position:
         other.wanted = self.wanted._replace(opening=False)
         return other
 
-    def play(self, strokes: Array) -> Routes:
+    def play(self, strokes: Floats) -> Routes:
         """What comes of strokes (m, 5)."""
         return play_routes(self.board, np.ascontiguousarray(strokes), self.against)
 
-    def ends(self, routes: Routes) -> Array:
+    def ends(self, routes: Routes) -> Floats:
         """Where white, yellow and red come to rest (m, 3, 2) m."""
         ends = np.empty_like(routes.ends)
         ends[:, self.order] = routes.ends
         return ends
 
 
-def _against(own: Array) -> int:
+def _against(own: Floats) -> int:
     """What the cue ball touches, as bits for `read_routes`. own (3, 2) m: places by row."""
     x, y = own[0].tolist()
     rails = sum(1 << rail for rail in frozen_cushions((x, y)))
@@ -171,16 +162,16 @@ def whole_map(position: Position, noise: Noise, search: Search = THOROUGH, seed:
     return last
 
 
-def _steps(grid: Grid) -> Array:
+def _steps(grid: Grid) -> Floats:
     """Typical distances (5,) between neighbours of a grid, by the columns of a stroke."""
     steps = np.zeros(5)
-    for column, values in zip((AZIMUTH, SPEED, TIP_LEFT, TIP_UP), grid, strict=True):
+    for column, values in zip((s.AZIMUTH, s.SPEED, s.TIP_LEFT, s.TIP_UP), grid, strict=True):
         steps[column] = float(np.median(np.diff(values))) if len(values) > 1 else 0.0
     return steps
 
 
 def _coarse_groups(
-    strokes: Array, codes: NDArray[np.int64], alike: NDArray[np.int64], routes: Routes
+    strokes: Floats, codes: NDArray[np.int64], alike: NDArray[np.int64], routes: Routes
 ) -> list[Group]:
     """Groups of the grid, the largest first."""
     scoring = np.flatnonzero(codes)
@@ -209,14 +200,14 @@ class _Close:
         self.search = search
         self.seed = seed
 
-    def chances(self, strokes: Array, draws: Array) -> Array:
+    def chances(self, strokes: Floats, draws: Floats) -> Floats:
         """Share (m,) of the hand's strokes that score, for strokes (m, 5)."""
         noisy = with_noise(strokes, draws, self.noise, BALL_RADIUS)
         scored = self.position.wanted.scores(self.position.play(noisy))
         return scored.reshape(len(strokes), len(draws)).mean(axis=1)
 
     def looked_at(
-        self, groups: list[Group], alike: NDArray[np.int64], strokes: Array, steps: Array
+        self, groups: list[Group], alike: NDArray[np.int64], strokes: Floats, steps: Floats
     ) -> list[Group]:
         """The groups with their best strokes and chances."""
         if not groups:
@@ -234,16 +225,18 @@ class _Close:
             best = self._moved(best, groups, draws, steps)
         return self._counted(groups, best)
 
-    def _moved(self, best: Array, groups: list[Group], draws: Array, steps: Array) -> Array:
+    def _moved(self, best: Floats, groups: list[Group], draws: Floats, steps: Floats) -> Floats:
         """Better strokes (g, 5) near the best ones, of the same group."""
         search = self.search
         random = np.random.default_rng(self.seed + 1)
         moves = random.normal(0.0, 0.4, (search.moves, 5)) * steps
         moves[0] = 0.0
         near = (best[:, None] + moves).reshape(-1, 5)
-        tips = elementwise.hypot(near[:, TIP_LEFT], near[:, TIP_UP])
-        near[:, [TIP_LEFT, TIP_UP]] *= np.minimum(LARGEST_TIP / np.maximum(tips, LARGEST_TIP), 1.0)[:, None]
-        near[:, SPEED] = np.maximum(near[:, SPEED], 0.2)
+        tips = elementwise.hypot(near[:, s.TIP_LEFT], near[:, s.TIP_UP])
+        near[:, [s.TIP_LEFT, s.TIP_UP]] *= np.minimum(LARGEST_TIP / np.maximum(tips, LARGEST_TIP), 1.0)[
+            :, None
+        ]
+        near[:, s.SPEED] = np.maximum(near[:, s.SPEED], 0.2)
         owner = np.repeat(np.arange(len(groups)), search.moves)
         routes = self.position.play(near)
         wanted = np.array([group.code for group in groups])[owner]
@@ -252,7 +245,7 @@ class _Close:
         chances[same] = self.chances(near[same], draws)
         return _best_of_each(near, owner, chances, len(groups))
 
-    def _counted(self, groups: list[Group], best: Array) -> list[Group]:
+    def _counted(self, groups: list[Group], best: Floats) -> list[Group]:
         """Chances of the best strokes (g, 5), with draws that did not choose them."""
         draws = draw_noise(self.seed + 2, self.search.draws)
         meant = self.position.play(best)
@@ -274,7 +267,7 @@ class _Close:
         return counted
 
 
-def _best_of_each(strokes: Array, owner: NDArray[np.intp], worth: Array, groups: int) -> Array:
+def _best_of_each(strokes: Floats, owner: NDArray[np.intp], worth: Floats, groups: int) -> Floats:
     """The stroke of most worth of each group (g, 5); the first of equals."""
     order = np.lexsort((np.arange(len(owner)), -worth, owner))
     firsts = np.searchsorted(owner[order], np.arange(groups))

@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.search.strokes import AZIMUTH, SPEED, TIP_LEFT, TIP_UP
+from game.arrays import Floats
+from game.billiards.search import strokes as s
 from game.physics.kernels import elementary, elementwise
-
-Array = NDArray[np.float64]
 
 THINNEST = 0.985  # of the sum of radii is the farthest hit beside the middle
 AROUND = 0.45  # share of the aims that go all round, for strokes by a cushion first
@@ -20,10 +19,10 @@ AROUND = 0.45  # share of the aims that go all round, for strokes by a cushion f
 class Grid(NamedTuple):
     """Values of each variable: aims rad, speeds of the cue m/s, tip left and up in ball radii."""
 
-    aims: Array
-    speeds: Array
-    lefts: Array
-    ups: Array
+    aims: Floats
+    speeds: Floats
+    lefts: Floats
+    ups: Floats
 
     @property
     def shape(self) -> tuple[int, int, int, int]:
@@ -31,16 +30,16 @@ class Grid(NamedTuple):
         return len(self.aims), len(self.speeds), len(self.lefts), len(self.ups)
 
     @property
-    def strokes(self) -> Array:
+    def strokes(self) -> Floats:
         """All of them (m, 5), aims varying slowest."""
         values = np.meshgrid(*self, indexing="ij")
         strokes = np.zeros((values[0].size, 5))
-        for column, value in zip((AZIMUTH, SPEED, TIP_LEFT, TIP_UP), values, strict=True):
+        for column, value in zip((s.AZIMUTH, s.SPEED, s.TIP_LEFT, s.TIP_UP), values, strict=True):
             strokes[:, column] = value.ravel()
         return strokes
 
 
-def aims_of(places: Array, radii: Array, cue: int, count: int) -> Array:
+def aims_of(places: Floats, radii: Floats, cue: int, count: int) -> Floats:
     """Aims (count,) rad, ascending: at every ball that is not the cue ball, evenly from thin to thin, and a
     share of them all round. places (n, 2) m, radii (n,) m.
     """

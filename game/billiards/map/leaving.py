@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.map.carom import GLANCE, SEED, Group, Position, whole_map
 from game.billiards.search.strokes import Noise
 from game.billiards.table.carom import CAROM_LENGTH, CAROM_WIDTH, fits
 
-Array = NDArray[np.float64]
 
-
-def next_chance(position: Position, places: Array, noise: Noise, seed: int = SEED) -> float:
+def next_chance(position: Position, places: Floats, noise: Noise, seed: int = SEED) -> float:
     """How often a hand scores with the best stroke of a quick map at other places (3, 2) m; 0 without one."""
     if not fits(places):
         return 0.0
@@ -29,8 +27,8 @@ def leaving(position: Position, group: Group, noise: Noise, ends: int = 3, seed:
 
 
 def heat(
-    ends: Array, columns: int, rows: int, width: float = CAROM_WIDTH, length: float = CAROM_LENGTH
-) -> Array:
+    ends: Floats, columns: int, rows: int, width: float = CAROM_WIDTH, length: float = CAROM_LENGTH
+) -> Floats:
     """Where a ball ends: share of ends (k, 2) m in each cell, (rows, columns); rows along the table from
     its lower end, columns across it from the left. All 0 without ends.
     """

@@ -7,15 +7,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.map.grid import Grid, aims_of, neighbours
 from game.billiards.map.leaving import heat
+from game.billiards.search import outcomes as o
 from game.billiards.search.chances import DRAWS, as_hand_does, pocket_of
 from game.billiards.search.legality import Legality
-from game.billiards.search.outcomes import CHAIN, CUSHIONS, DOWN, POCKET, Outcomes
+from game.billiards.search.outcomes import Outcomes
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
-
-Array = NDArray[np.float64]
 
 SEED = 61
 SPEEDS = (0.8, 1.3, 2.0, 3.0)  # m/s of the cue
@@ -39,7 +39,7 @@ class Pot(NamedTuple):
     stroke: Stroke
     chance: float
     rows: NDArray[np.intp]
-    ends: Array
+    ends: Floats
 
     @property
     def combination(self) -> bool:
@@ -50,7 +50,7 @@ class Pot(NamedTuple):
 class PoolMap(NamedTuple):
     """strokes (m, 5) of the grid, keys (m,) of those that pot (0: none), pots, the surest first; outcomes."""
 
-    strokes: Array
+    strokes: Floats
     keys: NDArray[np.int64]
     pots: tuple[Pot, ...]
     outcomes: Outcomes
@@ -107,13 +107,13 @@ def pot_keys(board: Board, outcomes: Outcomes, legality: Legality | None = None)
     """
     facts, histories = outcomes.facts, outcomes.histories
     legality = Legality.free(board) if legality is None else legality
-    down = facts[:, DOWN]
+    down = facts[:, o.DOWN]
     row = np.zeros(len(down), np.int64)
     for ball in range(board.count - 1, -1, -1):
         row = np.where(down & (1 << ball) != 0, ball, row)
     own = histories[np.arange(len(row)), row]
-    cushions = np.minimum(own[:, CUSHIONS], MOST_CUSHIONS)
-    key = 1 + row + 16 * (np.maximum(own[:, POCKET], 0) + 8 * (cushions + 4 * own[:, CHAIN]))
+    cushions = np.minimum(own[:, o.CUSHIONS], MOST_CUSHIONS)
+    key = 1 + row + 16 * (np.maximum(own[:, o.POCKET], 0) + 8 * (cushions + 4 * own[:, o.CHAIN]))
     return np.where((down != 0) & ~legality.fouls(board, outcomes), key, 0)
 
 
@@ -129,11 +129,11 @@ def _balls_down(keys: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def _pot(
-    board: Board, outcomes: Outcomes, rows: NDArray[np.intp], stroke: Array, chance: float, ends: Array
+    board: Board, outcomes: Outcomes, rows: NDArray[np.intp], stroke: Floats, chance: float, ends: Floats
 ) -> Pot:
     """What stands behind a key, by one of its strokes."""
     facts, histories = outcomes.facts[rows[0]], outcomes.histories[rows[0]]
-    ball = next(k for k in range(board.count) if facts[DOWN] & (1 << k))
+    ball = next(k for k in range(board.count) if facts[o.DOWN] & (1 << k))
     pocket, bits, _, cushions = histories[ball].tolist()
     numbers = board.layout.numbers
     between = [numbers[k] for k in range(board.count) if bits & (1 << k) and k not in (board.cue, ball)]
@@ -152,7 +152,7 @@ def _pot(
 
 def cue_ball_heat(
     board: Board, drawn: PoolMap, ball: int, pocket: int, columns: int = 32, rows: int = 64
-) -> Array:
+) -> Floats:
     """Where the cue ball may end after some stroke of the map that pots a ball (number) into a pocket
     (row): share of those strokes in each cell (rows, columns), from the lower end and the left.
 

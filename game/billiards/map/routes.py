@@ -12,20 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.billiards.laws import state as col
 from game.billiards.laws.lean import lean_kernel
-from game.billiards.laws.state import (
-    BALL_BALL,
-    BALL_CUSHION,
-    EVENTS_END,
-    EVENTS_START,
-    FINISHED,
-    IN_X,
-    IN_Y,
-    STATUS,
-)
 from game.billiards.search.strokes import CHUNK, Board, in_threads
-
-Array = NDArray[np.float64]
 
 OTHER, RED = 1, 2  # rows of the object balls
 # a route is written in digits of base 8, the first touch in the highest: 1 to 4 for the rails left, right,
@@ -48,8 +38,8 @@ class Routes(NamedTuple):
 
     codes: NDArray[np.int64]
     facts: NDArray[np.int64]
-    times: Array
-    ends: Array
+    times: Floats
+    ends: Floats
 
     @classmethod
     def empty(cls, m: int) -> Routes:
@@ -84,12 +74,12 @@ def read_routes(events, ends, final, against, codes, facts, times, places):
         facts[s, KISSES] = 0
         facts[s, INTO] = 0
         times[s] = -1.0
-        for row in range(int(ends[s, EVENTS_START]), int(ends[s, EVENTS_END])):
+        for row in range(int(ends[s, col.EVENTS_START]), int(ends[s, col.EVENTS_END])):
             event = int(events[row, 1])
             i = int(events[row, 2])
             j = int(events[row, 3])
             digit = 0
-            if event == BALL_BALL and i == 0:
+            if event == col.BALL_BALL and i == 0:
                 digit = BALL_DIGIT + j
                 if touched == 0:
                     facts[s, FIRST] = j if digits == 0 else -j
@@ -98,9 +88,9 @@ def read_routes(events, ends, final, against, codes, facts, times, places):
                 if digits == 0 and against & (1 << (RAILS + j)) != 0:
                     facts[s, INTO] = 1
                 touched |= 1 << j
-            elif event == BALL_BALL:
+            elif event == col.BALL_BALL:
                 facts[s, KISSES] += 1
-            elif event == BALL_CUSHION and i == 0:
+            elif event == col.BALL_CUSHION and i == 0:
                 if digits == 0 and lying & (1 << j) != 0:
                     lying = 0
                 else:
@@ -111,17 +101,17 @@ def read_routes(events, ends, final, against, codes, facts, times, places):
                 code = 8 * code + digit
                 digits += 1
             if touched == 6:
-                facts[s, CUSHIONS] = cushions if ends[s, STATUS] == FINISHED else -1
+                facts[s, CUSHIONS] = cushions if ends[s, col.STATUS] == col.FINISHED else -1
                 times[s] = events[row, 0]
                 break
         codes[s] = code if touched == 6 else 0
         for k in range(3):
-            places[s, k, 0] = final[s, k, IN_X]
-            places[s, k, 1] = final[s, k, IN_Y]
+            places[s, k, 0] = final[s, k, col.IN_X]
+            places[s, k, 1] = final[s, k, col.IN_Y]
 
 
 def play_routes(
-    board: Board, strokes: Array, against: int = 0, pool: ThreadPoolExecutor | None = None
+    board: Board, strokes: Floats, against: int = 0, pool: ThreadPoolExecutor | None = None
 ) -> Routes:
     """Play strokes (m, 5) at a board of three balls whose cue ball is the first. against: what it
     touches, as bits. pool: threads to share them among."""

@@ -7,14 +7,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.map.carom import Position
-from game.billiards.search.strokes import AZIMUTH, LEAST_SPEED, SPEED, TIP_LEFT, TIP_UP
+from game.billiards.search import strokes as s
 from game.physics.kernels import elementwise
 
-Array = NDArray[np.float64]
-
-OFFSETS: Array = elementwise.power(1.28, np.arange(24.0)) / elementwise.power(
+OFFSETS: Floats = elementwise.power(1.28, np.arange(24.0)) / elementwise.power(
     1.28, 23.0
 )  # of the farthest, from the middle out
 FARTHEST_AIM = np.radians(6.0)  # rad
@@ -38,8 +37,8 @@ class Tolerance(NamedTuple):
 def tolerance_of(position: Position, stroke: Stroke) -> Tolerance:
     """The tolerance of a stroke, one variable at a time, at 24 distances each; all 0 if it misses."""
     farthest = (
-        (AZIMUTH, FARTHEST_AIM), (SPEED, FARTHEST_SPEED * stroke.cue_speed), (TIP_LEFT, TIP_REACH),
-        (TIP_UP, TIP_REACH),
+        (s.AZIMUTH, FARTHEST_AIM), (s.SPEED, FARTHEST_SPEED * stroke.cue_speed), (s.TIP_LEFT, TIP_REACH),
+        (s.TIP_UP, TIP_REACH),
     )  # fmt: skip
     strokes = [np.array([stroke], dtype=np.float64)]
     for column, reach in farthest:
@@ -48,9 +47,9 @@ def tolerance_of(position: Position, stroke: Stroke) -> Tolerance:
             tried[:, column] += sign * reach * OFFSETS
             strokes.append(tried)
     every = np.concatenate(strokes)
-    every[:, SPEED] = np.maximum(every[:, SPEED], LEAST_SPEED)
-    off_ball = elementwise.hypot(every[:, TIP_LEFT], every[:, TIP_UP]) > 0.99
-    every[off_ball, TIP_LEFT : TIP_UP + 1] = 0.0
+    every[:, s.SPEED] = np.maximum(every[:, s.SPEED], s.LEAST_SPEED)
+    off_ball = elementwise.hypot(every[:, s.TIP_LEFT], every[:, s.TIP_UP]) > 0.99
+    every[off_ball, s.TIP_LEFT : s.TIP_UP + 1] = 0.0
     scores = position.wanted.scores(position.play(every)) & ~off_ball
     if not scores[0]:
         return Tolerance((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
@@ -72,8 +71,8 @@ def tip_map(position: Position, stroke: Stroke, cells: int = TIP_CELLS) -> NDArr
     ups, rights = np.meshgrid(-axis, axis, indexing="ij")
     inside = elementwise.hypot(ups, rights) <= TIP_REACH * (1.0 + 1e-9)
     strokes = np.repeat(np.array([stroke], dtype=np.float64), int(inside.sum()) + 1, axis=0)
-    strokes[1:, TIP_LEFT] = -rights[inside]
-    strokes[1:, TIP_UP] = ups[inside]
+    strokes[1:, s.TIP_LEFT] = -rights[inside]
+    strokes[1:, s.TIP_UP] = ups[inside]
     routes = position.play(strokes)
     scores = position.wanted.scores(routes)
     found = np.where(scores, np.where(routes.codes == routes.codes[0], AS_MEANT, OTHERWISE), MISSED)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame
@@ -16,8 +15,6 @@ from game.billiards.map.routes import Wanted
 from game.billiards.search.strokes import Noise, draw_noise, with_noise
 from game.billiards.table.carom import BALL_RADIUS, RED
 from game.physics.kernels import elementwise
-
-Array = NDArray[np.float64]
 
 
 class CaromGrade(NamedTuple):

@@ -14,7 +14,6 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Arrangement, BallSet, Stroke, after_shot, racked
 from game.billiards.game.games.combination import SHORTEST_CHAIN, CombinationMatch
@@ -34,8 +33,6 @@ from game.billiards.simulation import simulate
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import POCKET_NAMES, Table
 from game.physics.kernels import elementary, linear
-
-Array = NDArray[np.float64]
 
 PLAYERS = ("Blue cue", "Red cue")
 LARGEST_CHANGE = 0.06  # share by which a radius differs from the usual one at most

@@ -12,27 +12,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.state import IN_MASS
-from game.billiards.search.candidates import AIM, CHANCE, COLUMNS, SPREAD, WINDOW
+from game.billiards.search import candidates as c
+from game.billiards.search import outcomes as o
 from game.billiards.search.fans import make_styles, rays_for, spread_fans, squirt_of
-from game.billiards.search.outcomes import (
-    CHAIN,
-    CONTACTS,
-    DOWN,
-    FIRST_BALLS,
-    GIVEN_UP,
-    NOWHERE,
-    SCRATCH,
-    Outcomes,
-)
+from game.billiards.search.outcomes import Outcomes
 from game.billiards.search.rating import Aims
 from game.billiards.search.view import View
 from game.billiards.shot.cue import CUE_END_MASS
 from game.physics.kernels import elementwise
-
-Array = NDArray[np.float64]
 
 SPEEDS = (0.7, 1.1, 1.6, 2.3, 3.2)  # m/s
 UPS = (-0.3, 0.0, 0.3)  # ball radii
@@ -76,7 +67,7 @@ def _aims(view: View, chain: int) -> Aims:
 
 
 def _from_fans(
-    view: View, candidates: Array, styles: Array, chain: int, most: int, pool: ThreadPoolExecutor | None
+    view: View, candidates: Floats, styles: Floats, chain: int, most: int, pool: ThreadPoolExecutor | None
 ) -> list[Option]:
     """What the fans of candidates find."""
     rays = rays_for(candidates, most=RAYS)
@@ -85,7 +76,7 @@ def _from_fans(
     strokes = np.empty((int(sizes.sum()), 5))
     squirt = squirt_of(styles, float(view.board.base[view.board.cue, IN_MASS]), CUE_END_MASS)
     spread_fans(candidates, styles, rays, starts, squirt, strokes)
-    steps = np.repeat(2.0 * candidates[:, SPREAD] / (rays - 1), sizes)
+    steps = np.repeat(2.0 * candidates[:, c.SPREAD] / (rays - 1), sizes)
     fans = np.repeat(np.arange(len(candidates) * len(styles)), np.repeat(rays, len(styles)))
     return _ranked(view, strokes, steps, fans, chain, most, pool)
 
@@ -93,8 +84,8 @@ def _from_fans(
 def _from_all_around(view: View, chain: int, most: int, pool: ThreadPoolExecutor | None) -> list[Option]:
     """What is found in all directions."""
     styles = make_styles(ROUND_SPEEDS, UPS, (0.0,))
-    row = np.zeros((1, COLUMNS))
-    row[0, [AIM, SPREAD, WINDOW, CHANCE]] = 0.0, np.pi, 1.0, 1.0
+    row = np.zeros((1, c.COLUMNS))
+    row[0, [c.AIM, c.SPREAD, c.WINDOW, c.CHANCE]] = 0.0, np.pi, 1.0, 1.0
     rays = np.array([ROUND_RAYS], np.int64)
     strokes = np.empty((ROUND_RAYS * len(styles), 5))
     spread_fans(row, styles, rays, np.zeros(1, np.int64), np.zeros(len(styles)), strokes)
@@ -105,8 +96,8 @@ def _from_all_around(view: View, chain: int, most: int, pool: ThreadPoolExecutor
 
 def _ranked(
     view: View,
-    strokes: Array,
-    steps: Array,
+    strokes: Floats,
+    steps: Floats,
     fans: NDArray[np.int64],
     chain: int,
     most: int,
@@ -135,18 +126,18 @@ def is_clean(outcomes: Outcomes, chain: int, once: bool = True) -> NDArray[np.bo
     once: only one ball touched the one that falls, so that there is no doubt which sent it on.
     """
     facts, histories = outcomes.facts, outcomes.histories
-    down = facts[:, DOWN]
+    down = facts[:, o.DOWN]
     single = (down != 0) & (down & (down - 1) == 0)
-    good = single & (facts[:, SCRATCH] == 0) & (facts[:, GIVEN_UP] == 0) & (facts[:, FIRST_BALLS] != 0)
+    good = single & (facts[:, o.SCRATCH] == 0) & (facts[:, o.GIVEN_UP] == 0) & (facts[:, o.FIRST_BALLS] != 0)
     rows = np.flatnonzero(good)
     ball = elementwise.log2(down[rows]).astype(np.intp)
     history = histories[rows, ball]
     length = np.zeros(len(rows), np.int64)
     for bit in range(histories.shape[1]):
-        length += history[:, CHAIN] >> bit & 1
+        length += history[:, o.CHAIN] >> bit & 1
     kept = length >= chain
     if chain and once:
-        kept &= history[:, CONTACTS] == 1
+        kept &= history[:, o.CONTACTS] == 1
     good[rows] = kept
     return good
 
@@ -168,12 +159,12 @@ def count_neighbours(good, fans, room):
         room[i] = max(2 * min(room[i], run) - 1, 0)
 
 
-def _next_chance(view: View, places: Array) -> float:
+def _next_chance(view: View, places: Floats) -> float:
     """How good a combination the table offers that a stroke leaves; of one ball or none, 1."""
-    kept = np.flatnonzero(places[:, 0] > 0.5 * NOWHERE)
+    kept = np.flatnonzero(places[:, 0] > 0.5 * o.NOWHERE)
     if len(kept) <= 2:
         return 1.0
     below = view.moved(places, kept)
     kinds = ("combination",)
     candidates = below.candidates(_aims(below, 3), kinds, NEXT_KINDS)
-    return float(candidates[:, CHANCE].sum()) / NEXT_KINDS
+    return float(candidates[:, c.CHANCE].sum()) / NEXT_KINDS

@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Arrangement, Stroke
 from game.billiards.game.frame import Frame
@@ -28,8 +27,6 @@ from game.billiards.search.safety import look_for_push_out, look_for_safety
 from game.billiards.search.strokes import Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
 from game.billiards.table.rack import BALL_RADIUS
-
-Array = NDArray[np.float64]
 
 FULLY = 2  # places of a cue ball in hand that are looked at in full
 SHOWN = 6  # shots that a decision shows as considered

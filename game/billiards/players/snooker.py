@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.game.snooker.rules import AGAIN, ANYWHERE, GO_SECOND, PLAY, REPLAY
@@ -35,9 +36,7 @@ from game.billiards.search.outcomes import SCRATCH, Outcomes
 from game.billiards.search.rating import FOULED, MISSED, SCORED
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE
-
-Array = NDArray[np.float64]
+from game.billiards.table import snooker
 
 FOUL_POINTS = 4.0  # that a foul costs at least
 AFTER_FOUL = 0.4  # chance of the next pot that it leaves: a free ball, or the balls put back
@@ -106,7 +105,7 @@ SNOOKER_GRADES = {
 class Safe(NamedTuple):
     """A stroke (5,) that is not meant to pot, its worth, and how often it is no foul."""
 
-    stroke: Array
+    stroke: Floats
     worth: float
     legal: float
 
@@ -124,7 +123,7 @@ class _Mind:
         """The table as the search sees it."""
         return View(Board(frame.layout, frame.table, frame.physics), self.grade.noise)
 
-    def values(self, view: View, idea: Idea, outcomes: Outcomes) -> tuple[Array, NDArray[np.int64]]:
+    def values(self, view: View, idea: Idea, outcomes: Outcomes) -> tuple[Floats, NDArray[np.int64]]:
         """Value in points (m,) of what strokes led to, and their classes."""
         kinds = classes_of(outcomes, idea)
         scored, foul = kinds == SCORED, kinds == FOULED
@@ -241,7 +240,7 @@ class _Mind:
 
     def break_off(self, frame: SnookerFrame) -> Decision:
         """The break-off: a safe stroke at the pack from beside the yellow."""
-        x, y = frame.nearest_place(MIDDLE + 0.6 * D_RADIUS, BAULK - 0.01)
+        x, y = frame.nearest_place(snooker.MIDDLE + 0.6 * snooker.D_RADIUS, snooker.BAULK - 0.01)
         placed = moved(frame, x, y)
         view = self.view(placed)
         idea = ideas_of(placed)[0]
@@ -290,5 +289,5 @@ def hand_of(stroke: Stroke, grade: SnookerGrade, seed: int) -> Stroke:
     """What the player's hand makes of a stroke, the same for the same seed."""
     draw = np.random.default_rng(seed).standard_normal((1, 5))
     return Stroke(
-        *with_noise(np.array([stroke], dtype=np.float64), draw, grade.noise, BALL_RADIUS)[0].tolist()
+        *with_noise(np.array([stroke], dtype=np.float64), draw, grade.noise, snooker.BALL_RADIUS)[0].tolist()
     )

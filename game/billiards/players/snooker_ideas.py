@@ -8,16 +8,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.rules import Call
 from game.billiards.game.snooker.frame import SnookerFrame
+from game.billiards.search import outcomes as o
 from game.billiards.search.aims import bits_of
-from game.billiards.search.outcomes import DOWN, FIRST_BALLS, GIVEN_UP, SCRATCH, Outcomes
+from game.billiards.search.outcomes import Outcomes
 from game.billiards.search.rating import FOULED, MISSED, SCORED, Aims
 from game.billiards.search.view import View
-from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE, touching, value_of
+from game.billiards.table import snooker
+from game.billiards.table.snooker import touching, value_of
 from game.physics.kernels import elementary, elementwise
-
-Array = NDArray[np.float64]
 
 SAFE_OFFSETS = np.linspace(-0.96, 0.96, 9)  # where a ball is hit, as a share of what can be
 SAFE_BALLS, SAFE_LEFTS = 6, (-0.3, 0.0, 0.3)
@@ -74,8 +75,8 @@ def ideas_of(frame: SnookerFrame) -> list[Idea]:
 def classes_of(outcomes: Outcomes, idea: Idea) -> NDArray[np.int64]:
     """What each stroke led to (m,): SCORED, MISSED or FOULED, as snooker has it."""
     facts, aims = outcomes.facts, idea.aims
-    first, down = facts[:, FIRST_BALLS], facts[:, DOWN]
-    foul = (facts[:, GIVEN_UP] != 0) | (facts[:, SCRATCH] != 0) | (first & idea.touched != 0)
+    first, down = facts[:, o.FIRST_BALLS], facts[:, o.DOWN]
+    foul = (facts[:, o.GIVEN_UP] != 0) | (facts[:, o.SCRATCH] != 0) | (first & idea.touched != 0)
     if not idea.touched & aims.score:  # else a ball on is hit already
         foul |= (first & aims.first == 0) | (first & ~np.int64(aims.first) != 0)
     foul |= down & ~np.int64(aims.score) != 0
@@ -94,9 +95,14 @@ def places_in_hand(frame: SnookerFrame) -> list[tuple[tuple[float, float], Snook
         asked = [(x * frame.table.width, y * frame.table.length)
                  for x in (0.2, 0.35, 0.5, 0.65, 0.8) for y in (0.3, 0.5, 0.62, 0.7, 0.8, 0.88)]  # fmt: skip
     else:
-        asked = [(MIDDLE + D_RADIUS * r * elementary.cos(a), BAULK + D_RADIUS * r * elementary.sin(a))
-                 for r in (0.35, 0.75, 1.0)
-                 for a in np.linspace(math.pi, 2.0 * math.pi, 7).tolist()]  # fmt: skip
+        asked = [
+            (
+                snooker.MIDDLE + snooker.D_RADIUS * r * elementary.cos(a),
+                snooker.BAULK + snooker.D_RADIUS * r * elementary.sin(a),
+            )
+            for r in (0.35, 0.75, 1.0)
+            for a in np.linspace(math.pi, 2.0 * math.pi, 7).tolist()
+        ]
     found = []
     for x, y in asked:
         place = frame.nearest_place(x, y)
@@ -121,7 +127,7 @@ def idea_for_safety(frame: SnookerFrame, view: View) -> Idea:
     return min(ideas, key=far)
 
 
-def safe_strokes(view: View, first: int, speeds: tuple[float, ...]) -> Array:
+def safe_strokes(view: View, first: int, speeds: tuple[float, ...]) -> Floats:
     """Strokes (m, 5) at the nearest balls on, and the last ones, thick and thin. first: of `Aims`."""
     cue_ball = view.places[view.board.cue]
     rows = [ball for ball in range(view.board.count) if first >> ball & 1]
@@ -129,13 +135,13 @@ def safe_strokes(view: View, first: int, speeds: tuple[float, ...]) -> Array:
     thin: list[float] = []
     for ball in rows[:SAFE_BALLS] + rows[SAFE_BALLS:][-2:]:
         dx, dy = view.places[ball] - cue_ball
-        half = elementary.asin(min(1.0, 2.0 * BALL_RADIUS / elementary.hypot(dx, dy)))
+        half = elementary.asin(min(1.0, 2.0 * snooker.BALL_RADIUS / elementary.hypot(dx, dy)))
         thin += (elementary.atan2(dy, dx) + half * SAFE_OFFSETS).tolist()
     strokes = [(v, a, 0.0, left, 0.0) for a in thin for v in speeds for left in SAFE_LEFTS]
     return np.array(strokes).reshape(-1, 5)
 
 
-def strokes_all_around(speeds: tuple[float, ...]) -> Array:
+def strokes_all_around(speeds: tuple[float, ...]) -> Floats:
     """Strokes (m, 5) in every direction, for what is hidden."""
     around = np.linspace(0.0, 2.0 * math.pi, ROUND, endpoint=False).tolist()
     return np.array([(v, a, 0.0, 0.0, 0.0) for a in around for v in speeds])

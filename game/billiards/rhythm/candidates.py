@@ -11,21 +11,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.exact.play import play_shots
+from game.billiards.laws import state as s
 from game.billiards.laws.batch import Batch
 from game.billiards.laws.lean import lean_kernel
-from game.billiards.laws.state import (
-    BALL_POCKET,
-    END_TIME,
-    EVENTS_END,
-    EVENTS_START,
-    FINISHED,
-    IN_CLEAR,
-    IN_RADIUS,
-    IN_X,
-    IN_Y,
-    STATUS,
-)
 from game.billiards.rhythm.hearing import TOGETHER
 from game.billiards.search.strokes import LARGEST_TIP, SPEED, strike_all
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
@@ -34,8 +24,6 @@ from game.billiards.shot.shot import Shot, batch_of, make_shot
 from game.billiards.simulation import log_for, workspace_for
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, elementwise
-
-Array = NDArray[np.float64]
 
 STROKE = 4  # numbers before the places
 FARTHEST_MISS = 0.3  # s; a beat missed by more counts as missed by this
@@ -52,15 +40,15 @@ class Candidates:
         places = np.stack([np.full(balls, 0.5 * table.width), spread * table.length], axis=1)
         self._one = batch_of([make_shot(table, places, physics=physics)])
         # a kernel counts from the middle of the table
-        self._to_kernel = self._one.balls[0, 0, IN_X : IN_Y + 1] - places[0]
-        self.radius = float(self._one.balls[0, 0, IN_RADIUS])
+        self._to_kernel = self._one.balls[0, 0, s.IN_X : s.IN_Y + 1] - places[0]
+        self.radius = float(self._one.balls[0, 0, s.IN_RADIUS])
 
-    def shot(self, row: Array) -> Shot:
+    def shot(self, row: Floats) -> Shot:
         """One candidate as a shot; ShotError if it can be none."""
         balls, places = self._batch(row[None]).balls[0], row[STROKE:].reshape(-1, 2)
         return make_shot(self.table, places, balls[:, 2:4], balls[:, 4:7], physics=self.physics)
 
-    def rough_costs(self, rows: Array, beats: Array) -> Array:
+    def rough_costs(self, rows: Floats, beats: Floats) -> Floats:
         """Cost (s) of each row (m, 4 + 2 n) by all impacts; infinite for balls in one another or outside."""
         batch = self._batch(rows)
         x, y, r = rows[:, STROKE::2], rows[:, STROKE + 1 :: 2], self.radius
@@ -82,7 +70,7 @@ class Candidates:
         costs[kept] = found
         return costs
 
-    def _batch(self, rows: Array) -> Batch:
+    def _batch(self, rows: Floats) -> Batch:
         """Candidates as the kernel takes them."""
         m, one = len(rows), self._one
         balls, strokes = np.empty((m, *one.balls.shape[1:])), np.zeros((m, 5))
@@ -91,13 +79,13 @@ class Candidates:
             :, None
         ]
         strike_all(strokes, one.balls[0], 0, CUE_END_MASS, CUE_MASS, balls)
-        balls[:, :, IN_X : IN_Y + 1] = rows[:, STROKE:].reshape(m, self.balls, 2) + self._to_kernel
-        balls[:, :, IN_CLEAR] = 0.0
+        balls[:, :, s.IN_X : s.IN_Y + 1] = rows[:, STROKE:].reshape(m, self.balls, 2) + self._to_kernel
+        balls[:, :, s.IN_CLEAR] = 0.0
         constants, ranges = np.repeat(one.constants, m, axis=0), np.repeat(one.ranges, m, axis=0)
         return Batch(balls, constants, one.elements, ranges)
 
 
-def are_apart(x: Array, y: Array, least: float) -> NDArray[np.bool_]:
+def are_apart(x: Floats, y: Floats, least: float) -> NDArray[np.bool_]:
     """Which of some layouts (m, n) m have all their balls at least so far (m) from one another."""
     squared = elementary.square(x[:, :, None] - x[:, None, :]) + elementary.square(
         y[:, :, None] - y[:, None, :]
@@ -116,21 +104,21 @@ def rate_shots(events, ends, rows, beats, costs):
     than beats, those within TOGETHER taken as one. The first beat is the stroke.
     """
     for shot in range(rows[0], rows[1]):
-        if ends[shot, STATUS] != FINISHED and ends[shot, END_TIME] < beats[-1]:
+        if ends[shot, s.STATUS] != s.FINISHED and ends[shot, s.END_TIME] < beats[-1]:
             continue
-        begin, end = int(ends[shot, EVENTS_START]), int(ends[shot, EVENTS_END])
+        begin, end = int(ends[shot, s.EVENTS_START]), int(ends[shot, s.EVENTS_END])
         total = 0.0
         for k in range(1, beats.shape[0]):
             miss = FARTHEST_MISS
             for e in range(begin, end):
-                if events[e, 1] <= BALL_POCKET:
+                if events[e, 1] <= s.BALL_POCKET:
                     miss = min(miss, abs(events[e, 0] - beats[k]))
             total += miss * miss
         extras = 1 - beats.shape[0]
         before = 0.0
         for e in range(begin, end):
             time = events[e, 0]
-            if events[e, 1] <= BALL_POCKET and time <= beats[-1] + TOGETHER and time - before >= TOGETHER:
+            if events[e, 1] <= s.BALL_POCKET and time <= beats[-1] + TOGETHER and time - before >= TOGETHER:
                 extras += 1
                 before = time
         costs[shot] = math.sqrt(total / beats.shape[0]) + EXTRA * max(extras, 0)

@@ -17,8 +17,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.rhythm.candidates import EXTRA, FARTHEST_MISS, STROKE, Candidates
 from game.billiards.rhythm.hearing import TOGETHER, clicks_of
 from game.billiards.shot.physics import Physics
@@ -27,8 +27,6 @@ from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, elementwise, linear
-
-Array = NDArray[np.float64]
 
 MOST_BEATS, MOST_SECONDS, LEAST_GAP = 16, 12.0, 0.08
 SLOWEST, FASTEST = 0.8, 5.0  # m/s, of the stroke
@@ -76,7 +74,7 @@ class Rhythm(NamedTuple):
         return math.sqrt(sum(miss * miss for miss in capped) / len(capped)) + EXTRA * self.extras
 
 
-def rhythm_of(trajectory: Trajectory, beats: tuple[float, ...], candidate: Array) -> Rhythm:
+def rhythm_of(trajectory: Trajectory, beats: tuple[float, ...], candidate: Floats) -> Rhythm:
     """How a candidate that was played meets some beats (s)."""
     times = tuple(time for time in clicks_of(trajectory) if time <= beats[-1] + TOGETHER)
     misses = tuple(min((time - beat for time in times), key=abs) for beat in beats)
@@ -144,7 +142,7 @@ class RhythmSearch:
             self.improve()
         return self.best() if self.laid else None
 
-    def _first_strokes(self) -> Array:
+    def _first_strokes(self) -> Floats:
         """Strokes at a cue ball alone, at random."""
         count, width, length = 8 * BEAM, self._table.width, self._table.length
         drawn = self._rng.random((count, 6))
@@ -170,7 +168,7 @@ class RhythmSearch:
         costs = self._candidates.rough_costs(rows, np.array(beats)) if len(rows) else np.empty(0)
         self._keep(rows, costs, parents, beats)
 
-    def _meetings(self, row: Array, trajectory: Trajectory, beat: float) -> list[Array]:
+    def _meetings(self, row: Floats, trajectory: Trajectory, beat: float) -> list[Floats]:
         """The layout with one more ball, in each of some directions from each ball that moves at the beat."""
         state = trajectory.state_at(beat)
         found = []
@@ -185,10 +183,10 @@ class RhythmSearch:
                     found.append(np.concatenate([row, place]))
         return found
 
-    def _keep(self, rows: Array, costs: Array, parents: list[int], beats: tuple[float, ...]) -> None:
+    def _keep(self, rows: Floats, costs: Floats, parents: list[int], beats: tuple[float, ...]) -> None:
         """Keep the best of some layouts by what is heard of them, few of one family."""
         families: dict[int, int] = {}
-        kept: list[tuple[Array, Rhythm]] = []
+        kept: list[tuple[Floats, Rhythm]] = []
         shuffled = self._rng.permutation(len(costs))  # many cost nothing: no parent comes first among them
         for i in shuffled[np.argsort(costs[shuffled], kind="stable")]:
             if len(kept) == 4 * BEAM or not math.isfinite(costs[i]):
@@ -217,7 +215,7 @@ class RhythmSearch:
                 if found is not None and (known is None or found.cost < known.cost):
                     self._rows[line], self._found[line] = child, found
 
-    def _children(self) -> Array:
+    def _children(self) -> Floats:
         """CHILDREN of each layout: all numbers varied, a few, or one ball alone; by much and by little."""
         count, width = len(self._rows) * CHILDREN, self._rows.shape[1]
         size = np.array([2.0, math.pi, 0.5, 0.5] + [self._table.width, self._table.length] * len(self.beats))
@@ -234,14 +232,14 @@ class RhythmSearch:
 
     # -- one candidate ------------------------------------------------------------------------------
 
-    def _play(self, row: Array, until: float) -> Trajectory | None:
+    def _play(self, row: Floats, until: float) -> Trajectory | None:
         """A candidate played; None if it is no shot (a ball in a jaw, or in another)."""
         try:
             return simulate_exact(self._candidates.shot(row), until=until)
         except ValueError:
             return None
 
-    def _rhythm(self, row: Array, beats: tuple[float, ...]) -> Rhythm | None:
+    def _rhythm(self, row: Floats, beats: tuple[float, ...]) -> Rhythm | None:
         """What is heard of a candidate beside the beats; None if it is no shot."""
         trajectory = self._play(row, beats[-1] + FARTHEST_MISS)
         if trajectory is None:

@@ -11,20 +11,19 @@ from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Arrangement, Stroke, bed_for, is_free
 from game.billiards.game.rules import CUE_BALL, NEEDED_AT_BREAK
+from game.billiards.search import rating
 from game.billiards.search.outcomes import CUSHIONS, DOWN, Outcomes
-from game.billiards.search.rating import FOULED, LOST, SCORED, WON, Aims
+from game.billiards.search.rating import Aims
 from game.billiards.search.strokes import Board, Noise, with_noise
 from game.billiards.search.view import View
 from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import FOOT_SPOT, HEAD_SPOT
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 PLACES = (0.5, 0.41, 0.59, 0.3, 0.7)  # across the table, behind the line
 UPS = (0.0, 0.12, -0.12)  # ball radii
@@ -72,7 +71,7 @@ def best_break(
     aims: Aims,
     noise: Noise,
     speed: float,
-    draws: Array,
+    draws: Floats,
     pool: ThreadPoolExecutor | None = None,
 ) -> Break:
     """The break that is lawful and pots a ball most often. ValueError if the cue ball has no place.
@@ -96,11 +95,11 @@ def best_break(
     return max(tried, key=lambda one: one.merit)
 
 
-def _merits(view: View, aims: Aims, outcomes: Outcomes) -> Array:
+def _merits(view: View, aims: Aims, outcomes: Outcomes) -> Floats:
     """Of each break (m,): 1 if it pots a ball, -1 if it is a foul or not lawful, else 0."""
     kinds = view.classes(outcomes, aims, np.full((len(outcomes.facts), 2), -1, np.int64))
     driven = outcomes.histories[:, :, CUSHIONS] > 0
     driven[:, view.board.cue] = False
     unlawful = (outcomes.facts[:, DOWN] == 0) & (driven.sum(axis=1) < NEEDED_AT_BREAK)
-    bad = unlawful | np.isin(kinds, (FOULED, LOST))
-    return np.isin(kinds, (SCORED, WON)).astype(float) - bad
+    bad = unlawful | np.isin(kinds, (rating.FOULED, rating.LOST))
+    return np.isin(kinds, (rating.SCORED, rating.WON)).astype(float) - bad

@@ -9,23 +9,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.billiards.laws.lean import inner_kernel, lean_kernel
-from game.billiards.search.lanes import (
-    GATE_RADIUS,
-    GATE_X,
-    GATE_Y,
-    LEAST_COSINE,
-    RUB,
-    chance_within,
-    lane_is_free,
-    pocket_window,
-)
+from game.billiards.search import lanes
+from game.billiards.search.lanes import chance_within, lane_is_free, pocket_window
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 # columns of candidates (c, 8): row of the ball to be potted; pocket; kind; row of the ball in between (-1:
 # none); azimuth of the stroke and how far to search on both sides of it, rad; half the window that it has for
@@ -103,7 +90,7 @@ def _aim_at_ghost(places, geometry, first, from_x, from_y, ball, direction):
     if distance < 1e-9:
         return direction, 1.0, ghost_x, ghost_y
     cosine = (dx * ux + dy * uy) / distance
-    if cosine < LEAST_COSINE:
+    if cosine < lanes.LEAST_COSINE:
         return 0.0, 0.0, ghost_x, ghost_y
     return elementary.atan2(dy, dx), distance / (reach * cosine) + 1.0, ghost_x, ghost_y
 
@@ -119,9 +106,9 @@ def _reaches(places, geometry, x, y, ball):
 def _in_mouth(gates, x, y):
     """True if a ball that would bounce at (x, y) m finds no cushion there, but the mouth of a pocket."""
     for p in range(gates.shape[0]):
-        dx = x - gates[p, GATE_X]
-        dy = y - gates[p, GATE_Y]
-        reach = gates[p, GATE_RADIUS] + MOUTH
+        dx = x - gates[p, lanes.GATE_X]
+        dy = y - gates[p, lanes.GATE_Y]
+        reach = gates[p, lanes.GATE_RADIUS] + MOUTH
         if dx * dx + dy * dy < reach * reach:
             return True
     return False
@@ -138,11 +125,11 @@ def _list_direct(places, geometry, ball, p, found, count):
     if gain == 0.0 or not _reaches(places, geometry, x, y, ball):
         return count
     if not lane_is_free(
-        places, radii, places[ball, 0], places[ball, 1], gates[p, GATE_X], gates[p, GATE_Y],
+        places, radii, places[ball, 0], places[ball, 1], gates[p, lanes.GATE_X], gates[p, lanes.GATE_Y],
         radii[ball], ball, cue,
     ):  # fmt: skip
         return count
-    chance = chance_within(half, sight * gain + RUB)
+    chance = chance_within(half, sight * gain + lanes.RUB)
     spread = (min(half, 0.2) + THROW) / gain
     return _store(found, count, Candidate(ball, p, DIRECT, -1, aim, spread, half / gain, chance))
 
@@ -154,8 +141,8 @@ def _list_bank(places, geometry, ball, p, side, found, count):
     axis = side // 2
     radius = radii[ball]
     line = bed[side] + (radius if side % 2 == 0 else -radius)
-    to_x = gates[p, GATE_X]
-    to_y = gates[p, GATE_Y]
+    to_x = gates[p, lanes.GATE_X]
+    to_y = gates[p, lanes.GATE_Y]
     if axis == 0:
         to_x = 2.0 * line - to_x
     else:
@@ -184,7 +171,7 @@ def _list_bank(places, geometry, ball, p, side, found, count):
     if not lane_is_free(places, radii, x, y, bounce_x, bounce_y, radius, ball, cue):
         return count
     if not lane_is_free(
-        places, radii, bounce_x, bounce_y, gates[p, GATE_X], gates[p, GATE_Y], radius, ball, cue
+        places, radii, bounce_x, bounce_y, gates[p, lanes.GATE_X], gates[p, lanes.GATE_Y], radius, ball, cue
     ):
         return count
     half = 0.03 / away
@@ -219,12 +206,12 @@ def _list_kick(places, geometry, ball, p, side, found, count):
     ) or not lane_is_free(places, radii, bounce_x, bounce_y, x, y, radii[cue], cue, ball):
         return count
     if not lane_is_free(
-        places, radii, places[ball, 0], places[ball, 1], gates[p, GATE_X], gates[p, GATE_Y],
+        places, radii, places[ball, 0], places[ball, 1], gates[p, lanes.GATE_X], gates[p, lanes.GATE_Y],
         radii[ball], ball, cue,
     ):  # fmt: skip
         return count
     mirrored = math.pi - aim if axis == 0 else -aim
-    chance = chance_within(half, (sight + 0.5 * BANK_UNSURE) * gain + RUB)
+    chance = chance_within(half, (sight + 0.5 * BANK_UNSURE) * gain + lanes.RUB)
     return _store(found, count, Candidate(ball, p, KICK, -1, mirrored, KICK_ERROR, half / gain, chance))
 
 
@@ -246,13 +233,13 @@ def _list_combination(places, geometry, ball, p, via, found, count):
     gain = gain_a * gain_b
     if gain == 0.0:
         return count
-    chance = chance_within(half, (sight * gain_a + RUB) * gain_b + RUB)
+    chance = chance_within(half, (sight * gain_a + lanes.RUB) * gain_b + lanes.RUB)
     if count >= found.shape[0] and chance < 0.01:
         return count
     if not lane_is_free(places, radii, places[via, 0], places[via, 1], x, y, radii[via], via, ball):
         return count
     if not lane_is_free(
-        places, radii, places[ball, 0], places[ball, 1], gates[p, GATE_X], gates[p, GATE_Y],
+        places, radii, places[ball, 0], places[ball, 1], gates[p, lanes.GATE_X], gates[p, lanes.GATE_Y],
         radii[ball], ball, via,
     ):  # fmt: skip
         return count

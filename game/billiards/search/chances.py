@@ -9,17 +9,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.search.legality import Legality
 from game.billiards.search.outcomes import POCKET, Outcomes
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
-
-Array = NDArray[np.float64]
 
 DRAWS = 64  # of the hand's noise, for each stroke
 SEED = 62
 
 
-def as_hand_does(strokes: Array, noise: Noise, radius: float, draws: int = DRAWS) -> Array:
+def as_hand_does(strokes: Floats, noise: Noise, radius: float, draws: int = DRAWS) -> Floats:
     """Each stroke (m, 5) as the hand does it, ``draws`` times: (m draws, 5). radius of the cue ball, m."""
     return with_noise(strokes, draw_noise(SEED, draws), noise, radius)
 

@@ -7,13 +7,12 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.search.looking import Effort, Looked, look, sample
 from game.billiards.search.outcomes import NOWHERE
 from game.billiards.search.rating import SCORED, Aims
 from game.billiards.search.strokes import in_threads
 from game.billiards.search.view import UNLIMITED, Clock, View
-
-Array = NDArray[np.float64]
 
 
 def look_deeper(
@@ -21,7 +20,7 @@ def look_deeper(
     aims: Aims,
     looked: Looked,
     effort: Effort,
-    draws: Array,
+    draws: Floats,
     pool: ThreadPoolExecutor | None = None,
     clock: Clock = UNLIMITED,
 ) -> Looked:
@@ -44,7 +43,7 @@ def look_deeper(
         places = closer.outcomes.places[f * every : (f + 1) * every]
         values = closer.values[f]
 
-        def follow(i: int, places: Array = places, values: Array = values) -> float:
+        def follow(i: int, places: Floats = places, values: Floats = values) -> float:
             return worth_after(view, aims, places[i], after, draws, values[i]) - values[i]
 
         off = in_threads(pool, follow, scored.tolist())
@@ -56,7 +55,7 @@ def look_deeper(
 
 
 def worth_after(
-    view: View, aims: Aims, places: Array, effort: Effort, draws: Array, otherwise: float
+    view: View, aims: Aims, places: Floats, effort: Effort, draws: Floats, otherwise: float
 ) -> float:
     """Worth of a table (places (n, 2) m) by the best stroke found there; `otherwise` if none is."""
     kept = np.flatnonzero(places[:, 0] > 0.5 * NOWHERE)

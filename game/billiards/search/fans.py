@@ -11,20 +11,19 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.lean import lean_kernel
+from game.billiards.search import strokes as st
 from game.billiards.search.candidates import AIM, SPREAD, WINDOW
 from game.billiards.search.rating import SCORED, WON
-from game.billiards.search.strokes import AZIMUTH, ELEVATION, SPEED, TIP_LEFT, TIP_UP
 from game.physics.kernels import elementary, elementwise
-
-Array = NDArray[np.float64]
 
 LEAST_RAYS = 9
 MOST_RAYS = 41
 RAYS_A_WINDOW = 4.0  # rays within the window that geometry leaves
 
 
-def rays_for(candidates: Array, least: int = LEAST_RAYS, most: int = MOST_RAYS) -> NDArray[np.int64]:
+def rays_for(candidates: Floats, least: int = LEAST_RAYS, most: int = MOST_RAYS) -> NDArray[np.int64]:
     """How many rays (c,) the fan of each candidate has, an odd number each."""
     rays = RAYS_A_WINDOW * candidates[:, SPREAD] / np.maximum(candidates[:, WINDOW], 1e-6)
     half = np.clip(np.ceil(0.5 * rays), (least - 1) // 2, (most - 1) // 2)
@@ -43,11 +42,11 @@ def spread_fans(candidates, styles, rays, starts, squirt, strokes):
             for k in range(rays[c]):
                 row = strokes[starts[c] + s * rays[c] + k]
                 share = 2.0 * k / (rays[c] - 1) - 1.0
-                row[SPEED] = styles[s, 0]
-                row[AZIMUTH] = candidates[c, AIM] - squirt[s] + share * candidates[c, SPREAD]
-                row[ELEVATION] = styles[s, 3]
-                row[TIP_LEFT] = styles[s, 1]
-                row[TIP_UP] = styles[s, 2]
+                row[st.SPEED] = styles[s, 0]
+                row[st.AZIMUTH] = candidates[c, AIM] - squirt[s] + share * candidates[c, SPREAD]
+                row[st.ELEVATION] = styles[s, 3]
+                row[st.TIP_LEFT] = styles[s, 1]
+                row[st.TIP_UP] = styles[s, 2]
 
 
 @lean_kernel
@@ -72,7 +71,7 @@ def widest_runs(kinds, rays, starts, styles, middles, lengths):
             lengths[c, s] = best
 
 
-def squirt_of(styles: Array, ball_mass: float, end_mass: float) -> Array:
+def squirt_of(styles: Floats, ball_mass: float, end_mass: float) -> Floats:
     """By how much a tip off the centre turns the ball's path (s,), rad: `cue.strike`."""
     a = styles[:, 1]
     rest = 1.0 - a * a
@@ -81,12 +80,12 @@ def squirt_of(styles: Array, ball_mass: float, end_mass: float) -> Array:
 
 def make_styles(
     speeds: tuple[float, ...], ups: tuple[float, ...], lefts: tuple[float, ...], elevation: float = 0.0
-) -> Array:
+) -> Floats:
     """All ways to strike (s, 4) from speeds (m/s) and tip offsets (ball radii)."""
     rows = [(v, left, up, elevation) for v in speeds for up in ups for left in lefts]
     return np.array(rows).reshape(-1, 4)
 
 
-def chance_of_run(half: Array, sigma: float) -> Array:
+def chance_of_run(half: Floats, sigma: float) -> Floats:
     """Chances (n,) that an azimuth of deviation sigma (rad) stays within `half` (n,) rad of its aim."""
     return np.array([elementary.erf(value / (math.sqrt(2.0) * sigma)) for value in half.tolist()])

@@ -7,13 +7,12 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
 from game.billiards.game.arrangement import Arrangement, Stroke
 from game.billiards.game.rules import CUE_BALL
+from game.billiards.search import candidates
 from game.billiards.search.aims import all_aims
-from game.billiards.search.candidates import AIM, BALL, CUT_FROM, DIRECT, INTO, KIND, KINDS, NO_POT, VIA
+from game.billiards.search.candidates import CUT_FROM, KINDS, NO_POT
 from game.billiards.search.deeper import look_deeper
 from game.billiards.search.looking import Effort, Looked, look
 from game.billiards.search.rating import Aims
@@ -22,8 +21,6 @@ from game.billiards.search.view import Clock, View
 from game.billiards.shot.physics import Physics
 from game.billiards.table.table import Table
 from game.physics.kernels import elementwise
-
-Array = NDArray[np.float64]
 
 DRAWS = 256  # of noise, for each search
 QUICK = Effort(finalists=96, samples=64)
@@ -145,10 +142,12 @@ def named_shots(view: View, looked: Looked, limit: int | None = None) -> list[Fo
     for stroke, candidate, chance, worth in zip(
         looked.strokes, looked.candidates, looked.chance.tolist(), looked.worth.tolist(), strict=True
     ):
-        key = tuple(candidate[[BALL, INTO, KIND, VIA]].tolist())
+        key = tuple(candidate[[candidates.BALL, candidates.INTO, candidates.KIND, candidates.VIA]].tolist())
         if key in found:
             continue
-        ball, pocket, via = (int(candidate[column]) for column in (BALL, INTO, VIA))
+        ball, pocket, via = (
+            int(candidate[column]) for column in (candidates.BALL, candidates.INTO, candidates.VIA)
+        )
         found[key] = FoundShot(
             Stroke(*stroke.tolist()), numbers[ball] if ball >= 0 else None, pocket if ball >= 0 else None,
             _kind_name(view, candidate), numbers[via] if via >= 0 else None, chance, worth,
@@ -158,13 +157,13 @@ def named_shots(view: View, looked: Looked, limit: int | None = None) -> list[Fo
     return list(found.values())
 
 
-def _kind_name(view: View, candidate: Array) -> str:
+def _kind_name(view: View, candidate: Floats) -> str:
     """The kind of a candidate; a direct one with a cut is a cut."""
-    if int(candidate[KIND]) == NO_POT:
+    if int(candidate[candidates.KIND]) == NO_POT:
         return "safety"
-    if int(candidate[KIND]) != DIRECT:
-        return KINDS[int(candidate[KIND])]
-    ball, pocket = int(candidate[BALL]), int(candidate[INTO])
+    if int(candidate[candidates.KIND]) != candidates.DIRECT:
+        return KINDS[int(candidate[candidates.KIND])]
+    ball, pocket = int(candidate[candidates.BALL]), int(candidate[candidates.INTO])
     line = view.geometry.gates[pocket, :2] - view.places[ball]
-    away = float(candidate[AIM]) - float(elementwise.arctan2(line[1], line[0]))
+    away = float(candidate[candidates.AIM]) - float(elementwise.arctan2(line[1], line[0]))
     return "cut" if elementwise.cos(away) < elementwise.cos(CUT_FROM) else "direct"

@@ -17,13 +17,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, linear
-
-Array = NDArray[np.float64]
 
 # columns of gates (p, 11): the pocket, its radius of capture, its jaws (x, y m) and their radius (0: none);
 # the direction into it (unit vector), and 1 for a corner, 0 for a side pocket
@@ -54,14 +52,14 @@ class Geometry(NamedTuple):
     rails; cue: row of the cue ball; sight: unsteadiness of its direction, rad.
     """
 
-    radii: Array
-    gates: Array
-    bed: Array
+    radii: Floats
+    gates: Floats
+    bed: Floats
     cue: int
     sight: float
 
 
-def gates_of(table: Table) -> Array:
+def gates_of(table: Table) -> Floats:
     """Pockets with their jaws (p, 11), in the table's frame. Left and right as seen from the bed."""
     gates = np.zeros((len(table.pockets), GATE_COLUMNS))
     middle = np.array([0.5 * table.width, 0.5 * table.length])

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.state import IN_MASS
 from game.billiards.search.candidates import BALL, INTO, KINDS, SPREAD
 from game.billiards.search.fans import (
@@ -26,8 +27,6 @@ from game.billiards.search.rating import SCORED, WON, Aims
 from game.billiards.search.strokes import AZIMUTH, with_noise
 from game.billiards.search.view import UNLIMITED, Clock, View
 from game.billiards.shot.cue import CUE_END_MASS
-
-Array = NDArray[np.float64]
 
 MISS_WORTH = 0.3  # of a stroke that misses, before it is looked at closely
 STROKES_A_PART = 4096  # of fans, between two looks at the clock
@@ -63,12 +62,12 @@ class Looked(NamedTuple):
     (f k).
     """
 
-    strokes: Array
-    candidates: Array
-    chance: Array
-    worth: Array
+    strokes: Floats
+    candidates: Floats
+    chance: Floats
+    worth: Floats
     kinds: NDArray[np.int64]
-    values: Array
+    values: Floats
     outcomes: Outcomes
 
     def taken(self, order: NDArray[np.intp]) -> Looked:
@@ -85,7 +84,7 @@ def look(
     view: View,
     aims: Aims,
     effort: Effort,
-    draws: Array,
+    draws: Floats,
     pool: ThreadPoolExecutor | None = None,
     clock: Clock = UNLIMITED,
 ) -> Looked | None:
@@ -94,7 +93,7 @@ def look(
     if not len(candidates):
         return None
     styles = make_styles(effort.speeds, effort.ups, effort.lefts)
-    fans: list[tuple[Array, Array, Array]] = []
+    fans: list[tuple[Floats, Floats, Floats]] = []
     for part in _parts(candidates, styles, effort):
         if fans and clock.is_out():
             break
@@ -108,15 +107,20 @@ def look(
     return sample(view, aims, strokes[order], chosen[order], draws[: effort.samples], pool)
 
 
-def _parts(candidates: Array, styles: Array, effort: Effort) -> list[Array]:
+def _parts(candidates: Floats, styles: Floats, effort: Effort) -> list[Floats]:
     """Candidates in parts of not too many strokes."""
     strokes = np.cumsum(rays_for(candidates, most=effort.rays) * len(styles)) // STROKES_A_PART
     return [candidates[strokes == part] for part in np.unique(strokes)]
 
 
 def _best_of_fans(
-    view: View, aims: Aims, candidates: Array, styles: Array, effort: Effort, pool: ThreadPoolExecutor | None
-) -> tuple[Array, Array, Array] | None:
+    view: View,
+    aims: Aims,
+    candidates: Floats,
+    styles: Floats,
+    effort: Effort,
+    pool: ThreadPoolExecutor | None,
+) -> tuple[Floats, Floats, Floats] | None:
     """The middles of the best runs with their candidates and a first idea of their worth; None: no run."""
     board = view.board
     rays = rays_for(candidates, most=effort.rays)
@@ -150,9 +154,9 @@ def _best_of_fans(
 def sample(
     view: View,
     aims: Aims,
-    strokes: Array,
-    candidates: Array,
-    draws: Array,
+    strokes: Floats,
+    candidates: Floats,
+    draws: Floats,
     pool: ThreadPoolExecutor | None = None,
 ) -> Looked:
     """Each stroke (f, 5) with each draw of noise (k, 5); the best first. candidates (f, 8)."""

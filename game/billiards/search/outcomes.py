@@ -11,28 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.billiards.laws import state as col
 from game.billiards.laws.lean import inner_kernel, lean_kernel
-from game.billiards.laws.state import (
-    BALL_BALL,
-    BALL_CUSHION,
-    BALL_JAW,
-    BALL_OFF,
-    BALL_POCKET,
-    EVENTS_END,
-    EVENTS_START,
-    FINISHED,
-    IN_MOTION,
-    IN_X,
-    IN_Y,
-    OFF_TABLE,
-    POCKETED,
-    ROLLING_SPINNING,
-    ROLLING_STATIONARY,
-    SEGMENTS_END,
-    SEGMENTS_START,
-    SPINNING_STATIONARY,
-    STATUS,
-)
 from game.billiards.shot.crossing import stays_short
 
 # columns of facts (m, 7): rows of the balls that the cue ball touched first, as bits; 1 if it went down; 1
@@ -130,9 +110,9 @@ def _follow_shot(events, start, end, cue, facts, histories):
     while row < end:
         event = int(events[row, 1])
         i = int(events[row, 2])
-        if event == BALL_BALL:
+        if event == col.BALL_BALL:
             last = row + 1
-            while last < end and events[last, 0] == events[row, 0] and events[last, 1] == BALL_BALL:
+            while last < end and events[last, 0] == events[row, 0] and events[last, 1] == col.BALL_BALL:
                 last += 1
             new = facts[FIRST_BALLS] == 0
             for k in range(row, last):
@@ -145,23 +125,23 @@ def _follow_shot(events, start, end, cue, facts, histories):
             moving = _meet_at_once(events, row, last, histories, moving, cue)
             row = last
             continue
-        if event in (BALL_CUSHION, BALL_JAW):
+        if event in (col.BALL_CUSHION, col.BALL_JAW):
             histories[i, CUSHIONS] += 1
             if facts[FIRST_BALLS] != 0:
                 facts[CUSHIONED] = 1
             elif i == cue:
                 facts[CUSHIONS_FIRST] += 1
-        elif event == BALL_POCKET:
+        elif event == col.BALL_POCKET:
             moving &= ~(1 << i)
             histories[i, POCKET] = int(events[row, 3])
             if i == cue:
                 facts[SCRATCH] = 1
             else:
                 facts[DOWN] |= 1 << i
-        elif event == BALL_OFF:
+        elif event == col.BALL_OFF:
             moving &= ~(1 << i)
             facts[SCRATCH] = 1  # as bad: the cue ball in hand for the other
-        elif event in (ROLLING_STATIONARY, ROLLING_SPINNING, SPINNING_STATIONARY):
+        elif event in (col.ROLLING_STATIONARY, col.ROLLING_SPINNING, col.SPINNING_STATIONARY):
             moving &= ~(1 << i)
         row += 1
     return first
@@ -190,20 +170,20 @@ def sum_up(log, cue, line, first, last, outcomes):
             histories[s, i, CONTACTS] = 0
             histories[s, i, CUSHIONS] = 0
         histories[s, cue, CHAIN] = 1 << cue
-        if ends[s, STATUS] != FINISHED:
+        if ends[s, col.STATUS] != col.FINISHED:
             facts[s, GIVEN_UP] = 1
         met = _follow_shot(
-            events, int(ends[s, EVENTS_START]), int(ends[s, EVENTS_END]), cue, facts[s], histories[s]
+            events, int(ends[s, col.EVENTS_START]), int(ends[s, col.EVENTS_END]), cue, facts[s], histories[s]
         )
         if met >= 0 and line > NO_LINE:
             ball = int(events[met, 2]) + int(events[met, 3]) - cue
-            begin, stop = int(ends[s, SEGMENTS_START]), int(ends[s, SEGMENTS_END])
+            begin, stop = int(ends[s, col.SEGMENTS_START]), int(ends[s, col.SEGMENTS_END])
             if stays_short(log.segments, begin, stop, cue, ball, events[met, 0], line):
                 facts[s, SHORT] = 1
         for i in range(n):
-            down = final[s, i, IN_MOTION] == POCKETED or final[s, i, IN_MOTION] == OFF_TABLE
-            places[s, i, 0] = NOWHERE if down else final[s, i, IN_X]
-            places[s, i, 1] = NOWHERE if down else final[s, i, IN_Y]
+            down = final[s, i, col.IN_MOTION] == col.POCKETED or final[s, i, col.IN_MOTION] == col.OFF_TABLE
+            places[s, i, 0] = NOWHERE if down else final[s, i, col.IN_X]
+            places[s, i, 1] = NOWHERE if down else final[s, i, col.IN_Y]
 
 
 @inner_kernel(inline="always")

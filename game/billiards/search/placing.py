@@ -10,8 +10,8 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Arrangement, bed_for, nearest_free
 from game.billiards.game.rules import CUE_BALL, Hand
 from game.billiards.laws.lean import inner_kernel, lean_kernel
@@ -25,8 +25,6 @@ from game.billiards.shot.physics import Physics
 from game.billiards.table.rack import HEAD_SPOT
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 CUTS = np.radians([0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0])
 # m; from the cue ball to where it meets the other. Behind the line most balls are farther away
@@ -138,7 +136,7 @@ class BallInHand(NamedTuple):
         return View(Board(layout, self.table, self.physics), self.noise)
 
 
-def places_for_cue_ball(ball: BallInHand, aims: Aims, most: int) -> Array:
+def places_for_cue_ball(ball: BallInHand, aims: Aims, most: int) -> Floats:
     """The likeliest places (c, 4) for the cue ball, not more than a share of them for one object ball.
 
     aims: in rows of the arrangement with the cue ball.
@@ -168,7 +166,7 @@ def place_cue_ball(
     ball: BallInHand,
     aims: Aims,
     effort: Effort,
-    draws: Array,
+    draws: Floats,
     keep: int,
     most: int = 24,
     pool: ThreadPoolExecutor | None = None,

@@ -13,17 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.laws.lean import inner_kernel, lean_kernel
+from game.billiards.search import outcomes
 from game.billiards.search.lanes import openness, pot_chance
-from game.billiards.search.outcomes import (
-    CHAIN,
-    DOWN,
-    NOWHERE,
-    POCKET,
-    is_foul,
-)
+from game.billiards.search.outcomes import is_foul
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 # what a stroke led to, for the shooter
 MISSED, SCORED, WON, FOULED, LOST = range(5)
@@ -77,7 +70,7 @@ def clearing_chance(places, geometry, playable, needed, open_chances):
     count = 0
     for i in range(n):
         open_chances[i] = 1.0
-        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
+        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * outcomes.NOWHERE:
             open_chances[i] = max(openness(places, geometry, i), BLOCKED)
             product *= open_chances[i]
             count += 1
@@ -85,7 +78,7 @@ def clearing_chance(places, geometry, playable, needed, open_chances):
         return 1.0
     best = 0.0
     for i in range(n):
-        if playable & needed & (1 << i) == 0 or places[i, 0] <= 0.5 * NOWHERE:
+        if playable & needed & (1 << i) == 0 or places[i, 0] <= 0.5 * outcomes.NOWHERE:
             continue
         others = product / open_chances[i]
         if others <= best:
@@ -102,7 +95,7 @@ def next_playable(aims, places, needed):
     do not end the rack, as long as there are any."""
     left = 0
     for i in range(places.shape[0]):
-        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
+        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * outcomes.NOWHERE:
             left |= 1 << i
             if aims[ROTATION_AIM] != 0:
                 return left
@@ -122,13 +115,13 @@ def _is_sent_by(chain, least):
 @inner_kernel
 def classify(facts, histories, aims, ball, pocket):
     """What a stroke led to (MISSED to LOST), whose shooter meant to pot `ball` into `pocket` (-1: any)."""
-    down = facts[DOWN]
+    down = facts[outcomes.DOWN]
     foul = is_foul(facts, aims[FIRST_AIM])
     if down & aims[LOSE_AIM] != 0:
         return LOST
     if down & aims[WIN_AIM] != 0:
         meant = aims[CALLED_AIM] == 0 or (
-            ball >= 0 and aims[WIN_AIM] & (1 << ball) != 0 and histories[ball, POCKET] == pocket
+            ball >= 0 and aims[WIN_AIM] & (1 << ball) != 0 and histories[ball, outcomes.POCKET] == pocket
         )
         if foul or not meant:
             return FOULED if aims[ROTATION_AIM] != 0 else LOST
@@ -136,10 +129,16 @@ def classify(facts, histories, aims, ball, pocket):
     if foul:
         return FOULED
     if aims[CALLED_AIM] != 0:
-        hit = ball >= 0 and histories[ball, POCKET] >= 0 and (pocket < 0 or histories[ball, POCKET] == pocket)
-        return SCORED if hit and _is_sent_by(histories[ball, CHAIN], aims[CHAIN_AIM]) else MISSED
+        hit = (
+            ball >= 0
+            and histories[ball, outcomes.POCKET] >= 0
+            and (pocket < 0 or histories[ball, outcomes.POCKET] == pocket)
+        )
+        return SCORED if hit and _is_sent_by(histories[ball, outcomes.CHAIN], aims[CHAIN_AIM]) else MISSED
     for i in range(histories.shape[0]):
-        if down & aims[SCORE_AIM] & (1 << i) != 0 and _is_sent_by(histories[i, CHAIN], aims[CHAIN_AIM]):
+        if down & aims[SCORE_AIM] & (1 << i) != 0 and _is_sent_by(
+            histories[i, outcomes.CHAIN], aims[CHAIN_AIM]
+        ):
             return SCORED
     return MISSED
 
@@ -175,7 +174,7 @@ def open_product(places, geometry, needed):
     """How open a player's balls are, all together."""
     product = 1.0
     for i in range(places.shape[0]):
-        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
+        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * outcomes.NOWHERE:
             product *= max(openness(places, geometry, i), BLOCKED)
     return product
 

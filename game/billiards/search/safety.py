@@ -5,15 +5,14 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.billiards.search.candidates import BALL, COLUMNS, INTO, KIND, NO_POT, VIA
+from game.arrays import Floats
+from game.billiards.search import candidates
+from game.billiards.search.candidates import NO_POT
 from game.billiards.search.looking import Looked, sample
 from game.billiards.search.rating import FOULED, LOST, SCORED, Aims
 from game.billiards.search.view import View
 from game.physics.kernels import elementwise, linear
-
-Array = NDArray[np.float64]
 
 SPEEDS = (0.35, 0.6, 0.9, 1.4, 2.2)  # m/s
 UPS = (-0.3, 0.0, 0.3)  # ball radii
@@ -21,7 +20,7 @@ OFFSETS = np.linspace(-0.97, 0.97, 13)  # where a ball is hit, as a share of wha
 ROUND = 120  # directions all around, when the balls are hidden
 
 
-def _strokes_at(view: View, first: int) -> Array:
+def _strokes_at(view: View, first: int) -> Floats:
     """Strokes (m, 5) at every ball that may be touched first, thick and thin; and all around."""
     cue_ball = view.places[view.board.cue]
     directions: list[float] = []
@@ -35,16 +34,16 @@ def _strokes_at(view: View, first: int) -> Array:
     return np.array([(v, a, 0.0, 0.0, up) for a in directions for v in SPEEDS for up in UPS])
 
 
-def no_candidates(count: int) -> Array:
+def no_candidates(count: int) -> Floats:
     """Candidates (c, 8) of strokes that mean to pot nothing."""
-    rows = np.zeros((count, COLUMNS))
-    rows[:, [BALL, INTO, VIA]] = -1.0
-    rows[:, KIND] = NO_POT
+    rows = np.zeros((count, candidates.COLUMNS))
+    rows[:, [candidates.BALL, candidates.INTO, candidates.VIA]] = -1.0
+    rows[:, candidates.KIND] = NO_POT
     return rows
 
 
 def look_for_safety(
-    view: View, aims: Aims, finalists: int, draws: Array, pool: ThreadPoolExecutor | None = None
+    view: View, aims: Aims, finalists: int, draws: Floats, pool: ThreadPoolExecutor | None = None
 ) -> Looked:
     """The strokes after which the other has least, under noise; draws (k, 5), see `with_noise`."""
     strokes = _strokes_at(view, aims.first)
@@ -56,7 +55,7 @@ def look_for_safety(
     return sample(view, aims, strokes[best], no_candidates(len(best)), draws, pool)
 
 
-def look_for_push_out(view: View, aims: Aims, seed: int, pool: ThreadPoolExecutor | None = None) -> Array:
+def look_for_push_out(view: View, aims: Aims, seed: int, pool: ThreadPoolExecutor | None = None) -> Floats:
     """A stroke (5,) after which it matters least who plays: the other player will choose."""
     rng = np.random.default_rng(seed)
     strokes = np.zeros((600, 5))

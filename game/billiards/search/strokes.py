@@ -15,35 +15,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Arrangement
 from game.billiards.game.rules import CUE_BALL
+from game.billiards.laws import state as col
 from game.billiards.laws.batch import Batch, Log
 from game.billiards.laws.lean import inner_kernel, lean_kernel
-from game.billiards.laws.state import (
-    FLIGHT_IN_COLUMNS,
-    IN_COLUMNS,
-    IN_MASS,
-    IN_MOTION,
-    IN_RADIUS,
-    IN_VX,
-    IN_VY,
-    IN_VZ,
-    IN_WX,
-    IN_WY,
-    IN_WZ,
-    IN_Z,
-    LANDING_SPEED,
-    PHYSICS_COLUMNS,
-    SLIDING,
-)
 from game.billiards.search.outcomes import NO_LINE, Outcomes, sum_up
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
 from game.billiards.shot.physics import Physics
 from game.billiards.simulation import log_for, play_into
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, elementwise
-
-Array = NDArray[np.float64]
 
 CHUNK = 128  # strokes that a thread takes at a time
 EVENTS_A_STROKE = 64  # first guess of the capacity of a log
@@ -81,8 +64,8 @@ def strike_ball(stroke, ball, end_mass, cue_mass):
     speed into the slate."""
     a = stroke[TIP_LEFT]
     b = stroke[TIP_UP]
-    radius = ball[IN_RADIUS]
-    mass = ball[IN_MASS]
+    radius = ball[col.IN_RADIUS]
+    mass = ball[col.IN_MASS]
     cosine = elementary.cos(stroke[ELEVATION])
     sine = elementary.sin(stroke[ELEVATION])
     c = math.sqrt(1.0 - a * a - b * b)
@@ -93,17 +76,17 @@ def strike_ball(stroke, ball, end_mass, cue_mass):
     turn = stroke[AZIMUTH] + 0.5 * math.pi
     rest = 1.0 - a * a
     aside = turn - elementary.atan2(2.5 * a * math.sqrt(rest), 1.0 + mass / end_mass + 2.5 * rest)
-    ball[IN_VX] = elementary.sin(aside) * speed * cosine
-    ball[IN_VY] = -elementary.cos(aside) * speed * cosine
+    ball[col.IN_VX] = elementary.sin(aside) * speed * cosine
+    ball[col.IN_VY] = -elementary.cos(aside) * speed * cosine
     roll = speed / k * lever
     swerve = speed / k * side * sine
-    ball[IN_WX] = elementary.cos(turn) * roll - elementary.sin(turn) * swerve
-    ball[IN_WY] = elementary.sin(turn) * roll + elementary.cos(turn) * swerve
-    ball[IN_WZ] = -speed / k * side * cosine
-    ball[IN_MOTION] = SLIDING
-    if ball.shape[0] > IN_VZ:
-        ball[IN_Z] = 0.0
-        ball[IN_VZ] = -speed * sine
+    ball[col.IN_WX] = elementary.cos(turn) * roll - elementary.sin(turn) * swerve
+    ball[col.IN_WY] = elementary.sin(turn) * roll + elementary.cos(turn) * swerve
+    ball[col.IN_WZ] = -speed / k * side * cosine
+    ball[col.IN_MOTION] = col.SLIDING
+    if ball.shape[0] > col.IN_VZ:
+        ball[col.IN_Z] = 0.0
+        ball[col.IN_VZ] = -speed * sine
 
 
 @lean_kernel
@@ -140,8 +123,8 @@ def add_noise(strokes, draws, sigmas, noisy):
 class _Buffers(NamedTuple):
     """Buffers of one thread for n balls."""
 
-    balls: Array
-    constants: Array
+    balls: Floats
+    constants: Floats
     ranges: NDArray[np.int64]
     log: Log
 
@@ -150,8 +133,8 @@ def _buffers_for(n: int, flies: bool, paths: bool) -> _Buffers:
     kept: dict[tuple[int, bool, bool], _Buffers] = _local.__dict__.setdefault("buffers", {})
     if (n, flies, paths) not in kept:
         kept[n, flies, paths] = _Buffers(
-            np.zeros((CHUNK, n, FLIGHT_IN_COLUMNS if flies else IN_COLUMNS)),
-            np.empty((CHUNK, PHYSICS_COLUMNS)),
+            np.zeros((CHUNK, n, col.FLIGHT_IN_COLUMNS if flies else col.IN_COLUMNS)),
+            np.empty((CHUNK, col.PHYSICS_COLUMNS)),
             np.empty((CHUNK, 4), np.int64),
             log_for(CHUNK, n, max(EVENTS_A_STROKE * CHUNK, 4 * n * n + 2 * MAX_EVENTS), paths, flies),
         )
@@ -181,7 +164,7 @@ class Board:
         self.cue = layout.numbers.index(CUE_BALL)
         shot = layout.shot(table, physics)
         self.base = shot.balls.copy()
-        self.radii = shot.balls[:, IN_RADIUS].copy()
+        self.radii = shot.balls[:, col.IN_RADIUS].copy()
         self.radius = float(self.radii[self.cue])
         self.middle = shot.layout.middle
         self._constants = shot.constants
@@ -189,11 +172,11 @@ class Board:
         self._ranges = shot.batch.ranges[0]
 
     @property
-    def places(self) -> Array:
+    def places(self) -> Floats:
         """Where the balls lie (n, 2), m in the table's frame."""
         return self.base[:, :2] + self.middle
 
-    def moved(self, places: Array, kept: NDArray[np.intp]) -> Board:
+    def moved(self, places: Floats, kept: NDArray[np.intp]) -> Board:
         """The board with some of its rows, at rest at other places (n, 2) m; nothing is checked."""
         board = Board.__new__(Board)
         board.__dict__.update(self.__dict__)
@@ -209,29 +192,29 @@ class Board:
         """How many balls there are, the cue ball among them."""
         return len(self.base)
 
-    def play(self, strokes: Array, pool: ThreadPoolExecutor | None = None) -> Outcomes:
+    def play(self, strokes: Floats, pool: ThreadPoolExecutor | None = None) -> Outcomes:
         """What comes of strokes (m, 5). pool: threads to share them among."""
         outcomes = Outcomes.empty(len(strokes), self.count)
         starts = range(0, len(strokes), CHUNK)
         in_threads(pool, lambda start: self._play_chunk(strokes, outcomes, start), starts)
         return outcomes
 
-    def _play_chunk(self, strokes: Array, outcomes: Outcomes, start: int) -> None:
+    def _play_chunk(self, strokes: Floats, outcomes: Outcomes, start: int) -> None:
         """Play one chunk into its rows of the outcomes."""
         chunk = strokes[start : start + CHUNK]
         for log, first, played in self.played(chunk):
             rows = outcomes.rows(slice(start, start + len(chunk)))
             sum_up(log, self.cue, self.line, first, played, rows)
 
-    def _flies(self, strokes: Array) -> bool:
+    def _flies(self, strokes: Floats) -> bool:
         """True if one of strokes (m, 5) may take a ball off the slate."""
         physics = self.physics
         if not physics.airborne:
             return False
         down = SLATE_PUSH * strokes[:, SPEED] * elementwise.sin(strokes[:, ELEVATION])
-        return physics.cushion_hop > 0.0 or bool((physics.slate_restitution * down > LANDING_SPEED).any())
+        return physics.cushion_hop > 0.0 or bool((physics.slate_restitution * down > col.LANDING_SPEED).any())
 
-    def played(self, strokes: Array) -> Iterator[tuple[Log, int, int]]:
+    def played(self, strokes: Floats) -> Iterator[tuple[Log, int, int]]:
         """Play at most CHUNK strokes (m, 5): a log, and from which to which row it holds them, part by part.
 
         The log is this thread's own, and is written over by the next part.
@@ -246,8 +229,8 @@ class Board:
         log = buffers.log
         rows = Log(log.events, log.segments, log.ends[:m], log.final[:m])
         if flies:
-            rise = -self.physics.slate_restitution * balls[:, self.cue, IN_VZ]
-            balls[rise <= LANDING_SPEED, self.cue, IN_VZ] = 0.0
+            rise = -self.physics.slate_restitution * balls[:, self.cue, col.IN_VZ]
+            balls[rise <= col.LANDING_SPEED, self.cue, col.IN_VZ] = 0.0
         batch = Batch(balls, constants, self._elements, ranges)
         first = 0
         while first < m:
@@ -265,13 +248,13 @@ def in_threads(
     return list(pool.map(task, items))
 
 
-def draw_noise(seed: int, count: int) -> Array:
+def draw_noise(seed: int, count: int) -> Floats:
     """Normal numbers (count, 5) for `add_noise`, each column of mean 0: half of them mirror the others."""
     half = np.random.default_rng(seed).standard_normal(((count + 1) // 2, 5))
     return np.ascontiguousarray(np.concatenate([half, -half])[:count])
 
 
-def with_noise(strokes: Array, draws: Array, noise: Noise, radius: float) -> Array:
+def with_noise(strokes: Floats, draws: Floats, noise: Noise, radius: float) -> Floats:
     """Each stroke (m, 5) as an unsteady hand does it, k times: (m k, 5). draws (k, 5): normal numbers."""
     noisy = np.empty((len(strokes) * len(draws), 5))
     sigmas = np.array([noise.tip / radius, noise.elevation, noise.azimuth, noise.speed])

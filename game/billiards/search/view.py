@@ -9,14 +9,13 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import bed_for
 from game.billiards.search.candidates import CHANCE, COLUMNS, KINDS, MOST, list_candidates
 from game.billiards.search.lanes import SIGHT, Geometry, gates_of
 from game.billiards.search.outcomes import Outcomes
 from game.billiards.search.rating import Aims, classify_all, packed, rate_all
 from game.billiards.search.strokes import Board, Noise, in_threads
-
-Array = NDArray[np.float64]
 
 LEAST_SIGHT = 1e-5  # rad; of a steady hand, for which every free pot is sure
 
@@ -46,7 +45,7 @@ class View:
         bed = np.array(bed_for(board.table, 0.0))
         self.geometry = Geometry(board.radii, gates_of(board.table), bed, board.cue, sight)
 
-    def moved(self, places: Array, kept: NDArray[np.intp]) -> View:
+    def moved(self, places: Floats, kept: NDArray[np.intp]) -> View:
         """The view with some of its rows, at rest at other places (n, 2) m; nothing is checked."""
         view = View.__new__(View)
         view.board = self.board.moved(places, kept)
@@ -55,7 +54,7 @@ class View:
         view.geometry = self.geometry._replace(radii=view.board.radii, cue=view.board.cue)
         return view
 
-    def candidates(self, aims: Aims, kinds: tuple[str, ...], most: int) -> Array:
+    def candidates(self, aims: Aims, kinds: tuple[str, ...], most: int) -> Floats:
         """The likeliest candidates (c, 8), the likeliest first."""
         bits = sum(1 << KINDS.index(kind) for kind in kinds)
         found = np.empty((MOST, COLUMNS))
@@ -71,7 +70,7 @@ class View:
 
     def worth(
         self, outcomes: Outcomes, aims: Aims, kinds: NDArray[np.int64], pool: ThreadPoolExecutor | None = None
-    ) -> Array:
+    ) -> Floats:
         """Estimated chance (m,) to win after each of m strokes; kinds (m,): their classes."""
         worth = np.empty(len(kinds))
         part = max(1, min(256, (len(kinds) + 1) // 2))

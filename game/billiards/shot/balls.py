@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts import CUSHION_MODELS, RESTITUTION
-from game.billiards.laws.state import MOTIONS, POCKETED, ROLLING, SPINNING, STATIONARY
+from game.billiards.laws.state import MOTIONS
 from game.billiards.shot.physics import Physics, ShotError
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 OVERLAP = 1e-6  # m; balls that overlap more than this are refused
 LARGEST = {"position": 1e4, "velocity": 1e4, "spin": 1e6, "radius": 1e2, "mass": 1e6}  # SI
 SMALLEST = {"radius": 1e-5, "mass": 1e-9}  # SI
 
 
-def check_balls(balls: Array, table: Table, physics: Physics) -> None:
+def check_balls(balls: Floats, table: Table, physics: Physics) -> None:
     """ShotError if a ball's numbers are absurd, or contradict each other or the table.
 
     balls (n, 11): columns as in `Shot`, places from a corner of the table as in a file.
@@ -57,11 +54,11 @@ def _check_motion(i: int, row: list[float]) -> None:
     """The stated motion must fit velocity and spin."""
     motion = int(row[9])
     vx, vy, wx, wy, wz, radius = row[2:8]
-    if motion in (STATIONARY, SPINNING) and (vx, vy, wx, wy) != (0.0, 0.0, 0.0, 0.0):
+    if motion in (s.STATIONARY, s.SPINNING) and (vx, vy, wx, wy) != (0.0, 0.0, 0.0, 0.0):
         raise ShotError(f"balls[{i}].motion: {MOTIONS[motion]}, but it has velocity or spin about x or y")
-    if motion == STATIONARY and wz != 0.0:
+    if motion == s.STATIONARY and wz != 0.0:
         raise ShotError(f"balls[{i}].motion: stationary, but it spins about z")
-    if motion == ROLLING:
+    if motion == s.ROLLING:
         slip = elementary.hypot(vx - radius * wy, vy + radius * wx)
         if slip > 1e-6 * (1.0 + elementary.hypot(vx, vy)):
             raise ShotError(
@@ -69,8 +66,8 @@ def _check_motion(i: int, row: list[float]) -> None:
             )
 
 
-def _check_overlap(balls: Array) -> None:
-    present = [i for i in range(len(balls)) if int(balls[i, 9]) != POCKETED]
+def _check_overlap(balls: Floats) -> None:
+    present = [i for i in range(len(balls)) if int(balls[i, 9]) != s.POCKETED]
     for place, i in enumerate(present):
         for j in present[:place]:
             reach = 2.0 * math.sqrt(balls[i, 7] * balls[j, 7])

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel, lean_kernel
-from game.billiards.laws.state import SEG_AY, SEG_BALL, SEG_TIME, SEG_VY, SEG_Y
 
 
 @inner_kernel(inline="always")
 def _y_at(segment, time):
     """Where a ball is at a time of its segment (12,), along the table, m."""
-    t = max(time - segment[SEG_TIME], 0.0)
-    return segment[SEG_Y] + t * (segment[SEG_VY] + t * segment[SEG_AY])
+    t = max(time - segment[s.SEG_TIME], 0.0)
+    return segment[s.SEG_Y] + t * (segment[s.SEG_VY] + t * segment[s.SEG_AY])
 
 
 @inner_kernel(inline="always")
 def _highest(segment, end):
     """The largest y, m, on a segment (12,) up to a time, s: at an end of the parabola, or at its vertex."""
-    highest = max(segment[SEG_Y], _y_at(segment, end))
-    if segment[SEG_AY] < 0.0 and segment[SEG_VY] > 0.0:
-        vertex = segment[SEG_TIME] - 0.5 * segment[SEG_VY] / segment[SEG_AY]
+    highest = max(segment[s.SEG_Y], _y_at(segment, end))
+    if segment[s.SEG_AY] < 0.0 and segment[s.SEG_VY] > 0.0:
+        vertex = segment[s.SEG_TIME] - 0.5 * segment[s.SEG_VY] / segment[s.SEG_AY]
         if vertex < end:
             highest = max(highest, _y_at(segment, vertex))
     return highest
@@ -31,15 +31,15 @@ def stays_short(segments, first, last, cue, ball, time, line):
     """
     target = -1
     for row in range(first, last):
-        if segments[row, SEG_TIME] <= time and int(segments[row, SEG_BALL]) == ball:
+        if segments[row, s.SEG_TIME] <= time and int(segments[row, s.SEG_BALL]) == ball:
             target = row
     if target < 0 or _y_at(segments[target], time) > line:
         return False
     before = -1
     for row in range(first, last):
-        if int(segments[row, SEG_BALL]) != cue or segments[row, SEG_TIME] >= time:
+        if int(segments[row, s.SEG_BALL]) != cue or segments[row, s.SEG_TIME] >= time:
             continue
-        if before >= 0 and _highest(segments[before], segments[row, SEG_TIME]) > line:
+        if before >= 0 and _highest(segments[before], segments[row, s.SEG_TIME]) > line:
             return False
         before = row
     return before < 0 or _highest(segments[before], time) <= line

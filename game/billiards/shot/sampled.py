@@ -5,17 +5,16 @@ from __future__ import annotations
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.orientation import turn
-from game.billiards.laws.state import IN_COLUMNS, IN_MOTION, IN_WZ, SEGMENT_COLUMNS
 from game.billiards.shot.physics import ShotError
 from game.billiards.shot.shot import Shot
 from game.billiards.shot.trajectory import TableState, Trajectory, rotation_matrices
 from game.physics.kernels import linear
-
-Array = NDArray[np.float64]
 
 # columns of samples (m, n, 8)
 SAMPLE_X, SAMPLE_Y, SAMPLE_VX, SAMPLE_VY, SAMPLE_WX, SAMPLE_WY, SAMPLE_WZ, SAMPLE_MOTION = range(8)
@@ -81,9 +80,15 @@ class SampledTrajectory(Trajectory):
     """
 
     def __init__(
-        self, shot: Shot, rows: Array, end: Array, sample_times: Array, samples: Array, counts: dict[str, int]
+        self,
+        shot: Shot,
+        rows: Floats,
+        end: Floats,
+        sample_times: Floats,
+        samples: Floats,
+        counts: dict[str, int],
     ) -> None:
-        super().__init__(shot, rows, np.empty((0, SEGMENT_COLUMNS)), end, float(sample_times[-1]))
+        super().__init__(shot, rows, np.empty((0, s.SEGMENT_COLUMNS)), end, float(sample_times[-1]))
         self.sample_times = sample_times
         self.samples = samples
         self.counts = counts
@@ -95,7 +100,7 @@ class SampledTrajectory(Trajectory):
         motions = self.samples[k, :, SAMPLE_MOTION].astype(np.int64)
         return TableState(time, now[:, 0:2], now[:, 2:4], now[:, 4:7], motions)
 
-    def orientations_at(self, time: float, starting: ArrayLike | None = None) -> Array:
+    def orientations_at(self, time: float, starting: ArrayLike | None = None) -> Floats:
         """Rotation matrices (n, 3, 3), ball to table, at a time (s); `starting` (n, 3, 3): at time 0."""
         time = self._within(time)
         k, now = self._between(time)
@@ -106,7 +111,7 @@ class SampledTrajectory(Trajectory):
             matrices if starting is None else linear.product(matrices, np.asarray(starting, dtype=np.float64))
         )
 
-    def _between(self, time: float) -> tuple[int, Array]:
+    def _between(self, time: float) -> tuple[int, Floats]:
         """The sample at or before a time, and the columns of samples (n, 8) at that time."""
         k = int(np.searchsorted(self.sample_times, time, side="right")) - 1
         if k + 1 >= len(self.sample_times):
@@ -116,7 +121,7 @@ class SampledTrajectory(Trajectory):
         return k, self.samples[k] + part * (self.samples[k + 1] - self.samples[k])
 
     @cached_property
-    def _turns(self) -> Array:
+    def _turns(self) -> Floats:
         turns = np.zeros((*self.samples.shape[:2], 4))
         turns[0, :, 0] = 1.0
         turn_samples(self.sample_times, self.samples, turns)
@@ -124,7 +129,7 @@ class SampledTrajectory(Trajectory):
 
 
 def sampled_trajectory(
-    shot: Shot, rows: Array, times: Array, samples: Array, counts: dict[str, int]
+    shot: Shot, rows: Floats, times: Floats, samples: Floats, counts: dict[str, int]
 ) -> SampledTrajectory:
     """A trajectory from events (e, 4), times (m,) s and samples (m, n, 8) in the table's frame.
 
@@ -132,7 +137,7 @@ def sampled_trajectory(
     """
     if not np.isfinite(samples[-1]).all():
         raise ShotError("a number of the shot's end state is not finite")
-    end = shot.balls[:, :IN_COLUMNS].copy()
-    end[:, : IN_WZ + 1] = samples[-1, :, :SAMPLE_MOTION]
-    end[:, IN_MOTION] = samples[-1, :, SAMPLE_MOTION]
+    end = shot.balls[:, : s.IN_COLUMNS].copy()
+    end[:, : s.IN_WZ + 1] = samples[-1, :, :SAMPLE_MOTION]
+    end[:, s.IN_MOTION] = samples[-1, :, SAMPLE_MOTION]
     return SampledTrajectory(shot, rows, end, times, samples, counts)

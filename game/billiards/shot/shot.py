@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.batch import Batch
 from game.billiards.laws.contacts import (
     BALL_MODELS,
@@ -17,24 +19,12 @@ from game.billiards.laws.contacts import (
     NO_FRICTION,
 )
 from game.billiards.laws.layout import Layout, is_clear, layout_of
-from game.billiards.laws.state import (
-    FLIGHT_IN_COLUMNS,
-    IN_COLUMNS,
-    IN_Z,
-    LANDING_SPEED,
-    MOTIONS,
-    PHYSICS_COLUMNS,
-    POCKETED,
-    SLIDING,
-    SPINNING,
-    STATIONARY,
-)
+from game.billiards.laws.state import MOTIONS
 from game.billiards.shot.balls import LARGEST, check_balls
 from game.billiards.shot.physics import Physics, ShotError, check_physics
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
 
-Array = NDArray[np.float64]
 HIGHEST = 10.0  # m
 
 
@@ -48,7 +38,7 @@ class Shot:
 
     table: Table
     physics: Physics
-    balls: Array
+    balls: Floats
     ids: tuple[str, ...]
     cushion_ids: tuple[str, ...]
     jaw_ids: tuple[str, ...]
@@ -57,12 +47,12 @@ class Shot:
     flies: bool = False
 
     @property
-    def positions(self) -> Array:
+    def positions(self) -> Floats:
         """Positions (n, 2) m in the table's frame."""
         return self.balls[:, :2] + self.layout.middle
 
     @cached_property
-    def constants(self) -> Array:
+    def constants(self) -> Floats:
         """physics (22,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
         p = self.physics
         model = BALL_MODELS[p.ball_ball]
@@ -81,7 +71,7 @@ class Shot:
                 p.slate_restitution, p.cushion_hop,
             ]
         )  # fmt: skip
-        assert row.shape == (PHYSICS_COLUMNS,)
+        assert row.shape == (s.PHYSICS_COLUMNS,)
         return row
 
     @cached_property
@@ -107,7 +97,7 @@ class Shot:
             raise ShotError("struck: velocity and spin must be finite")
         balls = self.balls.copy()
         balls[ball, 2:7] = columns
-        balls[ball, 9] = SLIDING
+        balls[ball, 9] = s.SLIDING
         return self._with_balls(balls, ball, 0.0, vertical)
 
     def in_air(
@@ -138,16 +128,16 @@ class Shot:
             )
         return self._with_balls(self.balls.copy(), ball, height, rise)
 
-    def _with_balls(self, balls: Array, ball: int, height: float, vertical: float) -> Shot:
+    def _with_balls(self, balls: Floats, ball: int, height: float, vertical: float) -> Shot:
         """The shot with other balls, and columns for their heights if one leaves the slate."""
         physics = self.physics
         rise = vertical if vertical > 0.0 else -physics.slate_restitution * vertical
-        lifted = physics.airborne and (height > 0.0 or rise > LANDING_SPEED)
+        lifted = physics.airborne and (height > 0.0 or rise > s.LANDING_SPEED)
         flies = lifted or self.flies or (physics.airborne and physics.cushion_hop > 0.0)
-        if flies and balls.shape[1] == IN_COLUMNS:
+        if flies and balls.shape[1] == s.IN_COLUMNS:
             balls = with_heights(balls).copy()
         if flies:
-            balls[ball, IN_Z:] = (height, vertical) if lifted else 0.0
+            balls[ball, s.IN_Z :] = (height, vertical) if lifted else 0.0
         balls.setflags(write=False)
         return Shot(
             self.table, self.physics, balls, self.ids, self.cushion_ids, self.jaw_ids, self.pocket_ids,
@@ -155,10 +145,10 @@ class Shot:
         )  # fmt: skip
 
 
-def with_heights(balls: Array) -> Array:
+def with_heights(balls: Floats) -> Floats:
     """Balls (n, 11) with columns for height and vertical speed, all 0: (n, 13), frozen."""
-    lifted = np.zeros((len(balls), FLIGHT_IN_COLUMNS))
-    lifted[:, :IN_COLUMNS] = balls
+    lifted = np.zeros((len(balls), s.FLIGHT_IN_COLUMNS))
+    lifted[:, : s.IN_COLUMNS] = balls
     lifted.setflags(write=False)
     return lifted
 
@@ -204,7 +194,7 @@ def make_shot(
     xy = np.array(positions, dtype=np.float64).reshape(-1, 2)
     n = len(xy)
     layout = layout_of(table)
-    balls = np.zeros((n, IN_COLUMNS))
+    balls = np.zeros((n, s.IN_COLUMNS))
     balls[:, 0:2] = xy
     _fill("velocities", velocities, balls[:, 2:4])
     _fill("spins", spins, balls[:, 4:7])
@@ -229,7 +219,7 @@ def make_shot(
     return Shot(table, physics, balls, names, cushion_ids, jaw_ids, pocket_ids, layout, flies)
 
 
-def _fill(name: str, value: ArrayLike, columns: Array) -> None:
+def _fill(name: str, value: ArrayLike, columns: Floats) -> None:
     """Write numbers to columns (n, k) of the balls, one for all; ShotError if the shape does not fit."""
     array = np.asarray(value, dtype=np.float64)
     if array.ndim == 1 and columns.shape[1] == 1:
@@ -240,15 +230,17 @@ def _fill(name: str, value: ArrayLike, columns: Array) -> None:
         raise ShotError(f"{name}: shape {array.shape} does not fit {len(columns)} balls") from None
 
 
-def _guess_motions(balls: Array) -> Array:
+def _guess_motions(balls: Floats) -> Floats:
     moving = (balls[:, 2:6] != 0.0).any(axis=1)
-    return np.where(moving, SLIDING, np.where(balls[:, 6] != 0.0, SPINNING, STATIONARY)).astype(np.float64)
+    return np.where(moving, s.SLIDING, np.where(balls[:, 6] != 0.0, s.SPINNING, s.STATIONARY)).astype(
+        np.float64
+    )
 
 
-def _motion_numbers(motions: ArrayLike, n: int) -> Array:
+def _motion_numbers(motions: ArrayLike, n: int) -> Floats:
     numbers = np.array(
         [MOTIONS.index(m) if isinstance(m, str) else int(m) for m in np.asarray(motions).tolist()]
     )
-    if numbers.shape != (n,) or numbers.min(initial=0) < 0 or numbers.max(initial=0) > POCKETED:
+    if numbers.shape != (n,) or numbers.min(initial=0) < 0 or numbers.max(initial=0) > s.POCKETED:
         raise ShotError(f"motions: need {n} of {', '.join(MOTIONS)}")
     return numbers.astype(np.float64)

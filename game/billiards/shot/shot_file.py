@@ -21,15 +21,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.contacts import BALL_MODELS, CUSHION_MODELS
 from game.billiards.laws.state import MOTIONS, POCKETED
 from game.billiards.shot.physics import Physics, ShotError
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.table.table import Table, checked_table
-
-Array = NDArray[np.float64]
 
 PHYSICS_FIELDS = {  # place in the file: field of Physics
     "friction.sliding": "sliding",
@@ -111,7 +109,7 @@ def _read_table(
 
 def _read_rows(
     data: dict[str, Any], name: str, fields: tuple[tuple[str, int], ...]
-) -> tuple[Array, tuple[str, ...]]:
+) -> tuple[Floats, tuple[str, ...]]:
     """Rows of numbers of one kind of element, and their ids."""
     place = f"table.{name}"
     rows, ids = [], []

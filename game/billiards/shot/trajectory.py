@@ -10,37 +10,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.orientation import spin_in_segment, turn_in_segment, turns_at_starts
-from game.billiards.laws.state import (
-    AIRBORNE,
-    BALL_BALL,
-    BALL_CUSHION,
-    BALL_JAW,
-    BALL_POCKET,
-    EVENTS,
-    IN_COLUMNS,
-    IN_MOTION,
-    IN_RADIUS,
-    MOTIONS,
-    OFF_TABLE,
-    POCKETED,
-    SEG_AX,
-    SEG_AY,
-    SEG_BALL,
-    SEG_MOTION,
-    SEG_TIME,
-    SEG_VX,
-    SEG_VY,
-    SEG_VZ,
-    SEG_X,
-    SEG_Y,
-    SEG_Z,
-)
+from game.billiards.laws.state import EVENTS, MOTIONS
 from game.billiards.shot.shot import Shot
 from game.physics.kernels import linear
-
-Array = NDArray[np.float64]
 
 
 class Event(NamedTuple):
@@ -58,9 +34,9 @@ class TableState(NamedTuple):
     """
 
     time: float
-    positions: Array
-    velocities: Array
-    spins: Array
+    positions: Floats
+    velocities: Floats
+    spins: Floats
     motions: NDArray[np.int64]
 
 
@@ -72,7 +48,7 @@ def segment_rows_at(segments, order, starts, time, rows):
         high = starts[ball + 1]
         while high - low > 1:
             middle = (low + high) // 2
-            if segments[order[middle], SEG_TIME] <= time:
+            if segments[order[middle], s.SEG_TIME] <= time:
                 low = middle
             else:
                 high = middle
@@ -84,13 +60,13 @@ def states_at(segments, rows, time, radii, physics, out):
     """Closed form of each ball on its segment: x, y, vx, vy, wx, wy, wz to out (n, 7)."""
     for ball in range(rows.shape[0]):
         segment = segments[rows[ball]]
-        t = max(time - segment[SEG_TIME], 0.0)
-        ax = segment[SEG_AX]
-        ay = segment[SEG_AY]
-        out[ball, 0] = segment[SEG_X] + t * (segment[SEG_VX] + t * ax)
-        out[ball, 1] = segment[SEG_Y] + t * (segment[SEG_VY] + t * ay)
-        out[ball, 2] = segment[SEG_VX] + 2.0 * t * ax
-        out[ball, 3] = segment[SEG_VY] + 2.0 * t * ay
+        t = max(time - segment[s.SEG_TIME], 0.0)
+        ax = segment[s.SEG_AX]
+        ay = segment[s.SEG_AY]
+        out[ball, 0] = segment[s.SEG_X] + t * (segment[s.SEG_VX] + t * ax)
+        out[ball, 1] = segment[s.SEG_Y] + t * (segment[s.SEG_VY] + t * ay)
+        out[ball, 2] = segment[s.SEG_VX] + 2.0 * t * ax
+        out[ball, 3] = segment[s.SEG_VY] + 2.0 * t * ay
         wx, wy, wz = spin_in_segment(segment, t, radii[ball], physics)
         out[ball, 4] = wx
         out[ball, 5] = wy
@@ -105,7 +81,7 @@ def turns_at(segments, rows, time, radii, physics, starting, turns):
         for k in range(4):
             turns[ball, k] = starting[row, k]
         turn_in_segment(
-            segments[row], max(time - segments[row, SEG_TIME], 0.0), radii[ball], physics, turns[ball]
+            segments[row], max(time - segments[row, s.SEG_TIME], 0.0), radii[ball], physics, turns[ball]
         )
 
 
@@ -117,7 +93,7 @@ class Trajectory:
     fly, both have two more columns, for heights and vertical speeds.
     """
 
-    def __init__(self, shot: Shot, rows: Array, segments: Array, end: Array, end_time: float) -> None:
+    def __init__(self, shot: Shot, rows: Floats, segments: Floats, end: Floats, end_time: float) -> None:
         self.shot = shot
         self.rows = rows
         self.segments = segments
@@ -125,7 +101,7 @@ class Trajectory:
         self.end_time = end_time
 
     @property
-    def times(self) -> Array:
+    def times(self) -> Floats:
         """Times of the events (e,), s."""
         return self.rows[:, 0]
 
@@ -133,12 +109,16 @@ class Trajectory:
     def events(self) -> list[Event]:
         """Events in order of time, with the ids of the shot."""
         shot = self.shot
-        elements = {BALL_CUSHION: shot.cushion_ids, BALL_JAW: shot.jaw_ids, BALL_POCKET: shot.pocket_ids}
+        elements = {
+            s.BALL_CUSHION: shot.cushion_ids,
+            s.BALL_JAW: shot.jaw_ids,
+            s.BALL_POCKET: shot.pocket_ids,
+        }
         events = []
         for time, number, ball, other in self.rows.tolist():
             code, i, j = int(number), int(ball), int(other)
             ids: tuple[str, ...] = (shot.ids[i],)
-            if code == BALL_BALL:
+            if code == s.BALL_BALL:
                 ids = (shot.ids[i], shot.ids[j])
             elif code in elements:
                 ids = (shot.ids[i], elements[code][j])
@@ -150,15 +130,15 @@ class Trajectory:
         """Where each ball ended, by id: (x, y) m, or "pocketed", or "off the table"."""
         places: dict[str, tuple[float, float] | str] = {}
         for name, row in zip(self.shot.ids, self.end.tolist(), strict=True):
-            motion = int(row[IN_MOTION])
-            places[name] = MOTIONS[motion] if motion in (POCKETED, OFF_TABLE) else (row[0], row[1])
+            motion = int(row[s.IN_MOTION])
+            places[name] = MOTIONS[motion] if motion in (s.POCKETED, s.OFF_TABLE) else (row[0], row[1])
         return places
 
     @cached_property
     def digest(self) -> str:
         """Hash of all events and the end: equal for equal bits."""
         hasher = hashlib.blake2b(digest_size=16)
-        for array in (self.rows, self.end[:, :IN_COLUMNS]):
+        for array in (self.rows, self.end[:, : s.IN_COLUMNS]):
             hasher.update(np.ascontiguousarray(array).tobytes())
         return hasher.hexdigest()
 
@@ -168,24 +148,24 @@ class Trajectory:
         rows = self._rows_at(time)
         out = np.empty((len(rows), 7))
         states_at(self.segments, rows, time, self._radii, self.shot.constants, out)
-        motions = self.segments[rows, SEG_MOTION].astype(np.int64)
+        motions = self.segments[rows, s.SEG_MOTION].astype(np.int64)
         return TableState(time, out[:, 0:2], out[:, 2:4], out[:, 4:7], motions)
 
-    def heights_at(self, time: float) -> Array:
+    def heights_at(self, time: float) -> Floats:
         """How high each ball is above where it lies on the slate (n,), m; time as in `state_at`."""
         return self.rises_at(time)[0]
 
-    def rises_at(self, time: float) -> tuple[Array, Array]:
+    def rises_at(self, time: float) -> tuple[Floats, Floats]:
         """Heights (n,) m and vertical speeds (n,) m/s; time as in `state_at`."""
         n = len(self.end)
         if not self.shot.flies or not len(self.segments):
             return np.zeros(n), np.zeros(n)
         rows = self.segments[self._rows_at(self._within(time))]
-        t = np.where(rows[:, SEG_MOTION] == AIRBORNE, self._within(time) - rows[:, SEG_TIME], 0.0)
+        t = np.where(rows[:, s.SEG_MOTION] == s.AIRBORNE, self._within(time) - rows[:, s.SEG_TIME], 0.0)
         gravity = self.shot.physics.gravity
-        return rows[:, SEG_Z] + t * (rows[:, SEG_VZ] - 0.5 * gravity * t), rows[:, SEG_VZ] - gravity * t
+        return rows[:, s.SEG_Z] + t * (rows[:, s.SEG_VZ] - 0.5 * gravity * t), rows[:, s.SEG_VZ] - gravity * t
 
-    def orientations_at(self, time: float, starting: ArrayLike | None = None) -> Array:
+    def orientations_at(self, time: float, starting: ArrayLike | None = None) -> Floats:
         """Rotation matrices (n, 3, 3), ball to table, at a time (s); `starting` (n, 3, 3): at time 0."""
         time = self._within(time)
         rows = self._rows_at(time)
@@ -208,13 +188,13 @@ class Trajectory:
         return rows
 
     @cached_property
-    def _radii(self) -> Array:
-        return np.ascontiguousarray(self.end[:, IN_RADIUS])
+    def _radii(self) -> Floats:
+        return np.ascontiguousarray(self.end[:, s.IN_RADIUS])
 
     @cached_property
     def _by_ball(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows of the segments ball by ball, and where each ball's begin."""
-        balls = self.segments[:, SEG_BALL].astype(np.int64)
+        balls = self.segments[:, s.SEG_BALL].astype(np.int64)
         order = np.argsort(balls, kind="stable").astype(np.int64)
         starts = np.concatenate([[0], np.cumsum(np.bincount(balls, minlength=len(self.end)))]).astype(
             np.int64
@@ -222,14 +202,14 @@ class Trajectory:
         return order, starts
 
     @cached_property
-    def _starting_turns(self) -> Array:
+    def _starting_turns(self) -> Floats:
         order, starts = self._by_ball
         turns = np.empty((len(self.segments), 4))
         turns_at_starts(self.segments, order, starts, self._radii, self.shot.constants, turns)
         return turns
 
 
-def rotation_matrices(q: Array) -> Array:
+def rotation_matrices(q: Floats) -> Floats:
     """Rotation matrices (n, 3, 3) of unit quaternions (n, 4), scalar first."""
     w, x, y, z = q.T
     rows = [

@@ -15,89 +15,67 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.motion import spin_after
-from game.billiards.laws.state import (
-    GRAVITY,
-    MOTION,
-    NO_EVENT,
-    RADIUS,
-    ROLLING,
-    ROLLING_FRICTION,
-    ROLLING_SPINNING,
-    ROLLING_STATIONARY,
-    SLIDING,
-    SLIDING_FRICTION,
-    SLIDING_ROLLING,
-    SPINNING,
-    SPINNING_STATIONARY,
-    STATIONARY,
-    VX,
-    VY,
-    WX,
-    WY,
-    WZ,
-    X,
-    Y,
-)
 
 
 @lean_kernel
 def slide(state, modes, i, dt, physics):
     """Friction of a sliding ball in one step. Returns the event."""
-    radius = state[RADIUS, i]
-    ux = state[VX, i] - radius * state[WY, i]
-    uy = state[VY, i] + radius * state[WX, i]
+    radius = state[s.RADIUS, i]
+    ux = state[s.VX, i] - radius * state[s.WY, i]
+    uy = state[s.VY, i] + radius * state[s.WX, i]
     slip = math.sqrt(ux * ux + uy * uy)
-    most = physics[SLIDING_FRICTION] * physics[GRAVITY] * dt
+    most = physics[s.SLIDING_FRICTION] * physics[s.GRAVITY] * dt
     stopping = 2.0 / 7.0 * slip
     share = most / slip if stopping > most else 2.0 / 7.0
-    state[VX, i] -= share * ux
-    state[VY, i] -= share * uy
+    state[s.VX, i] -= share * ux
+    state[s.VY, i] -= share * uy
     if stopping > most:
         lever = 2.5 * share / radius
-        state[WX, i] -= lever * uy
-        state[WY, i] += lever * ux
-        return NO_EVENT
-    state[WX, i] = -state[VY, i] / radius
-    state[WY, i] = state[VX, i] / radius
-    modes[MOTION, i] = ROLLING
-    return SLIDING_ROLLING
+        state[s.WX, i] -= lever * uy
+        state[s.WY, i] += lever * ux
+        return s.NO_EVENT
+    state[s.WX, i] = -state[s.VY, i] / radius
+    state[s.WY, i] = state[s.VX, i] / radius
+    modes[s.MOTION, i] = s.ROLLING
+    return s.SLIDING_ROLLING
 
 
 @lean_kernel
 def roll(state, modes, i, dt, physics):
     """Friction of a rolling ball in one step. Returns the event."""
-    vx = state[VX, i]
-    vy = state[VY, i]
+    vx = state[s.VX, i]
+    vy = state[s.VY, i]
     speed = math.sqrt(vx * vx + vy * vy)
-    lost = physics[ROLLING_FRICTION] * physics[GRAVITY] * dt
+    lost = physics[s.ROLLING_FRICTION] * physics[s.GRAVITY] * dt
     left = 1.0 - lost / speed if speed > lost else 0.0
-    radius = state[RADIUS, i]
-    state[VX, i] = left * vx
-    state[VY, i] = left * vy
-    state[WX, i] = -left * vy / radius
-    state[WY, i] = left * vx / radius
+    radius = state[s.RADIUS, i]
+    state[s.VX, i] = left * vx
+    state[s.VY, i] = left * vy
+    state[s.WX, i] = -left * vy / radius
+    state[s.WY, i] = left * vx / radius
     if left > 0.0:
-        return NO_EVENT
-    if state[WZ, i] != 0.0:
-        modes[MOTION, i] = SPINNING
-        return ROLLING_SPINNING
-    modes[MOTION, i] = STATIONARY
-    return ROLLING_STATIONARY
+        return s.NO_EVENT
+    if state[s.WZ, i] != 0.0:
+        modes[s.MOTION, i] = s.SPINNING
+        return s.ROLLING_SPINNING
+    modes[s.MOTION, i] = s.STATIONARY
+    return s.ROLLING_STATIONARY
 
 
 @lean_kernel
 def step_on_cloth(state, modes, i, dt, physics):
     """Friction and displacement of ball i in one step of dt s. Returns the event."""
-    motion = modes[MOTION, i]
-    state[WZ, i] = spin_after(state[WZ, i], dt, state[RADIUS, i], physics)
-    if motion == SPINNING:
-        if state[WZ, i] != 0.0:
-            return NO_EVENT
-        modes[MOTION, i] = STATIONARY
-        return SPINNING_STATIONARY
-    event = slide(state, modes, i, dt, physics) if motion == SLIDING else roll(state, modes, i, dt, physics)
-    state[X, i] += dt * state[VX, i]
-    state[Y, i] += dt * state[VY, i]
+    motion = modes[s.MOTION, i]
+    state[s.WZ, i] = spin_after(state[s.WZ, i], dt, state[s.RADIUS, i], physics)
+    if motion == s.SPINNING:
+        if state[s.WZ, i] != 0.0:
+            return s.NO_EVENT
+        modes[s.MOTION, i] = s.STATIONARY
+        return s.SPINNING_STATIONARY
+    event = slide(state, modes, i, dt, physics) if motion == s.SLIDING else roll(state, modes, i, dt, physics)
+    state[s.X, i] += dt * state[s.VX, i]
+    state[s.Y, i] += dt * state[s.VY, i]
     return event

@@ -17,44 +17,10 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts.ball_ball_normal import closing_speed, reach_of
 from game.billiards.laws.impacts import collide_pair, end_chatter, hit_rail, normal_between
 from game.billiards.laws.lean import lean_kernel
-from game.billiards.laws.state import (
-    BALL_BALL,
-    BALL_CUSHION,
-    BALL_JAW,
-    BALL_POCKET,
-    CLEAR,
-    CLOSING_SPEED,
-    FREE_LEFT,
-    FREE_LOWER,
-    FREE_RIGHT,
-    FREE_UPPER,
-    FROM_X,
-    FROM_Y,
-    MASS,
-    MET,
-    MOTION,
-    NO_EVENT,
-    NORMAL_X,
-    NORMAL_Y,
-    OWN_ELEMENT,
-    OWN_EVENT,
-    POCKETED,
-    RADIUS,
-    RAIL_TIME,
-    ROLLING,
-    SLIDING,
-    TIME,
-    TO_X,
-    TO_Y,
-    VX,
-    VY,
-    WZ,
-    X,
-    Y,
-)
 
 OVERLAP = 1e-12  # m; smaller ones are rounding, and left
 RAIL_TURNS = 8  # repairs of one ball on the rails in a round: a corner takes two, a very fast ball more
@@ -79,21 +45,21 @@ def log_event(events, counters, time, event, i, j):
 @lean_kernel
 def is_in_the_open(state, i, physics):
     """True if ball i is where no rail and no pocket can be."""
-    radius = state[RADIUS, i]
-    x = state[X, i]
-    y = state[Y, i]
+    radius = state[s.RADIUS, i]
+    x = state[s.X, i]
+    y = state[s.Y, i]
     return (
-        state[CLEAR, i] > 0.0
-        and physics[FREE_LEFT] + radius <= x <= physics[FREE_RIGHT] - radius
-        and physics[FREE_LOWER] + radius <= y <= physics[FREE_UPPER] - radius
+        state[s.CLEAR, i] > 0.0
+        and physics[s.FREE_LEFT] + radius <= x <= physics[s.FREE_RIGHT] - radius
+        and physics[s.FREE_LOWER] + radius <= y <= physics[s.FREE_UPPER] - radius
     )
 
 
 @lean_kernel
 def fall_into_pocket(state, modes, i, old, pockets):
     """Take ball i out of play if its path in this step led over a pocket. Returns the pocket, or -1."""
-    path_x = state[X, i] - old[OLD_X, i]
-    path_y = state[Y, i] - old[OLD_Y, i]
+    path_x = state[s.X, i] - old[OLD_X, i]
+    path_y = state[s.Y, i] - old[OLD_Y, i]
     squared = path_x * path_x + path_y * path_y
     for k in range(pockets.shape[0]):
         dx = pockets[k, 0] - old[OLD_X, i]
@@ -103,9 +69,9 @@ def fall_into_pocket(state, modes, i, old, pockets):
         dx -= part * path_x
         dy -= part * path_y
         if dx * dx + dy * dy < pockets[k, 2] * pockets[k, 2]:
-            for row in range(VX, WZ + 1):
+            for row in range(s.VX, s.WZ + 1):
                 state[row, i] = 0.0
-            modes[MOTION, i] = POCKETED
+            modes[s.MOTION, i] = s.POCKETED
             return k
     return -1
 
@@ -113,38 +79,38 @@ def fall_into_pocket(state, modes, i, old, pockets):
 @lean_kernel
 def faces(cushions, k, x, y):
     """True if the foot of x, y on the line of cushion k lies on the cushion."""
-    dx = cushions[k, TO_X] - cushions[k, FROM_X]
-    dy = cushions[k, TO_Y] - cushions[k, FROM_Y]
-    along = (x - cushions[k, FROM_X]) * dx + (y - cushions[k, FROM_Y]) * dy
+    dx = cushions[k, s.TO_X] - cushions[k, s.FROM_X]
+    dy = cushions[k, s.TO_Y] - cushions[k, s.FROM_Y]
+    along = (x - cushions[k, s.FROM_X]) * dx + (y - cushions[k, s.FROM_Y]) * dy
     return 0.0 <= along <= dx * dx + dy * dy
 
 
 @lean_kernel
 def deepest_rail(state, i, old, cushions, jaws):
     """What ball i has sunk into most: depth (m, 0 if nothing), event, element, unit vector to the ball."""
-    x = state[X, i]
-    y = state[Y, i]
+    x = state[s.X, i]
+    y = state[s.Y, i]
     old_x = old[OLD_X, i]
     old_y = old[OLD_Y, i]
-    radius = state[RADIUS, i]
+    radius = state[s.RADIUS, i]
     depth = 0.0
-    event = NO_EVENT
+    event = s.NO_EVENT
     element = -1
     normal_x = 1.0
     normal_y = 0.0
     for k in range(cushions.shape[0]):
-        nx = cushions[k, NORMAL_X]
-        ny = cushions[k, NORMAL_Y]
-        height = (x - cushions[k, FROM_X]) * nx + (y - cushions[k, FROM_Y]) * ny
+        nx = cushions[k, s.NORMAL_X]
+        ny = cushions[k, s.NORMAL_Y]
+        height = (x - cushions[k, s.FROM_X]) * nx + (y - cushions[k, s.FROM_Y]) * ny
         if radius - height <= depth:
             continue
         met = faces(cushions, k, x, y)
         if height <= 0.0:
-            was = (old_x - cushions[k, FROM_X]) * nx + (old_y - cushions[k, FROM_Y]) * ny
+            was = (old_x - cushions[k, s.FROM_X]) * nx + (old_y - cushions[k, s.FROM_Y]) * ny
             met = was >= 0.0 and (met or faces(cushions, k, old_x, old_y))
         if met:
             depth = radius - height
-            event = BALL_CUSHION
+            event = s.BALL_CUSHION
             element = k
             normal_x = nx
             normal_y = ny
@@ -154,7 +120,7 @@ def deepest_rail(state, i, old, cushions, jaws):
         distance = math.sqrt(dx * dx + dy * dy)
         if distance > 0.0 and jaws[k, 2] + radius - distance > depth:
             depth = jaws[k, 2] + radius - distance
-            event = BALL_JAW
+            event = s.BALL_JAW
             element = k
             normal_x = dx / distance
             normal_y = dy / distance
@@ -170,17 +136,17 @@ def meet_rails(state, modes, i, old, cushions, jaws, physics, events, counters):
         if depth <= OVERLAP:
             break
         overlapped = True
-        if state[VX, i] * nx + state[VY, i] * ny < -CLOSING_SPEED:
-            now = state[TIME, i]
-            same = modes[OWN_EVENT, i] == event and modes[OWN_ELEMENT, i] == element
-            if not (same and state[RAIL_TIME, i] == now):
+        if state[s.VX, i] * nx + state[s.VY, i] * ny < -s.CLOSING_SPEED:
+            now = state[s.TIME, i]
+            same = modes[s.OWN_EVENT, i] == event and modes[s.OWN_ELEMENT, i] == element
+            if not (same and state[s.RAIL_TIME, i] == now):
                 log_event(events, counters, now, event, i, element)
-            modes[OWN_EVENT, i] = event
-            modes[OWN_ELEMENT, i] = element
+            modes[s.OWN_EVENT, i] = event
+            modes[s.OWN_ELEMENT, i] = element
             hit_rail(state, modes, i, event, element, cushions, jaws, physics)
-            modes[MOTION, i] = SLIDING
-        state[X, i] += depth * nx
-        state[Y, i] += depth * ny
+            modes[s.MOTION, i] = s.SLIDING
+        state[s.X, i] += depth * nx
+        state[s.Y, i] += depth * ny
     return overlapped
 
 
@@ -188,20 +154,20 @@ def meet_rails(state, modes, i, old, cushions, jaws, physics, events, counters):
 def meet_ball(state, modes, pairs, i, j, overlap, physics, events, counters):
     """Balls i and j overlap (m): they collide if they close, and are moved apart."""
     nx, ny = normal_between(state, i, j)
-    if closing_speed(state, i, j, nx, ny) > CLOSING_SPEED:
+    if closing_speed(state, i, j, nx, ny) > s.CLOSING_SPEED:
         collide_pair(state, i, j, nx, ny, physics)
-        modes[MOTION, i] = SLIDING
-        modes[MOTION, j] = SLIDING
-        now = state[TIME, i]
-        if pairs[MET, i, j] < now:
-            log_event(events, counters, now, BALL_BALL, i, j)
+        modes[s.MOTION, i] = s.SLIDING
+        modes[s.MOTION, j] = s.SLIDING
+        now = state[s.TIME, i]
+        if pairs[s.MET, i, j] < now:
+            log_event(events, counters, now, s.BALL_BALL, i, j)
             end_chatter(state, pairs, i, j, nx, ny, now)
     if overlap > OVERLAP:
-        share = overlap * state[MASS, j] / (state[MASS, i] + state[MASS, j])
-        state[X, i] -= share * nx
-        state[Y, i] -= share * ny
-        state[X, j] += (overlap - share) * nx
-        state[Y, j] += (overlap - share) * ny
+        share = overlap * state[s.MASS, j] / (state[s.MASS, i] + state[s.MASS, j])
+        state[s.X, i] -= share * nx
+        state[s.Y, i] -= share * ny
+        state[s.X, j] += (overlap - share) * nx
+        state[s.Y, j] += (overlap - share) * ny
 
 
 @lean_kernel
@@ -211,14 +177,14 @@ def meet_balls(state, modes, pairs, physics, events, counters):
     n = state.shape[1]
     counters[PAIR_TESTS] += n * (n - 1) // 2
     for i in range(n - 1):
-        if modes[MOTION, i] == POCKETED:
+        if modes[s.MOTION, i] == s.POCKETED:
             continue
         for j in range(i + 1, n):
-            dx = state[X, j] - state[X, i]
-            dy = state[Y, j] - state[Y, i]
-            reach = reach_of(state[RADIUS, i], state[RADIUS, j])
+            dx = state[s.X, j] - state[s.X, i]
+            dy = state[s.Y, j] - state[s.Y, i]
+            reach = reach_of(state[s.RADIUS, i], state[s.RADIUS, j])
             squared = dx * dx + dy * dy
-            if squared < reach * reach and modes[MOTION, j] != POCKETED:
+            if squared < reach * reach and modes[s.MOTION, j] != s.POCKETED:
                 overlap = reach - math.sqrt(squared)
                 meet_ball(state, modes, pairs, i, j, overlap, physics, events, counters)
                 overlapped = overlapped or overlap > OVERLAP
@@ -233,15 +199,15 @@ def settle_contacts(steps, elements, physics, passes, log):
     events, counters = log
     n = state.shape[1]
     for i in range(n):
-        motion = modes[MOTION, i]
-        if (motion in (SLIDING, ROLLING)) and not is_in_the_open(state, i, physics):
+        motion = modes[s.MOTION, i]
+        if (motion in (s.SLIDING, s.ROLLING)) and not is_in_the_open(state, i, physics):
             pocket = fall_into_pocket(state, modes, i, old, pockets)
             if pocket >= 0:
-                log_event(events, counters, state[TIME, i], BALL_POCKET, i, pocket)
+                log_event(events, counters, state[s.TIME, i], s.BALL_POCKET, i, pocket)
     for _ in range(passes):
         overlapped = meet_balls(state, modes, pairs, physics, events, counters)
         for i in range(n):
-            if modes[MOTION, i] == POCKETED or is_in_the_open(state, i, physics):
+            if modes[s.MOTION, i] == s.POCKETED or is_in_the_open(state, i, physics):
                 continue
             if meet_rails(state, modes, i, old, cushions, jaws, physics, events, counters):
                 overlapped = True

@@ -12,34 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.billiards.laws import state as s
 from game.billiards.laws.batch import Elements
 from game.billiards.laws.lean import lean_kernel
-from game.billiards.laws.state import (
-    CLEAR,
-    FLOAT_ROWS,
-    GRAVITY,
-    IN_CLEAR,
-    IN_MASS,
-    IN_MOTION,
-    IN_RADIUS,
-    IN_WZ,
-    INTEGER_ROWS,
-    MASS,
-    MET,
-    MOTION,
-    NO_EVENT,
-    PAIR_PLANES,
-    POCKETED,
-    RADIUS,
-    RAIL_TIME,
-    SPINNING,
-    SPINNING_FRICTION,
-    STATIONARY,
-    TIME,
-    WZ,
-    X,
-    Y,
-)
 from game.billiards.shot.physics import ShotError
 from game.billiards.shot.sampled import (
     SAMPLE_COLUMNS,
@@ -50,18 +26,9 @@ from game.billiards.shot.sampled import (
     samples_for,
 )
 from game.billiards.shot.shot import Shot
+from game.billiards.stepped import contacts
 from game.billiards.stepped.cloth import step_on_cloth
-from game.billiards.stepped.contacts import (
-    EVENTS,
-    LOST_EVENTS,
-    OLD_X,
-    OLD_Y,
-    PAIR_TESTS,
-    log_event,
-    settle_contacts,
-)
-
-Array = NDArray[np.float64]
+from game.billiards.stepped.contacts import log_event, settle_contacts
 
 STEPS, SAMPLES, STRIDE = range(3, 6)  # counters, after those of the contacts; stride: steps between samples
 COUNTERS = 6
@@ -74,26 +41,26 @@ PASSES = 4
 class Steps(NamedTuple):
     """Working arrays of one shot: state, modes, pairs as in `state`; old (2, n) m."""
 
-    state: Array
+    state: Floats
     modes: NDArray[np.int64]
-    pairs: Array
-    old: Array
+    pairs: Floats
+    old: Floats
 
 
 class StepLog(NamedTuple):
     """What a shot in steps reports: events (e, 4), counters (6,), named above."""
 
-    events: Array
+    events: Floats
     counters: NDArray[np.int64]
 
 
 @lean_kernel
 def is_at_rest(modes, physics):
     """True if nothing will happen any more: all balls rest, or spin in place for ever."""
-    spins_for_ever = physics[SPINNING_FRICTION] * physics[GRAVITY] == 0.0
+    spins_for_ever = physics[s.SPINNING_FRICTION] * physics[s.GRAVITY] == 0.0
     for i in range(modes.shape[1]):
-        motion = modes[MOTION, i]
-        if motion != STATIONARY and motion != POCKETED and not (motion == SPINNING and spins_for_ever):
+        motion = modes[s.MOTION, i]
+        if motion != s.STATIONARY and motion != s.POCKETED and not (motion == s.SPINNING and spins_for_ever):
             return False
     return True
 
@@ -103,8 +70,8 @@ def write_sample(state, modes, samples):
     """Write the balls as they are to samples (n, 8)."""
     for i in range(state.shape[1]):
         for column in range(SAMPLE_MOTION):
-            samples[i, column] = state[X + column, i]
-        samples[i, SAMPLE_MOTION] = modes[MOTION, i]
+            samples[i, column] = state[s.X + column, i]
+        samples[i, SAMPLE_MOTION] = modes[s.MOTION, i]
 
 
 @lean_kernel
@@ -129,12 +96,12 @@ def take_step(steps, elements, physics, dt, now, passes, log):
     """One step of dt s, to the time `now` (s)."""
     state, modes, _, old = steps
     for i in range(state.shape[1]):
-        state[TIME, i] = now
-        old[OLD_X, i] = state[X, i]
-        old[OLD_Y, i] = state[Y, i]
-        if modes[MOTION, i] != STATIONARY and modes[MOTION, i] != POCKETED:
+        state[s.TIME, i] = now
+        old[contacts.OLD_X, i] = state[s.X, i]
+        old[contacts.OLD_Y, i] = state[s.Y, i]
+        if modes[s.MOTION, i] != s.STATIONARY and modes[s.MOTION, i] != s.POCKETED:
             event = step_on_cloth(state, modes, i, dt, physics)
-            if event != NO_EVENT:
+            if event != s.NO_EVENT:
                 log_event(log.events, log.counters, now, event, i, -1)
     settle_contacts(steps, elements, physics, passes, log)
 
@@ -187,18 +154,18 @@ def steps_for(shot: Shot) -> Steps:
     """The balls of a shot on the table, at time 0."""
     n = len(shot.balls)
     steps = Steps(
-        np.zeros((FLOAT_ROWS, n)),
-        np.zeros((INTEGER_ROWS, n), np.int64),
-        np.zeros((PAIR_PLANES, n, n)),
+        np.zeros((s.FLOAT_ROWS, n)),
+        np.zeros((s.INTEGER_ROWS, n), np.int64),
+        np.zeros((s.PAIR_PLANES, n, n)),
         np.zeros((2, n)),
     )
-    steps.state[X : WZ + 1] = shot.balls[:, : IN_WZ + 1].T
-    steps.state[RADIUS] = shot.balls[:, IN_RADIUS]
-    steps.state[MASS] = shot.balls[:, IN_MASS]
-    steps.state[CLEAR] = shot.balls[:, IN_CLEAR]
-    steps.state[RAIL_TIME] = -1.0
-    steps.modes[MOTION] = shot.balls[:, IN_MOTION]
-    steps.pairs[MET] = -1.0
+    steps.state[s.X : s.WZ + 1] = shot.balls[:, : s.IN_WZ + 1].T
+    steps.state[s.RADIUS] = shot.balls[:, s.IN_RADIUS]
+    steps.state[s.MASS] = shot.balls[:, s.IN_MASS]
+    steps.state[s.CLEAR] = shot.balls[:, s.IN_CLEAR]
+    steps.state[s.RAIL_TIME] = -1.0
+    steps.modes[s.MOTION] = shot.balls[:, s.IN_MOTION]
+    steps.pairs[s.MET] = -1.0
     return steps
 
 
@@ -230,15 +197,15 @@ class SteppedPlay:
         self.time = int(self.log.counters[STEPS]) * dt
         return bool(at_rest)
 
-    def write(self, sample: Array) -> None:
+    def write(self, sample: Floats) -> None:
         """Write the balls as they are to sample (n, 8)."""
         write_sample(self.arrays.state, self.arrays.modes, sample)
         sample[:, :2] += self.middle
 
     @property
-    def events(self) -> Array:
+    def events(self) -> Floats:
         """Events so far (e, 4), as in `Trajectory`; a view."""
-        return self.log.events[: self.log.counters[EVENTS]]
+        return self.log.events[: self.log.counters[contacts.EVENTS]]
 
     @property
     def counts(self) -> dict[str, int]:
@@ -246,8 +213,8 @@ class SteppedPlay:
         counters = self.log.counters
         return {
             "steps": int(counters[STEPS]),
-            "pair_tests": int(counters[PAIR_TESTS]),
-            "lost_events": int(counters[LOST_EVENTS]),
+            "pair_tests": int(counters[contacts.PAIR_TESTS]),
+            "lost_events": int(counters[contacts.LOST_EVENTS]),
         }
 
 

@@ -12,10 +12,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 
 class FirstContact(NamedTuple):
@@ -35,7 +34,7 @@ class FirstContact(NamedTuple):
 
 
 def first_contact(
-    ball: int, angle: float, positions: Array, radii: Array, in_play: NDArray[np.bool_], table: Table
+    ball: int, angle: float, positions: Floats, radii: Floats, in_play: NDArray[np.bool_], table: Table
 ) -> FirstContact:
     """First contact of ball ``ball`` sent off at ``angle`` (rad from the x axis).
 
@@ -79,7 +78,7 @@ def _circle_entry(dx: float, dy: float, ux: float, uy: float, reach: float) -> f
     return math.inf if under <= 0.0 else max(along - math.sqrt(under), 0.0)
 
 
-def _rail_distance(rail: Array, x: float, y: float, ux: float, uy: float, radius: float) -> float:
+def _rail_distance(rail: Floats, x: float, y: float, ux: float, uy: float, radius: float) -> float:
     """Distance until a disc of ``radius`` meets the straight stretch of a rail; inf if it passes by."""
     from_x, from_y, to_x, to_y, nx, ny = (float(value) for value in rail)
     closing = -(ux * nx + uy * ny)

@@ -7,12 +7,11 @@ Mondiale de Billard, World rules of carom billiard.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
 from game.physics.kernels import elementary, elementwise
 
-Array = NDArray[np.float64]
 Point = tuple[float, float]
 
 WHITE, YELLOW, RED = range(3)
@@ -34,7 +33,7 @@ SPOTS = (
 CORNER_LONG, CORNER_SHORT = 0.71, 0.355  # m; legs of a barred corner of straight rail (article 52, paper B)
 
 
-def starting_position(cue: int, side: int = 1) -> Array:
+def starting_position(cue: int, side: int = 1) -> Floats:
     """Places (3, 2) m of white, yellow and red for the first stroke (article 23).
 
     cue: WHITE or YELLOW, whose player begins; its ball lies on the starting spot to the right (side 1) or to
@@ -49,7 +48,7 @@ def starting_position(cue: int, side: int = 1) -> Array:
     return places
 
 
-def touching(places: Array, ball: int) -> tuple[int, ...]:
+def touching(places: Floats, ball: int) -> tuple[int, ...]:
     """Balls that a ball touches. places (3, 2) m."""
     gaps = elementwise.hypot(*(places - places[ball]).T) - 2.0 * BALL_RADIUS
     return tuple(other for other in range(3) if other != ball and gaps[other] <= FROZEN)
@@ -71,7 +70,7 @@ def corner_of(place: Point) -> int:
     return 2 * upper + right if across + along < 1.0 else -1
 
 
-def respotted(places: Array, balls: tuple[int, ...], cue: int) -> Array:
+def respotted(places: Floats, balls: tuple[int, ...], cue: int) -> Floats:
     """Places (3, 2) m with some balls put back (article 83): the red ball on the top spot, the player's on
     the bottom spot, the other one in the centre. A ball whose spot is taken goes to the spot of the ball
     there.
@@ -91,7 +90,7 @@ def respotted(places: Array, balls: tuple[int, ...], cue: int) -> Array:
     return now
 
 
-def diamonds() -> Array:
+def diamonds() -> Floats:
     """Places (20, 2) m on the noses that the diamonds point to: at the eighths of the long rails, the
     quarters of the short ones, corners left out.
     """
@@ -100,7 +99,7 @@ def diamonds() -> Array:
     return np.array(long + short)
 
 
-def fits(places: Array) -> bool:
+def fits(places: Floats) -> bool:
     """True if three balls can lie at places (3, 2) m: on the bed, none overlapping."""
     inside = (
         (places >= BALL_RADIUS).all()

@@ -11,13 +11,9 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
 from game.physics.kernels import elementary
 
-Array = NDArray[np.float64]
 Point = tuple[float, float]
 
 BALL_RADIUS = 0.02625  # m; 52.5 mm across (1.2(b))

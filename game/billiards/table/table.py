@@ -12,11 +12,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 BED_WIDTH = 1.27  # m; nine-foot bed, WPA equipment specification 1
 BED_LENGTH = 2.54  # m
@@ -86,9 +84,9 @@ class Table(NamedTuple):
     width: float
     length: float
     cushion_height: float
-    cushions: Array
-    jaws: Array
-    pockets: Array
+    cushions: Floats
+    jaws: Floats
+    pockets: Floats
 
     @classmethod
     def pool(cls) -> Table:
@@ -120,7 +118,7 @@ class Table(NamedTuple):
 
 
 def checked_table(
-    width: float, length: float, cushion_height: float, cushions: Array, jaws: Array, pockets: Array
+    width: float, length: float, cushion_height: float, cushions: Floats, jaws: Floats, pockets: Floats
 ) -> Table:
     """Table from any array-likes, contiguous float64, frozen. ValueError names the field and the reason.
 
@@ -143,7 +141,7 @@ def checked_table(
     return Table(float(width), float(length), float(cushion_height), rails, discs[0], discs[1])
 
 
-def _rows(name: str, rows: Array, columns: int) -> Array:
+def _rows(name: str, rows: Floats, columns: int) -> Floats:
     """A frozen (n, columns) float64 copy."""
     array = np.array(rows, dtype=np.float64, order="C")
     if array.size == 0:
@@ -156,7 +154,7 @@ def _rows(name: str, rows: Array, columns: int) -> Array:
     return array
 
 
-def _check_cushion(i: int, row: Array) -> None:
+def _check_cushion(i: int, row: Floats) -> None:
     """A cushion has a length, and a unit normal at right angles to it."""
     x0, y0, x1, y1, normal_x, normal_y = (float(value) for value in row)
     dx, dy = x1 - x0, y1 - y0
@@ -169,7 +167,7 @@ def _check_cushion(i: int, row: Array) -> None:
         raise ValueError(f"table cushions[{i}]: normal must be at right angles to the cushion")
 
 
-def _full_rails(width: float, length: float) -> Array:
+def _full_rails(width: float, length: float) -> Floats:
     """Left, right, lower and upper rail over the whole bed."""
     return np.array(
         [

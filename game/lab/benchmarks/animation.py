@@ -6,33 +6,31 @@ import math
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.lab.studies.animation.skinning import by_numpy
 from game.physics.animation import Binding, Keyframes, Skeleton, Skinner, Solver, bind_weights, chain_skeleton
 from game.physics.kernels import elementwise
-
-Array = NDArray[np.float64]
 
 # -- key-frames -----------------------------------------------------------------------------------------
 
 SAMPLES, KEYS = 1_000_000, 16
 
 
-def keys(count: int = KEYS, columns: int = 3) -> tuple[Array, Array]:
+def keys(count: int = KEYS, columns: int = 3) -> tuple[Floats, Floats]:
     """Times (count,) s and values (count, columns) of keys of place and angle."""
     rng = np.random.default_rng(1)
     return np.linspace(0.0, 1.0, count), rng.normal(size=(count, columns))
 
 
-def moments(count: int = SAMPLES, at_random: bool = False) -> Array:
+def moments(count: int = SAMPLES, at_random: bool = False) -> Floats:
     """Times (count,) s, in order or not."""
     at = np.linspace(0.0, 1.0, count)
     return np.random.default_rng(2).permutation(at) if at_random else at
 
 
-def by_interp(at: Array) -> list[Array]:
+def by_interp(at: Floats) -> list[Floats]:
     """Linear, column by column: numpy.interp."""
     times, values = keys()
     return [np.interp(at, times, column) for column in values.T]
@@ -80,7 +78,7 @@ def _numpy_skin() -> Call:
 TOLERANCE, MOST = 1e-6, 20_000  # m, iterations
 
 
-def reach(targets: int, farthest: float = 0.9) -> tuple[Solver, Array, Array]:
+def reach(targets: int, farthest: float = 0.9) -> tuple[Solver, Floats, Floats]:
     """A chain of 1 m in all, its start (BONES,) rad, and targets (targets, 2) m within its reach."""
     rng = np.random.default_rng(3)
     skeleton = chain_skeleton(np.full(BONES, 1.0 / BONES))

@@ -5,13 +5,12 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.bounds import Query, build_tree, minimal_obb, nearest
 from game.physics.kernels import elementary, elementwise
 
-Array = NDArray[np.float64]
 SEGMENTS = 1024
 PLACES = [
     (1.9 + 0.2 * elementary.cos(0.02 * i), 0.2 * elementary.sin(0.02 * i)) for i in range(64)
@@ -19,7 +18,7 @@ PLACES = [
 APART = (3.0, 0.4)  # m, where it is clear of the first
 
 
-def coast(seed: int, segments: int = SEGMENTS) -> Array:
+def coast(seed: int, segments: int = SEGMENTS) -> Floats:
     """A closed rough line about the origin, m."""
     rng = np.random.default_rng(seed)
     angle = 2 * np.pi * np.arange(segments) / segments

@@ -7,9 +7,9 @@ from functools import partial
 
 import numpy as np
 
+from game.arrays import Floats, Longs
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune, UniformGrid
-from game.physics.broadphase.validation import Corners, Pairs
 from game.physics.broadphase.workloads import make_boxes
 
 FRAMES = 8
@@ -27,7 +27,7 @@ class Workload:
         self.ids = np.arange(count)
         self._next = 0
 
-    def frame(self) -> tuple[Corners, Corners]:
+    def frame(self) -> tuple[Floats, Floats]:
         """Lower and upper corners of the next frame."""
         self._next = (self._next + 1) % (2 * FRAMES - 2)
         return self.frames[self._next if self._next < FRAMES else 2 * FRAMES - 2 - self._next]
@@ -40,11 +40,11 @@ PHASES: dict[str, Callable[[float], BroadPhase]] = {
 }
 
 
-def stepper(phase: BroadPhase, workload: Workload) -> Callable[[], Pairs]:
+def stepper(phase: BroadPhase, workload: Workload) -> Callable[[], Longs]:
     """A call that updates all boxes and lists all pairs."""
     phase.add_boxes(*workload.frames[0])
 
-    def step() -> Pairs:
+    def step() -> Longs:
         phase.update_boxes(workload.ids, *workload.frame())
         return phase.pairs()
 

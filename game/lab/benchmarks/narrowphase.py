@@ -7,14 +7,13 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.lab.studies.narrowphase.support import pebbles
 from game.physics.kernels import elementwise
 from game.physics.narrowphase import PolygonSet, Proximities, gjk_batch, vclip_batch
 
-Array = NDArray[np.float64]
 PAIRS, SHAPES, TURN = 1_000, 40, 0.01
 ROUNDS = 16
 SIZES = (8, 64, 512)
@@ -35,18 +34,18 @@ class Workload:
         self.round = 0
         self.features = np.full((PAIRS, 2), -1, dtype=np.int64)
 
-    def pose(self, k: int, side: int) -> Array:
+    def pose(self, k: int, side: int) -> Floats:
         """Poses (PAIRS, 4) x, y, cos, sin of the first or second polygons in round k."""
         angles = self.angles[side] + (TURN if side else -TURN) * k
         return np.column_stack((self.places * side, elementwise.cos(angles), elementwise.sin(angles)))
 
-    def next_poses(self) -> list[Array]:
+    def next_poses(self) -> list[Floats]:
         """Those of the next round, there and back."""
         self.round += 1
         k = self.round % (2 * ROUNDS - 2)
         return self.poses[k if k < ROUNDS else 2 * ROUNDS - 2 - k]
 
-    def world(self, k: int) -> list[list[Array]]:
+    def world(self, k: int) -> list[list[Floats]]:
         """All polygons of round k where they lie."""
         return [
             [

@@ -10,7 +10,7 @@ from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.effects import EffectSet
 from game.physics.fields import DRAG, GRAVITY, GROUND, WIND
 from game.physics.generations import CALM, Kind, StarSystem
-from game.physics.generations.step import BURNT, DIES, VX, VY, X, Y
+from game.physics.generations import step as s
 from game.physics.kernels import elementary, elementwise
 from game.physics.particles import OBSTACLES, Discs, Emitter, ParticleSystem
 
@@ -73,9 +73,9 @@ def burst_stars(count: int) -> StarSystem:
     )
     rng = np.random.default_rng(2)
     state, pool = stars.state(), stars.state().fields
-    pool[X], pool[Y] = rng.uniform(-100.0, 100.0, count), rng.uniform(60.0, 160.0, count)
-    pool[VX], pool[VY] = rng.normal(0.0, 20.0, count), rng.normal(0.0, 20.0, count)
-    pool[DIES], pool[BURNT] = 1e6, 0.5e-6
+    pool[s.X], pool[s.Y] = rng.uniform(-100.0, 100.0, count), rng.uniform(60.0, 160.0, count)
+    pool[s.VX], pool[s.VY] = rng.normal(0.0, 20.0, count), rng.normal(0.0, 20.0, count)
+    pool[s.DIES], pool[s.BURNT] = 1e6, 0.5e-6
     state.counts[0] = count
     return stars
 
@@ -85,7 +85,7 @@ class NumpyStars:
 
     def __init__(self, stars: StarSystem):
         fields = stars.stars("star")
-        self.x, self.y, self.vx, self.vy = (fields[row].copy() for row in (X, Y, VX, VY))
+        self.x, self.y, self.vx, self.vy = (fields[row].copy() for row in (s.X, s.Y, s.VX, s.VY))
         self.age = np.zeros_like(self.x)
         self.air, self.kind = stars.air, stars.kinds[0]
 

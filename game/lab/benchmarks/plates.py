@@ -6,16 +6,14 @@ import math
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.fields import GRAVITY, QUADRATIC_DRAG
 from game.physics.kernels import elementary, elementwise
-from game.physics.plates import Plate, Plates
+from game.physics.plates import Plate, Plates, law
 from game.physics.plates.effects import BENDING, CIRCULATION
-from game.physics.plates.law import SPIN, THETA, VX, VY, X, Y
 
-Floats = NDArray[np.float64]
 DT = 1.0 / 600.0  # s: one substep each, as the numpy twin takes one; at 1/240 s half of them take two
 INERTIAS = (0.4, 1.6)  # of the leaves, least and most
 
@@ -91,9 +89,12 @@ def gap_after(steps: int, h: float) -> float:
         for _ in range(steps):
             own.step(h * plate.time)
         row = own.rows[:, 0]
-        c, s = elementary.cos(row[THETA]), elementary.sin(row[THETA])
-        u = (c * row[VX] + s * row[VY]) / plate.speed, (c * row[VY] - s * row[VX]) / plate.speed
-        found = (row[THETA], *u, row[SPIN] * plate.time, row[X] / 0.03, row[Y] / 0.03)
+        c, s = elementary.cos(row[law.THETA]), elementary.sin(row[law.THETA])
+        u = (
+            (c * row[law.VX] + s * row[law.VY]) / plate.speed,
+            (c * row[law.VY] - s * row[law.VX]) / plate.speed,
+        )
+        found = (row[law.THETA], *u, row[law.SPIN] * plate.time, row[law.X] / 0.03, row[law.Y] / 0.03)
         worst = max(worst, float(np.max(np.abs(np.array(found) - twin.state[:, i]))))
     return worst
 

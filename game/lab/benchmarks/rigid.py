@@ -6,8 +6,8 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.broadphase import UniformGrid
 from game.physics.rigid import METHODS
@@ -15,8 +15,6 @@ from game.physics.rigid.motion import advance
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.settings import material_tables, surroundings_of
 from game.physics.spheres.spheres import SphereBodies
-
-Array = NDArray[np.float64]
 
 # -- discs at rest --------------------------------------------------------------------------------------
 
@@ -28,7 +26,7 @@ SETTINGS: dict[str, dict[str, Any]] = {
 }
 
 
-def places_of(count: int, columns: int) -> Array:
+def places_of(count: int, columns: int) -> Floats:
     """Where the discs begin (count, 2) m: rows, a little uneven."""
     random = np.random.default_rng(1)
     i = np.arange(count)
@@ -100,7 +98,7 @@ BODIES, STEPS, DT = 1_000, 10, 1.0 / 60.0
 MOMENTS = np.array((1.0, 2.0, 3.0))
 
 
-def batch(count: int = BODIES) -> tuple[Array, Array, Array]:
+def batch(count: int = BODIES) -> tuple[Floats, Floats, Floats]:
     """States (n, 13), constants (n, 7), loads (n, 6) of bodies that all turn differently."""
     generator = np.random.default_rng(12)
     states = np.zeros((count, 13))
@@ -114,7 +112,7 @@ def batch(count: int = BODIES) -> tuple[Array, Array, Array]:
 class NumpyBodies:
     """Explicit Euler of x, q, P, L, all bodies at a time, as one writes it with numpy."""
 
-    def __init__(self, states: Array) -> None:
+    def __init__(self, states: Floats) -> None:
         self.start = states.copy()
         self.states = states.copy()
 
@@ -140,7 +138,7 @@ class NumpyBodies:
             self.step(DT)
 
 
-def runner(method: str) -> tuple[Call, Array]:
+def runner(method: str) -> tuple[Call, Floats]:
     """A call that makes STEPS steps of all bodies from the start, and their states."""
     states, constants, loads = batch()
     start, number = states.copy(), METHODS.index(method)

@@ -12,8 +12,7 @@ from game.lab.studies.qualities import quality_marks
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels import elementwise
 from game.physics.solids import TIERS
-from game.physics.solids.tracks import DISC, Curve, TrackSettings, TrackWorld
-from game.physics.solids.tracks.motion import FREE, PIECE, X, Y
+from game.physics.solids.tracks import DISC, Curve, TrackSettings, TrackWorld, motion
 
 GRAVITY, LOOP, BALL, STEP = 9.81, 1.0, 0.1, 1.0 / 120.0
 EXACT = 0.5 * (5.0 + DISC) * (LOOP - BALL)  # m, drop of the centre
@@ -37,8 +36,8 @@ def comes_round(method: str, chords: int, substeps: int, drop: float) -> bool:
     hops = 0
     for _ in range(MOST_STEPS):
         world.step(STEP)
-        x, y = world.balls.rows[ball, [X, Y]].tolist()
-        hops = hops + 1 if world.balls.pieces[ball, PIECE] == FREE else 0
+        x, y = world.balls.rows[ball, [motion.X, motion.Y]].tolist()
+        hops = hops + 1 if world.balls.pieces[ball, motion.PIECE] == motion.FREE else 0
         if hops > HOPS[method]:  # it flies for longer than a corner takes
             return False
         if x < -0.3 and 0.3 < y < 0.9:

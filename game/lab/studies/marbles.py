@@ -13,14 +13,13 @@ from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.dominoes import STANDARD_GRAVITY
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids import TIERS
-from game.physics.solids.tracks import DISC, Curve, TrackSettings, TrackWorld, moved_aside
+from game.physics.solids.tracks import DISC, Curve, TrackSettings, TrackWorld, motion, moved_aside
 from game.physics.solids.tracks.descent import (
     crossing_share,
     cycloid_time,
     loop_drop,
     rolling_acceleration,
 )
-from game.physics.solids.tracks.motion import FREE, PIECE, VX, X, Y
 
 STEP_S = 1.0 / 120.0
 COUNTS = (1, 2, 4, 8, 12, 16, 24, 32)  # substeps
@@ -38,9 +37,9 @@ def _time_to(curve: Curve, start: tuple[float, float], radius: float, goal: floa
     ball = world.add_ball(start, radius, friction=NO_SLIP)
     world.put_down(ball, radius)
     for step in range(int(LONGEST_S / h)):
-        x, v = world.balls.rows[ball, [X, VX]].tolist()
+        x, v = world.balls.rows[ball, [motion.X, motion.VX]].tolist()
         world.step(h)
-        after, ahead = world.balls.rows[ball, [X, VX]].tolist()
+        after, ahead = world.balls.rows[ball, [motion.X, motion.VX]].tolist()
         if after >= goal:
             return (step + crossing_share(x, after, v * h, ahead * h, goal)) * h
     return math.inf
@@ -82,8 +81,8 @@ def _comes_round(drop: float, h: float) -> bool:
     world.put_down(ball, 0.05)
     for _ in range(int(2.0 / h)):
         world.step(h)
-        x, y = world.balls.rows[ball, [X, Y]].tolist()
-        if world.balls.pieces[ball, PIECE] == FREE:
+        x, y = world.balls.rows[ball, [motion.X, motion.Y]].tolist()
+        if world.balls.pieces[ball, motion.PIECE] == motion.FREE:
             return False
         if x < -0.3 and 0.3 < y < 0.9:
             return True

@@ -8,8 +8,8 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels import elementary
 from game.physics.spacetime.exact import exact_distance
@@ -18,7 +18,6 @@ from game.physics.spacetime.refine import refine_many
 from game.physics.spacetime.shapes import KINDS
 from game.physics.spacetime.world import TimedBody, TimedWorld
 
-Floats = NDArray[np.float64]
 BUDGETS = (1, 4, 16, 32, 64, 128, 256, 512, 1024, 2048)
 POSES, NEAREST = 150, 0.05  # of a pair of kinds; m, no nearer than which errors are relative to the distance
 TREES = "circle-trees"

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.acoustics.field import COLUMNS, PHASE, STRENGTH, aim
 from game.physics.kernels import elementwise
 
-Floats = NDArray[np.float64]
 PATTERNS = ("focus", "plane")
 MOST_TRANSDUCERS = 400
 

@@ -11,16 +11,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, kernel
 from game.physics.acoustics.effects import CONTACTS_BIT, DRAG_BIT, GRAVITY_BIT, GROUND_BIT, SOUND_BIT
 from game.physics.acoustics.field import Wave, aim, force_at
 from game.physics.acoustics.paths import place_at
 from game.physics.kernels import elementary
 
-Floats = NDArray[np.float64]
 X, Y, VX, VY = range(4)
 FIELDS = 4
 BOUNCE = 0.3  # restitution of grains at walls and at each other

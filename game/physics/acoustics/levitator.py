@@ -8,30 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
+from game.physics.acoustics import grains
 from game.physics.acoustics.array import PATTERNS, PhasedArray
 from game.physics.acoustics.effects import GRAINS
 from game.physics.acoustics.field import PHASE, SX, SY, sample_field
-from game.physics.acoustics.grains import (
-    FIELDS,
-    FOCUS_X,
-    FOCUS_Y,
-    FOLLOWS,
-    LED,
-    STANDS,
-    VX,
-    Air,
-    Flight,
-    Grain,
-    GrainState,
-    Lead,
-    advance,
-    wave_of,
-)
+from game.physics.acoustics.grains import Air, Flight, Grain, GrainState, Lead, advance, wave_of
 from game.physics.acoustics.paths import figure_path
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementwise
 
-Floats = NDArray[np.float64]
 FREQUENCY = 40_000.0  # Hz, of the usual transducers
 PISTON = 4.5e-3  # m, their radius
 AIR = Air(1.204, 1.825e-5, 343.2)  # at 20 °C
@@ -92,7 +78,7 @@ class Levitator:
         where = np.array(places, dtype=np.float64).reshape(-1, 2)
         if len(where) > MOST_GRAINS or not np.isfinite(where).all():
             raise ValueError(f"places: expected at most {MOST_GRAINS} points of finite numbers")
-        self.fields: Floats = np.zeros((FIELDS, len(where)))
+        self.fields: Floats = np.zeros((grains.FIELDS, len(where)))
         self.fields[:2] = where.T
         self.focus: Floats = np.zeros(4)
         self.set_figure(figure, size)
@@ -120,7 +106,7 @@ class Levitator:
         """One more grain at rest; ValueError if there are too many, or no place."""
         if self.count >= MOST_GRAINS or not all(map(math.isfinite, place)):
             raise ValueError(f"grain at {place}: expected a finite place, and at most {MOST_GRAINS} grains")
-        grain = np.zeros((FIELDS, 1))
+        grain = np.zeros((grains.FIELDS, 1))
         grain[:2, 0] = place
         self.fields = np.concatenate([self.fields, grain], axis=1)
 
@@ -137,7 +123,7 @@ class Levitator:
     @property
     def place(self) -> tuple[float, float]:
         """The focus, m."""
-        return float(self.focus[FOCUS_X]), float(self.focus[FOCUS_Y])
+        return float(self.focus[grains.FOCUS_X]), float(self.focus[grains.FOCUS_Y])
 
     def aim(self) -> None:
         """Give the transducers the phases for the place of the focus, after another pattern was set."""
@@ -151,9 +137,9 @@ class Levitator:
         if not 0.0 < dt < math.inf:
             raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
         settings, grain = self.settings, self.grain
-        mode = FOLLOWS if self.hand is not None else LED
+        mode = grains.FOLLOWS if self.hand is not None else grains.LED
         if settings.pattern == "plane":
-            mode = STANDS
+            mode = grains.STANDS
         hand = self.hand or (0.0, 0.0)
         flight = Flight(
             GRAINS.mask(settings.effects), settings.substeps, float(settings.gravity), grain.mass,
@@ -179,7 +165,7 @@ class Levitator:
     def held(self) -> NDArray[np.bool_]:
         """(n,) whether each grain is carried: slower against the focus than it would fall in 20 ms, off the
         rows, and on no heap of grains that lie there."""
-        speed = elementwise.hypot(*self.fields[VX : VX + 2])
+        speed = elementwise.hypot(*self.fields[grains.VX : grains.VX + 2])
         lies = np.max(np.abs(self.fields[:2]), axis=0) >= self.half - 1.5 * self.grain.radius
         return np.asarray(~self._heaped(lies) & (speed < float(self.focus[1]) + 0.2))
 

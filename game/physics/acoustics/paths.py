@@ -6,12 +6,11 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary, elementwise
 
-Floats = NDArray[np.float64]
 POINTS = 720
 PLACE_X, PLACE_Y, WAY = range(3)
 

@@ -16,8 +16,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 
 NODES = (0.1834346424956498, 0.525532409916329, 0.7966664774136267, 0.9602898564975363)
@@ -27,7 +28,6 @@ AGREED = 1e-15  # of the piece's control polygon: whole and halves may differ by
 CLOSE = 1e-15  # of the whole length: Newton's method may stop so far off
 DEEPEST = 40  # halvings
 MOST_ROUNDS = 80  # of Newton's method
-Array = NDArray[np.float64]
 
 
 @kernel(_nrt=False)
@@ -241,7 +241,7 @@ def parameters_at(controls, breaks, table, ways, out):
 class ArcLength:
     """Lengths along controls (n, 4, d) of n cubic Bezier pieces; the parameter of piece i is i + u."""
 
-    def __init__(self, controls: Array) -> None:
+    def __init__(self, controls: Floats) -> None:
         self.controls = controls
         self.breaks = np.empty((len(controls), 3))
         self.table = np.empty(len(controls) * PARTS + 1)
@@ -252,7 +252,7 @@ class ArcLength:
         """Length of the whole curve."""
         return float(self.table[-1])
 
-    def to(self, parameters: ArrayLike) -> Array:
+    def to(self, parameters: ArrayLike) -> Floats:
         """Length (...,) from the beginning up to parameters (...,); beyond the ends that of the end.
 
         In the unit of the controls. ValueError for what is not finite.
@@ -262,7 +262,7 @@ class ArcLength:
         lengths_to(self.controls, self.breaks, self.table, at.reshape(-1), out)
         return out.reshape(at.shape)
 
-    def parameter(self, ways: ArrayLike) -> Array:
+    def parameter(self, ways: ArrayLike) -> Floats:
         """Parameters (...,) at lengths (...,) from the beginning; beyond the ends that of the end.
 
         ValueError for what is not finite.
@@ -273,7 +273,7 @@ class ArcLength:
         return out.reshape(at.shape)
 
 
-def _finite(name: str, numbers: ArrayLike) -> Array:
+def _finite(name: str, numbers: ArrayLike) -> Floats:
     array = np.ascontiguousarray(numbers, dtype=np.float64).reshape(np.shape(numbers))
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: expected finite numbers")

@@ -10,10 +10,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from game.arrays import Floats
 
 
-def crosses_itself(controls: Array) -> NDArray[np.bool_]:
+def crosses_itself(controls: Floats) -> NDArray[np.bool_]:
     """Of each planar cubic Bezier piece, (n, 4, 2) control points, whether it meets itself: (n,)."""
     p0, p1, p2, p3 = (controls[:, i] for i in range(4))
     cubic, square, linear = p3 - 3.0 * (p2 - p1) - p0, 3.0 * (p0 - 2.0 * p1 + p2), 3.0 * (p1 - p0)
@@ -28,5 +28,5 @@ def crosses_itself(controls: Array) -> NDArray[np.bool_]:
     return np.isfinite(apart) & (apart > 0.0) & (early >= 0.0) & (late <= 1.0)
 
 
-def _cross(a: Array, b: Array) -> Array:
+def _cross(a: Floats, b: Floats) -> Floats:
     return np.asarray(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])

@@ -8,12 +8,12 @@ lies |P(i+1) - P(i)|^a after the one before, with a = 0 (uniform), 1/2 (centripe
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.animation.piecewise import PiecewiseCubic
 from game.physics.animation.tangents import piece_slopes
 
-Array = NDArray[np.float64]
 KINDS = {"uniform": "catmull-rom", "centripetal": "centripetal", "chordal": "chordal"}
 
 
@@ -27,7 +27,7 @@ class CubicBezier(PiecewiseCubic):
         super().__init__(array[None])
 
     @property
-    def points(self) -> Array:
+    def points(self) -> Floats:
         """Its control points (4, d)."""
         return self.controls[0]
 

@@ -9,8 +9,9 @@ W3C 2023, "CSS Easing Functions Level 1".
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 
 EASINGS = {
@@ -25,7 +26,6 @@ EASINGS = {
 CLOSE = 1e-15  # of x(s) to x; 1e-12 is what is promised
 MOST_ROUNDS = 100
 STEEPEST = 1e6  # a slope beyond it is given as this: at a vertical place it has no value
-Array = NDArray[np.float64]
 
 
 @kernel(_nrt=False)
@@ -102,18 +102,18 @@ class Easing:
             raise ValueError(f"easing: x1 and x2 must lie in 0 to 1, not {four[0]:g} and {four[2]:g}")
         self.handles: tuple[float, float, float, float] = tuple(four.tolist())  # type: ignore[assignment]
 
-    def __call__(self, parts: ArrayLike) -> Array:
+    def __call__(self, parts: ArrayLike) -> Floats:
         """How far along (0 at the beginning, 1 at the end) at parts of the time, which are cut to 0 to 1."""
         return self._eased(parts, False)
 
-    def slope(self, parts: ArrayLike) -> Array:
+    def slope(self, parts: ArrayLike) -> Floats:
         """Pace dy/dx (...,) at parts (...,), cut to a million where the curve is vertical.
 
         ValueError for what is not finite.
         """
         return self._eased(parts, True)
 
-    def _eased(self, parts: ArrayLike, steep: bool) -> Array:
+    def _eased(self, parts: ArrayLike, steep: bool) -> Floats:
         at = np.ascontiguousarray(parts, dtype=np.float64).reshape(np.shape(parts))
         if not np.isfinite(at).all():
             raise ValueError("parts: expected finite numbers")

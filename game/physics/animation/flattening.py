@@ -15,16 +15,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 
 DEEPEST = 16  # halvings of a piece, 65 536 lines
 MOST_LINES = 1 << DEEPEST
-Array = NDArray[np.float64]
 
 
-def even_count(controls: Array, tolerance: float) -> int:
+def even_count(controls: Floats, tolerance: float) -> int:
     """Lines for one piece (4, d) by Wang's bound, at least 1 and at most 65 536."""
     bend = controls[2:] - 2.0 * controls[1:-1] + controls[:-2]
     sharpest = math.sqrt(float((bend * bend).sum(axis=1).max()))
@@ -126,7 +125,7 @@ def flatten_pieces(controls, tolerance, stack, ends, out, parameters):
     return count
 
 
-def flatten_adaptively(controls: Array, tolerance: float) -> tuple[Array, Array]:
+def flatten_adaptively(controls: Floats, tolerance: float) -> tuple[Floats, Floats]:
     """Points (k, d) of a chain within ``tolerance`` of the pieces (n, 4, d), and their parameters (k,)."""
     n, _, d = controls.shape
     stack, ends = np.empty((DEEPEST + 2, 4, d)), np.empty(DEEPEST + 2)
@@ -139,7 +138,7 @@ def flatten_adaptively(controls: Array, tolerance: float) -> tuple[Array, Array]
         room = count
 
 
-def even_parameters(controls: Array, tolerance: float) -> Array:
+def even_parameters(controls: Floats, tolerance: float) -> Floats:
     """Parameters (k,) of a chain with Wang's number of lines for each piece (n, 4, d)."""
     counts = [even_count(piece, tolerance) for piece in controls]
     return np.concatenate([[0.0], *(i + np.arange(1, n + 1) / n for i, n in enumerate(counts))])

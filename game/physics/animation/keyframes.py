@@ -14,12 +14,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
 from game.physics.animation import sampling
 from game.physics.animation.angles import TURN, shortest_turn
 from game.physics.animation.piecewise import PiecewiseCubic
 from game.physics.animation.tangents import RULES, piece_slopes
 
-Array = NDArray[np.float64]
 INTERPOLATIONS = ("nearest", "linear", "bezier", *RULES)
 LARGEST = 1e150  # of times and values: their differences and the coefficients stay finite
 
@@ -75,7 +75,7 @@ class Keyframes:
         self.handles = self._checked_handles(handles, order)
         self._build()
 
-    def _checked_handles(self, handles: ArrayLike | None, order: NDArray[np.int64]) -> Array | None:
+    def _checked_handles(self, handles: ArrayLike | None, order: NDArray[np.int64]) -> Floats | None:
         if (handles is None) == (self.interpolation == "bezier"):
             raise ValueError('handles: expected for "bezier", and for no other interpolation')
         if handles is None:
@@ -106,7 +106,7 @@ class Keyframes:
             self.interpolation, sampling.CUBIC
         )
 
-    def _slopes(self, steps: Array) -> tuple[Array, Array]:
+    def _slopes(self, steps: Floats) -> tuple[Floats, Floats]:
         if self.handles is not None:
             return 3.0 * self.handles[:-1, 1], -3.0 * self.handles[1:, 0]
         seam = self.values[-1] - self.values[0]
@@ -120,7 +120,7 @@ class Keyframes:
 
     # -- samples ------------------------------------------------------------------------------------
 
-    def sample(self, times: ArrayLike, out: Array | None = None) -> Array:
+    def sample(self, times: ArrayLike, out: Floats | None = None) -> Floats:
         """Values at ``times``: (m,) at one time, (k, m) at (k,); without m if the keys are plain numbers.
 
         out: contiguous float64 of that shape, written and given back. ValueError for a time not finite.
@@ -129,7 +129,7 @@ class Keyframes:
 
     __call__ = sample
 
-    def rate(self, times: ArrayLike, out: Array | None = None) -> Array:
+    def rate(self, times: ArrayLike, out: Floats | None = None) -> Floats:
         """Derivatives by time, 1/s; at a key those of what comes after it. Shapes as of `sample`.
 
         "nearest" and whatever holds a value has none (0); a jump is not seen. Within a piece that is shorter
@@ -137,7 +137,7 @@ class Keyframes:
         """
         return self._sample(self._degree | sampling.RATE_BIT, times, out)
 
-    def _sample(self, variant: int, times: ArrayLike, out: Array | None) -> Array:
+    def _sample(self, variant: int, times: ArrayLike, out: Floats | None) -> Floats:
         at = np.asarray(times, dtype=np.float64)
         if at.ndim > 1:
             raise ValueError(f"times: expected one time or a row of them, not {at.shape}")
@@ -182,7 +182,7 @@ class Keyframes:
             np.stack((c0, c0 + c1 / 3.0, ends - (c1 + 2.0 * c2 + 3.0 * c3) / 3.0, ends), axis=1)
         )
 
-    def automatic_handles(self, rule: str = "parabolic") -> Array:
+    def automatic_handles(self, rule: str = "parabolic") -> Floats:
         """Handles (n, 2, m) with which "bezier" would be the curve of another rule, for a first shape.
 
         ValueError for a rule that is none of RULES.
@@ -215,7 +215,7 @@ class Keyframes:
         return len(self.times)
 
 
-def _checked(name: str, numbers: ArrayLike, dimensions: int) -> Array:
+def _checked(name: str, numbers: ArrayLike, dimensions: int) -> Floats:
     """Numbers as a float64 array of their own; ValueError unless finite, in range and of that many axes."""
     array = np.array(numbers, dtype=np.float64)
     if array.ndim != dimensions:

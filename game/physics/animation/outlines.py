@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
-from game.physics.animation.skeleton import Array
 from game.physics.animation.weights import WeightError, checked_points
 
 MOST_INSIDE = 200_000
@@ -53,7 +53,7 @@ def area(outline: ArrayLike) -> float:
     return float(areas[0])
 
 
-def rounded(outline: ArrayLike, spacing: float) -> Array:
+def rounded(outline: ArrayLike, spacing: float) -> Floats:
     """A closed outline through the same points along uniform Catmull-Rom curves, a point each ``spacing`` m.
 
     Made for skins drawn by a few clicks, whose limbs would bend in corners. WeightError below three points.
@@ -70,7 +70,7 @@ def rounded(outline: ArrayLike, spacing: float) -> Array:
     return 0.5 * (curve + (3.0 * (p1 - p2) + p3 - p0) * (t * t * t))
 
 
-def points_inside(outline: ArrayLike, spacing: float) -> Array:
+def points_inside(outline: ArrayLike, spacing: float) -> Floats:
     """Points (v, 2) m of a triangular grid within a closed outline (n, 2) m, so far apart (m).
 
     At most MOST_INSIDE or so, then coarser. WeightError unless the spacing is finite and above 0.

@@ -9,11 +9,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.animation.arc_length import ArcLength, polygon_length
 from game.physics.animation.flattening import even_parameters, flatten_adaptively
 
-Array = NDArray[np.float64]
 LARGEST = 1e100  # of a control point: squares stay finite
 VANISHING = 1e-12  # of the control polygon: a derivative up to this is rounding
 
@@ -72,7 +72,7 @@ class PiecewiseCubic:
         """How many there are."""
         return len(self.controls)
 
-    def point(self, parameters: ArrayLike) -> Array:
+    def point(self, parameters: ArrayLike) -> Floats:
         """Points (..., d) at parameters (...,)."""
         piece, u, v = self._places(parameters)
         p = self.controls[piece]
@@ -80,14 +80,14 @@ class PiecewiseCubic:
         weights = (v * v * v, 3.0 * u * v * v, 3.0 * u * u * v, u * u * u)
         return sum((w * p[..., k, :] for k, w in enumerate(weights)), np.zeros(()))
 
-    def tangent(self, parameters: ArrayLike) -> Array:
+    def tangent(self, parameters: ArrayLike) -> Floats:
         """Derivatives (..., d) by the parameter; at a joint those of the piece that begins there."""
         piece, u, v = self._places(parameters)
         q = 3.0 * np.diff(self.controls, axis=1)[piece]
         u, v = u[..., None], v[..., None]
         return v * v * q[..., 0, :] + 2.0 * u * v * q[..., 1, :] + u * u * q[..., 2, :]
 
-    def direction(self, parameters: ArrayLike) -> Array:
+    def direction(self, parameters: ArrayLike) -> Floats:
         """Unit vectors (..., d) the way the curve goes on, also where its derivative vanishes.
 
         Where control points coincide or the curve has a cusp, the next derivative that is not zero says where
@@ -110,17 +110,17 @@ class PiecewiseCubic:
         """Length of the whole curve."""
         return self.arc.total
 
-    def length_to(self, parameters: ArrayLike) -> Array:
+    def length_to(self, parameters: ArrayLike) -> Floats:
         """Length (...,) from the beginning to parameters (...,), in the unit of the controls."""
         return self.arc.to(parameters)
 
-    def parameter_at(self, lengths: ArrayLike) -> Array:
+    def parameter_at(self, lengths: ArrayLike) -> Floats:
         """Parameters (...,) at lengths (...,) from the beginning."""
         return self.arc.parameter(lengths)
 
     # -- lines --------------------------------------------------------------------------------------
 
-    def flatten(self, tolerance: float, how: Literal["adaptive", "even"] = "adaptive") -> Array:
+    def flatten(self, tolerance: float, how: Literal["adaptive", "even"] = "adaptive") -> Floats:
         """Points (k, d) of a chain of lines that is nowhere farther than ``tolerance`` from the curve.
 
         Adaptively halved, or in Wang's number of even parts; never more than 65 536 lines a piece. Between
@@ -132,7 +132,7 @@ class PiecewiseCubic:
             return self.point(even_parameters(self.controls, tolerance))
         return flatten_adaptively(self.controls, tolerance)[0]
 
-    def joint_gaps(self) -> Array:
+    def joint_gaps(self) -> Floats:
         """How far (n - 1, 2) the inner joints are from C0 and C1: gaps of points and of derivatives."""
         left, right = self.controls[:-1], self.controls[1:]
         gap = right[:, 0] - left[:, 3]
@@ -148,7 +148,7 @@ class PiecewiseCubic:
         if not least - 1e-12 * polygon <= self.length <= polygon * (1.0 + 1e-12):
             raise ValueError(f"length {self.length!r} is not between {least!r} and {polygon!r}")
 
-    def _places(self, parameters: ArrayLike) -> tuple[NDArray[np.int64], Array, Array]:
+    def _places(self, parameters: ArrayLike) -> tuple[NDArray[np.int64], Floats, Floats]:
         """Piece, u and 1 - u of each parameter; the end of the curve is that of its last piece."""
         at = np.asarray(parameters, dtype=np.float64)
         if not np.isfinite(at).all():

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.animation.easing import Easing
 from game.physics.animation.effects import CONSTANT_SPEED, EASING, PLAYBACKS
 from game.physics.animation.keyframes import Keyframes
@@ -19,7 +20,6 @@ from game.physics.animation.piecewise import PiecewiseCubic
 from game.physics.effects import Effect, EffectSet
 from game.physics.kernels import elementwise
 
-Array = NDArray[np.float64]
 NOTHING = EffectSet(())
 
 
@@ -49,7 +49,7 @@ class Playback:
         moves = CONSTANT_SPEED in effects and self.path is not None and track.interpolation != "nearest"
         self.spread = moves and self.path is not None and self.path.length > 0.0
 
-    def key_times(self, parts: ArrayLike) -> Array:
+    def key_times(self, parts: ArrayLike) -> Floats:
         """Times (s) at which the keys are sampled, for parts (0 to 1) of the duration."""
         along = np.asarray(parts, dtype=np.float64)
         if self.easing is not None:
@@ -63,11 +63,11 @@ class Playback:
         times = self.track.times
         return np.asarray(times[piece] + (at - piece) * (times[piece + 1] - times[piece]))
 
-    def sample(self, parts: ArrayLike) -> Array:
+    def sample(self, parts: ArrayLike) -> Floats:
         """Values (..., m) at parts (...,) of the duration, as of `Keyframes.sample`."""
         return self.track.sample(self.key_times(parts))
 
-    def speed(self, parts: ArrayLike) -> Array:
+    def speed(self, parts: ArrayLike) -> Floats:
         """Speed of the place at parts (k,) of the duration, in its unit by the whole duration."""
         along = np.asarray(parts, dtype=np.float64)
         pace = np.abs(self.easing.slope(along)) if self.easing is not None else np.ones(along.shape)
@@ -76,11 +76,11 @@ class Playback:
         rates = self.track.rate(self.key_times(along))[..., self.columns]
         return np.asarray(pace * (self.end - self.begin) * np.sqrt((rates * rates).sum(axis=-1)))
 
-    def heading(self, parts: ArrayLike) -> Array:
+    def heading(self, parts: ArrayLike) -> Floats:
         """Angle (...,) rad of the way at parts (...,) of the duration, also while it stands still."""
         return self.heading_at(self.key_times(parts))
 
-    def heading_at(self, times: ArrayLike) -> Array:
+    def heading_at(self, times: ArrayLike) -> Floats:
         """The same at times of the keys, s."""
         times = np.asarray(times, dtype=np.float64)
         if self.path is None:

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 
 NEAREST, LINEAR, CUBIC = 0, 1, 2  # degree of the pieces that a kernel is made for
@@ -25,7 +26,6 @@ UNROLLED = 4  # columns up to which a kernel is made for their very number
 CELLS_PER_KEY = 8
 WALK = 8  # keys beyond the hint that are looked at one by one before a binary search begins
 LONGEST_RATE = 1e150  # 1/s; the rate within a piece shorter than 1e-150 s is that of one as long as this
-Array = NDArray[np.float64]
 
 
 class Track(NamedTuple):
@@ -35,14 +35,14 @@ class Track(NamedTuple):
     guide: (c,) last key not after a cell's beginning; density: cells to a second.
     """
 
-    times: Array
-    inverse: Array
-    coefficients: Array
+    times: Floats
+    inverse: Floats
+    coefficients: Floats
     guide: NDArray[np.int64]
     density: float
 
 
-def make_track(times: Array, coefficients: Array) -> Track:
+def make_track(times: Floats, coefficients: Floats) -> Track:
     """The track of sorted times (n,) s and coefficients (n, 4, m)."""
     span = float(times[-1] - times[0])
     count = CELLS_PER_KEY * len(times)

@@ -16,13 +16,11 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 NO_PARENT = -1
 LARGEST = 1e9  # m and rad; beyond it a double no longer holds a place to a micrometre
@@ -103,7 +101,7 @@ class Skeleton:
         self.bases, self.ends = np.zeros((n, 2)), np.zeros((n, 2))
         self.update()
 
-    def _at_ends(self) -> Array:
+    def _at_ends(self) -> Floats:
         offsets = np.zeros((self.count, 2))
         has = self.parents >= 0
         offsets[has, 0] = self.lengths[self.parents[has]]
@@ -111,18 +109,18 @@ class Skeleton:
 
     # -- posing -------------------------------------------------------------------------------------
 
-    def update(self) -> Array:
+    def update(self) -> Floats:
         """Frames, beginnings and ends from the present angles; gives `world` (n, 3, 3)."""
         place_bones(self.order, self.parents, self.offsets, self.angles, self.world)
         place_ends(self.world, self.lengths, self.bases, self.ends)
         return self.world
 
-    def pose(self, angles: ArrayLike) -> Array:
+    def pose(self, angles: ArrayLike) -> Floats:
         """Take these angles (n,) rad, not limited; gives `world`."""
         self.angles[:] = _checked("angles", angles, (self.count,))
         return self.update()
 
-    def turn(self, bone: int, angle: float, limited: bool = True) -> Array:
+    def turn(self, bone: int, angle: float, limited: bool = True) -> Floats:
         """Turn one bone to an angle (rad) against its parent, within its limits; gives `world`.
 
         SkeletonError for a bone that there is not, or an angle that is not finite.
@@ -134,7 +132,7 @@ class Skeleton:
         self.angles[bone] = min(max(angle, low), high)
         return self.update()
 
-    def frames(self, angles: ArrayLike) -> Array:
+    def frames(self, angles: ArrayLike) -> Floats:
         """Frames (f, n, 3, 3) of many poses (f, n) rad at once; the present pose stays.
 
         SkeletonError unless there are n finite numbers for each.
@@ -190,7 +188,7 @@ class Skeleton:
             raise SkeletonError(f"world: frames are off a rotation by {off:.1e}")
 
 
-def order_of(parents: Indices) -> Indices:
+def order_of(parents: Longs) -> Longs:
     """Bones in an order that has parents before children; SkeletonError if they go in a circle."""
     depth = np.full(len(parents), -1)
     for i in range(len(parents)):
@@ -207,7 +205,7 @@ def order_of(parents: Indices) -> Indices:
     return np.argsort(depth, kind="stable")
 
 
-def checked_parents(parents: ArrayLike) -> Indices:
+def checked_parents(parents: ArrayLike) -> Longs:
     """Parents as indices (n,); SkeletonError unless each is a bone or -1 and there is at least one bone."""
     given = np.asarray(parents)
     if given.ndim != 1 or given.size == 0 or given.dtype.kind not in "iuf":
@@ -220,7 +218,7 @@ def checked_parents(parents: ArrayLike) -> Indices:
     return indices
 
 
-def _checked(name: str, values: ArrayLike, shape: Sequence[int], least: float = -LARGEST) -> Array:
+def _checked(name: str, values: ArrayLike, shape: Sequence[int], least: float = -LARGEST) -> Floats:
     array = np.array(values, dtype=np.float64, order="C")
     if array.shape != tuple(shape):
         raise SkeletonError(f"{name}: expected shape {tuple(shape)}, got {array.shape}")
@@ -229,7 +227,7 @@ def _checked(name: str, values: ArrayLike, shape: Sequence[int], least: float = 
     return array
 
 
-def _limits(name: str, values: ArrayLike, count: int) -> Array:
+def _limits(name: str, values: ArrayLike, count: int) -> Floats:
     array = np.array(np.broadcast_to(np.asarray(values, dtype=np.float64), (count,)))
     if np.any(np.isnan(array)):
         raise SkeletonError(f"{name}: not a number")

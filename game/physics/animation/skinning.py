@@ -23,8 +23,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
-from game.physics.animation.skeleton import Array, Skeleton
+from game.physics.animation.skeleton import Skeleton
 from game.physics.animation.weights import Binding, WeightError
 
 BLENDS = ("linear", "rotor")
@@ -128,14 +129,14 @@ class Skinner:
         self._out = np.empty((1, len(binding.points), 2))
         self.skinned = self._out[0]
 
-    def __call__(self, world: Array, blend: str = "linear") -> Array:
+    def __call__(self, world: Floats, blend: str = "linear") -> Floats:
         """The skin (v, 2) m for the frames (n, 3, 3) of its bones; good until the next call."""
         blend_skin(self.binding, world[None], blend, self.palette, self.rotors, self._out)
         return self.skinned
 
 
 def blend_skin(
-    binding: Binding, worlds: Array, blend: str, palette: Array, rotors: Array, skinned: Array
+    binding: Binding, worlds: Floats, blend: str, palette: Floats, rotors: Floats, skinned: Floats
 ) -> None:
     """Write the skin (f, v, 2) for frames (f, n, 3, 3); ``palette`` and ``rotors`` are room to work in.
 
@@ -153,7 +154,7 @@ def blend_skin(
 
 def skin(
     skeleton: Skeleton, binding: Binding, blend: str = "linear", angles: ArrayLike | None = None
-) -> Array:
+) -> Floats:
     """The skin (v, 2) m in the skeleton's present pose, or (f, v, 2) for poses ``angles`` (f, n) rad.
 
     WeightError if the binding is one of another skeleton, or for an unknown blend.

@@ -12,12 +12,11 @@ same cubic in the first two pieces and in the last two; a closed curve goes on a
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from game.arrays import Floats
 
 
-def solve_tridiagonal(below: Array, middle: Array, above: Array, right: Array) -> Array:
+def solve_tridiagonal(below: Floats, middle: Floats, above: Floats, right: Floats) -> Floats:
     """Solution (n, m) of a tridiagonal system by elimination without pivots (Thomas 1949).
 
     below, middle, above: (n,), where below[0] and above[-1] do not count; right: (n, m).
@@ -34,7 +33,7 @@ def solve_tridiagonal(below: Array, middle: Array, above: Array, right: Array) -
     return found
 
 
-def natural_slopes(lengths: Array, chords: Array) -> Array:
+def natural_slopes(lengths: Floats, chords: Floats) -> Floats:
     """Slopes (n, m) at the knots; lengths (n - 1,) of the pieces, chords (n - 1, m) their slopes."""
     below, middle, above, right = _inner_rows(lengths, chords)
     middle[0] = middle[-1] = 2.0
@@ -43,7 +42,7 @@ def natural_slopes(lengths: Array, chords: Array) -> Array:
     return solve_tridiagonal(below, middle, above, right)
 
 
-def not_a_knot_slopes(lengths: Array, chords: Array) -> Array:
+def not_a_knot_slopes(lengths: Floats, chords: Floats) -> Floats:
     """The same for the other ends. Three knots give the parabola through them, two the chord."""
     n = len(lengths) + 1
     if n == 2:
@@ -64,7 +63,7 @@ def not_a_knot_slopes(lengths: Array, chords: Array) -> Array:
     return solve_tridiagonal(below, middle, above, right)
 
 
-def closed_slopes(lengths: Array, chords: Array) -> Array:
+def closed_slopes(lengths: Floats, chords: Floats) -> Floats:
     """The same for a closed curve, whose last knot is its first: the last slope is the first.
 
     The two entries in the corners are taken out as an update of rank one (Sherman and Morrison 1950).
@@ -87,7 +86,7 @@ def closed_slopes(lengths: Array, chords: Array) -> Array:
     return np.concatenate((slopes, slopes[:1]))
 
 
-def _inner_rows(lengths: Array, chords: Array) -> tuple[Array, Array, Array, Array]:
+def _inner_rows(lengths: Floats, chords: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     """Below, middle, above and right side, filled in at the inner knots."""
     n = len(lengths) + 1
     below, middle, above, right = np.zeros(n), np.zeros(n), np.zeros(n), np.zeros((n, chords.shape[1]))

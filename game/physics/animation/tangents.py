@@ -24,12 +24,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation.splines import closed_slopes, natural_slopes, not_a_knot_slopes
 from game.physics.kernels import elementwise
 
-Array = NDArray[np.float64]
 KNOT_POWERS = {"catmull-rom": 0.0, "centripetal": 0.5, "chordal": 1.0}  # of the distance of points
 RULES = (
     "flat", "catmull-rom", "centripetal", "chordal", "secant", "monotone", "parabolic", "natural-spline",
@@ -39,8 +38,8 @@ SHORTEST_PART = 1e-9  # of the longest piece: no slope is made across a piece th
 
 
 def piece_slopes(
-    rule: str, times: Array, steps: Array, closed: bool = False, geometry: tuple[int, ...] | None = None
-) -> tuple[Array, Array]:
+    rule: str, times: Floats, steps: Floats, closed: bool = False, geometry: tuple[int, ...] | None = None
+) -> tuple[Floats, Floats]:
     """Slopes at the beginning and at the end of each piece, (n - 1, m) each, by the piece's own parameter.
 
     times: (n,) s, sorted; steps: (n - 1, m) from key to key. closed: the last key is the first, and slopes
@@ -62,7 +61,7 @@ def piece_slopes(
     return begins, ends
 
 
-def _knot_lengths(rule: str, times: Array, steps: Array, geometry: tuple[int, ...] | None) -> Array:
+def _knot_lengths(rule: str, times: Floats, steps: Floats, geometry: tuple[int, ...] | None) -> Floats:
     """Distances (n - 1,) of the knots that a rule works with."""
     if rule not in KNOT_POWERS:
         return np.asarray(np.diff(times))
@@ -73,7 +72,7 @@ def _knot_lengths(rule: str, times: Array, steps: Array, geometry: tuple[int, ..
     return np.where(np.diff(times) > 0.0, elementwise.power(squares, 0.5 * KNOT_POWERS[rule]), 0.0)
 
 
-def _slopes(rule: str, h: Array, chords: Array, closed: bool) -> Array:
+def _slopes(rule: str, h: Floats, chords: Floats, closed: bool) -> Floats:
     """Slopes (n, m) at the knots of one run."""
     if rule == "flat":
         return np.zeros((len(h) + 1, chords.shape[1]))
@@ -94,22 +93,22 @@ def _slopes(rule: str, h: Array, chords: Array, closed: bool) -> Array:
     return np.concatenate((first[None], middle, last[None]))
 
 
-def _secant(h: Array, k: Array, d: Array, e: Array) -> Array:
+def _secant(h: Floats, k: Floats, d: Floats, e: Floats) -> Floats:
     """Slope over two pieces of lengths h and k with chords d and e."""
     return (h * d + k * e) / (h + k)
 
 
-def _parabola(h: Array, k: Array, d: Array, e: Array) -> Array:
+def _parabola(h: Floats, k: Floats, d: Floats, e: Floats) -> Floats:
     """Slope in the middle of the parabola through three keys."""
     return (k * d + h * e) / (h + k)
 
 
-def _parabola_end(h: Array, k: Array, d: Array, e: Array) -> Array:
+def _parabola_end(h: Floats, k: Floats, d: Floats, e: Floats) -> Floats:
     """Slope at the end of that parabola where the piece of length h is."""
     return ((2.0 * h + k) * d - h * e) / (h + k)
 
 
-def _harmonic(h: Array, k: Array, d: Array, e: Array) -> Array:
+def _harmonic(h: Floats, k: Floats, d: Floats, e: Floats) -> Floats:
     """Weighted harmonic mean of two chords, 0 where they differ in sign (Fritsch and Butland 1984)."""
     agree = d * e > 0.0
     first, second = np.where(agree, d, 1.0), np.where(agree, e, 1.0)
@@ -118,7 +117,7 @@ def _harmonic(h: Array, k: Array, d: Array, e: Array) -> Array:
     return np.where(agree, mean, 0.0)
 
 
-def _harmonic_end(h: Array, k: Array, d: Array, e: Array) -> Array:
+def _harmonic_end(h: Floats, k: Floats, d: Floats, e: Floats) -> Floats:
     """The parabola's slope at an end, no steeper than keeps the shape (Moler 2004, section 3.6)."""
     slope = _parabola_end(h, k, d, e)
     slope = np.where(slope * d > 0.0, slope, 0.0)
@@ -126,7 +125,7 @@ def _harmonic_end(h: Array, k: Array, d: Array, e: Array) -> Array:
     return np.where(steep, 3.0 * d, slope)
 
 
-_Rule = Callable[[Array, Array, Array, Array], Array]
+_Rule = Callable[[Floats, Floats, Floats, Floats], Floats]
 _LOCAL: dict[str, tuple[_Rule, _Rule]] = {
     "secant": (_secant, _parabola_end),
     "monotone": (_harmonic, _harmonic_end),

@@ -13,15 +13,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats, Ints
 from game.compiler.decorator import kernel
-from game.physics.animation.skeleton import Array, Skeleton
+from game.physics.animation.skeleton import Skeleton
 from game.physics.kernels import elementary
 
 FALLOFF = 3.0
 INFLUENCES = 4  # bones that one point may follow
-Bones = NDArray[np.int32]
 
 
 class WeightError(ValueError):
@@ -99,7 +99,7 @@ def keep_largest(all_weights, bones, weights):
             weights[v, j] /= total
 
 
-def distances_to_bones(points: Array, bases: Array, ends: Array) -> Array:
+def distances_to_bones(points: Floats, bases: Floats, ends: Floats) -> Floats:
     """Distances (v, n) m of points (v, 2) to bones from ``bases`` to ``ends`` (n, 2)."""
     distances = np.empty((len(points), len(bases)))
     measure_distances(points, bases, ends, distances)
@@ -113,12 +113,12 @@ class Binding:
     up to 1. WeightError if a frame cannot be inverted, or if what is given is no set of weights.
     """
 
-    def __init__(self, points: Array, bones: Bones, weights: Array, frames: Array) -> None:
+    def __init__(self, points: Floats, bones: Ints, weights: Floats, frames: Floats) -> None:
         self.points, self.bones, self.weights = points, bones, weights
         self.inverse = invert_frames(frames)
         self.check()
 
-    def dense(self) -> Array:
+    def dense(self) -> Floats:
         """Weights (v, n) of all bones."""
         dense = np.zeros((len(self.points), len(self.inverse)))
         np.add.at(dense, (np.arange(len(self.points))[:, None], self.bones), self.weights)
@@ -178,7 +178,7 @@ def bind_given(
     return _kept(skeleton, points, given / largest[:, None], influences)
 
 
-def checked_points(points: ArrayLike) -> Array:
+def checked_points(points: ArrayLike) -> Floats:
     """Points as (v, 2) m; WeightError unless they are finite and there is at least one."""
     array = np.array(points, dtype=np.float64, order="C")
     if array.ndim != 2 or array.shape[1] != 2 or len(array) == 0:
@@ -188,7 +188,7 @@ def checked_points(points: ArrayLike) -> Array:
     return array
 
 
-def invert_frames(frames: ArrayLike) -> Array:
+def invert_frames(frames: ArrayLike) -> Floats:
     """Inverses (n, 3, 3) of affine frames; WeightError naming a bone whose frame cannot be inverted."""
     frames = np.asarray(frames, dtype=np.float64)
     if frames.ndim != 3 or frames.shape[1:] != (3, 3) or not np.all(np.isfinite(frames)):
@@ -207,7 +207,7 @@ def invert_frames(frames: ArrayLike) -> Array:
     return inverse
 
 
-def _kept(skeleton: Skeleton, points: Array, all_weights: Array, influences: int) -> Binding:
+def _kept(skeleton: Skeleton, points: Floats, all_weights: Floats, influences: int) -> Binding:
     if isinstance(influences, bool) or not int(influences) >= 1 or int(influences) != influences:
         raise WeightError(f"influences: expected a whole number above 0, got {influences!r}")
     columns = min(int(influences), skeleton.count)

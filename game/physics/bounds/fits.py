@@ -8,18 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.bounds.building import (
-    AABB,
-    CAPSULE,
-    EXACT,
-    OBB,
-    REFINED,
-    SEARCH,
-    THINNEST,
-    Fit,
-    fit_scratch,
-    fit_volume,
-)
+from game.arrays import Floats
+from game.physics.bounds import building
+from game.physics.bounds.building import Fit, fit_scratch, fit_volume
 from game.physics.bounds.hull import hull_of
 from game.physics.bounds.least_capsule import (
     CELLS,
@@ -30,7 +21,7 @@ from game.physics.bounds.least_capsule import (
     try_axis,
     write_shortest,
 )
-from game.physics.bounds.validation import Array, as_points, as_step, turns_of
+from game.physics.bounds.validation import as_points, as_step, turns_of
 from game.physics.kernels import elementary, linear
 
 POLISHING = 4  # rounds of nested golden section, each about the best of the last
@@ -50,11 +41,11 @@ class Box(NamedTuple):
         """m²."""
         return 4.0 * self.half[0] * self.half[1]
 
-    def corners(self) -> Array:
+    def corners(self) -> Floats:
         """Corners (4, 2), counter-clockwise, m."""
         return np.asarray(corners_of(np.array([(*self.centre, *self.axis, *self.half)]))[0])
 
-    def outside(self, points: ArrayLike) -> Array:
+    def outside(self, points: ArrayLike) -> Floats:
         """How far points (n, 2) lie beyond the nearest side, m; 0 or less inside."""
         off = np.asarray(points, dtype=np.float64).reshape(-1, 2) - self.centre
         c, s = self.axis
@@ -83,7 +74,7 @@ class Capsule(NamedTuple):
         """m²."""
         return 2.0 * self.radius * self.length + math.pi * (self.radius * self.radius)
 
-    def outside(self, points: ArrayLike) -> Array:
+    def outside(self, points: ArrayLike) -> Floats:
         """Distance of points (n, 2) from the core less the radius, m; 0 or less inside."""
         off = np.asarray(points, dtype=np.float64).reshape(-1, 2) - self.start
         way = np.array(self.end) - self.start
@@ -93,7 +84,7 @@ class Capsule(NamedTuple):
         return np.sqrt((rest * rest).sum(axis=1)) - self.radius
 
 
-def corners_of(rows: Array) -> Array:
+def corners_of(rows: Floats) -> Floats:
     """Corners (m, 4, 2) of boxes (m, 6), counter-clockwise, m."""
     along = rows[:, None, 2:4]
     across = np.stack((-along[..., 1], along[..., 0]), axis=-1)
@@ -101,7 +92,7 @@ def corners_of(rows: Array) -> Array:
     return np.asarray(rows[:, None, 0:2] + u * rows[:, None, 4:5] * along + v * rows[:, None, 5:6] * across)
 
 
-def fit_row(points: Array, kind: int, fit: int, step_degrees: float) -> NDArray[np.float64]:
+def fit_row(points: Floats, kind: int, fit: int, step_degrees: float) -> NDArray[np.float64]:
     """Row (6,) of the volume of checked points (n, 2)."""
     hull, origin = hull_of(points)
     volumes = np.zeros((1, 6))
@@ -131,18 +122,18 @@ def fit_obb(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = Fals
     centre is the middle of the projections. ``refine``: the best angle is improved by golden section. With a
     best rectangle of aspect a and a step of 2 δ the area is within 1 + (a + 1/a) sin(2 δ) / 2 of the least.
     """
-    fit = REFINED if refine else SEARCH
-    return box_of(fit_row(as_points(points), OBB, fit, as_step(step_degrees)))
+    fit = building.REFINED if refine else building.SEARCH
+    return box_of(fit_row(as_points(points), building.OBB, fit, as_step(step_degrees)))
 
 
 def minimal_obb(points: ArrayLike) -> Box:
     """The box of least area round points (n, 2) m, by rotating calipers (Freeman and Shapira 1975)."""
-    return box_of(fit_row(as_points(points), OBB, EXACT, 1.0))
+    return box_of(fit_row(as_points(points), building.OBB, building.EXACT, 1.0))
 
 
 def upright_box(points: ArrayLike) -> Box:
     """The box of points (n, 2) m whose sides are upright and level."""
-    return box_of(fit_row(as_points(points), AABB, SEARCH, 1.0))
+    return box_of(fit_row(as_points(points), building.AABB, building.SEARCH, 1.0))
 
 
 def principal_box(points: ArrayLike) -> Box:
@@ -165,7 +156,7 @@ def principal_box(points: ArrayLike) -> Box:
 
 def thinnest_box(points: ArrayLike) -> Box:
     """The box of least breadth round points (n, 2) m, by rotating calipers; seldom that of least area."""
-    return box_of(fit_row(as_points(points), OBB, THINNEST, 1.0))
+    return box_of(fit_row(as_points(points), building.OBB, building.THINNEST, 1.0))
 
 
 def fit_capsule(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = False) -> Capsule:
@@ -174,18 +165,18 @@ def fit_capsule(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = 
     points (n, 2) m. Its radius is half of the breadth, its core as short as the round ends allow.
     ``refine``: the best angle is improved by golden section.
     """
-    fit = REFINED if refine else SEARCH
-    return capsule_of(fit_row(as_points(points), CAPSULE, fit, as_step(step_degrees)))
+    fit = building.REFINED if refine else building.SEARCH
+    return capsule_of(fit_row(as_points(points), building.CAPSULE, fit, as_step(step_degrees)))
 
 
 def thinnest_capsule(points: ArrayLike) -> Capsule:
     """The capsule of least radius round points (n, 2) m, with the shortest core for it, by calipers."""
-    return capsule_of(fit_row(as_points(points), CAPSULE, THINNEST, 1.0))
+    return capsule_of(fit_row(as_points(points), building.CAPSULE, building.THINNEST, 1.0))
 
 
 def near_least_capsule(points: ArrayLike) -> Capsule:
     """A capsule round points (n, 2) m whose area is within 1e-3 of the least: a tree's exact fit."""
-    return capsule_of(fit_row(as_points(points), CAPSULE, EXACT, 1.0))
+    return capsule_of(fit_row(as_points(points), building.CAPSULE, building.EXACT, 1.0))
 
 
 def least_capsule(points: ArrayLike, tolerance: float = TOLERANCE) -> tuple[Capsule, float]:
@@ -199,7 +190,7 @@ def least_capsule(points: ArrayLike, tolerance: float = TOLERANCE) -> tuple[Caps
         raise ValueError(f"tolerance: expected 1e-6 to 0.5, not {tolerance!r}")
     hull, origin = hull_of(given)
     h = len(hull)
-    start = capsule_of(fit_row(given, CAPSULE, REFINED, 1.0))
+    start = capsule_of(fit_row(given, building.CAPSULE, building.REFINED, 1.0))
     thin = thinnest_capsule(given)
     if h <= 2 or thin.radius <= 0.0:
         return thin, thin.area

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
-from game.physics.bounds.validation import Array
 
 
 @lean_kernel(inline="always")
@@ -81,7 +81,7 @@ def moved_hull(hull, h, origin_x, origin_y):
     return n
 
 
-def hull_of(points: Array) -> tuple[Array, Array]:
+def hull_of(points: Floats) -> tuple[Floats, Floats]:
     """Corners (h, 2) of the hull of points (n, 2), counter-clockwise about an origin, and that origin."""
     ids = np.lexsort((points[:, 1], points[:, 0]))
     hull = np.empty((2 * len(points) + 2, 2))

@@ -7,16 +7,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import kernel
 from game.physics.bounds import traversal
 from game.physics.bounds.building import PARENT
 from game.physics.bounds.segments import SCRATCH
 from game.physics.bounds.tree import BoundingTree
-from game.physics.bounds.validation import Array, as_angle, as_vector
+from game.physics.bounds.validation import as_angle, as_vector
 from game.physics.kernels import elementary, linear
 from game.physics.kernels.limits import LimitError
 
-Indices = NDArray[np.int64]
 REST, ANCESTOR, OVERLAPPING = 0, 1, 2  # marks of nodes
 ROUNDINGS = 64.0 * np.finfo(float).eps  # of all coordinates together, that a gap must exceed to separate
 MAX_ROWS = 1 << 23  # pairs of volumes, and of segments that meet, of one answer: 1 GB at most
@@ -27,9 +27,9 @@ class QueryRecord(NamedTuple):
     """rows (n, 5), gaps (n, 3), crossings (c, 2) as in `Tandem`; counts (5,) of tests and findings."""
 
     rows: NDArray[np.int32]
-    gaps: Array
-    crossings: Indices
-    counts: Indices
+    gaps: Floats
+    crossings: Longs
+    counts: Longs
 
 
 class Tandem(NamedTuple):
@@ -41,12 +41,12 @@ class Tandem(NamedTuple):
     in m and its axis, a unit vector from a to b, in the frame of the first tree.
     """
 
-    leaf_pairs: Indices
-    crossings: Indices
+    leaf_pairs: Longs
+    crossings: Longs
     volume_tests: int
     segment_tests: int
     rows: NDArray[np.int32]
-    gaps: Array
+    gaps: Floats
 
     @property
     def separated(self) -> bool:
@@ -194,12 +194,12 @@ class Query:
         return self._rows[: self.row_count]
 
     @property
-    def gaps(self) -> Array:
+    def gaps(self) -> Floats:
         """Gaps and axes (n, 3) of the last query, as in `Tandem`; good until the next one."""
         return self._gaps[: self.row_count]
 
     @property
-    def crossings(self) -> Indices:
+    def crossings(self) -> Longs:
         """Segments that meet (c, 2), unsorted; good until the next query."""
         return self._crossings[: self.crossing_count]
 

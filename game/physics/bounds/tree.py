@@ -7,17 +7,18 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from game.physics.bounds.building import BEGIN, CHILD, DEPTH, END, PARENT, fit_scratch, grow_tree
+from game.arrays import Floats, Longs
+from game.physics.bounds import building
+from game.physics.bounds.building import fit_scratch, grow_tree
 from game.physics.bounds.fits import ROUNDING, box_of, capsule_of
-from game.physics.bounds.validation import Array, as_angle, as_points, as_step, turns_of
+from game.physics.bounds.validation import as_angle, as_points, as_step, turns_of
 from game.physics.kernels import elementary, linear
 
 KINDS = ("obb", "capsule", "aabb")
 FITS = ("search", "refined", "thinnest", "exact")
 SPLITS = ("half", "median", "perimeter")
-Indices = NDArray[np.int64]
 
 
 def tree_depth_bound(segments: int) -> int:
@@ -37,14 +38,14 @@ class BoundingTree:
     def __init__(
         self,
         kind: str,
-        points: Array,
+        points: Floats,
         closed: bool,
-        ends: Array,
-        order: Indices,
-        volumes: Array,
-        links: Indices,
-        sizes: Array,
-        rebuild: Callable[[Array], BoundingTree],
+        ends: Floats,
+        order: Longs,
+        volumes: Floats,
+        links: Longs,
+        sizes: Floats,
+        rebuild: Callable[[Floats], BoundingTree],
     ):
         self.kind, self.points, self.closed, self.ends, self.order = kind, points, closed, ends, order
         self.volumes, self.links, self.sizes = volumes, links, sizes
@@ -65,27 +66,27 @@ class BoundingTree:
     @property
     def depth(self) -> int:
         """Depth of the deepest node; the root's is 0."""
-        return int(self.links[-1, DEPTH])
+        return int(self.links[-1, building.DEPTH])
 
     @property
-    def leaves(self) -> Indices:
+    def leaves(self) -> Longs:
         """Nodes without children."""
-        return np.flatnonzero(self.links[:, CHILD] < 0)
+        return np.flatnonzero(self.links[:, building.CHILD] < 0)
 
     def level(self, depth: int) -> slice:
         """The nodes of a depth; they stand one behind the other."""
-        first, last = np.searchsorted(self.links[:, DEPTH], (depth, depth + 1)).tolist()
+        first, last = np.searchsorted(self.links[:, building.DEPTH], (depth, depth + 1)).tolist()
         return slice(first, last)
 
-    def segments_of(self, node: int) -> Indices:
+    def segments_of(self, node: int) -> Longs:
         """Segments below a node."""
-        return self.order[self.links[node, BEGIN] : self.links[node, END]]
+        return self.order[self.links[node, building.BEGIN] : self.links[node, building.END]]
 
     def volume(self, node: int) -> Any:
         """The `Box` or `Capsule` of a node."""
         return capsule_of(self.volumes[node]) if self.kind == "capsule" else box_of(self.volumes[node])
 
-    def areas(self) -> Array:
+    def areas(self) -> Floats:
         """Areas (m,) of all volumes, m²."""
         v = self.volumes
         if self.kind != "capsule":
@@ -116,16 +117,16 @@ class BoundingTree:
         links, n = self.links, self.segments
         assert np.array_equal(np.sort(self.order), np.arange(n)), "order is no permutation"
         assert np.all(np.isfinite(self.volumes)), "a volume is not finite"
-        inner = np.flatnonzero(links[:, CHILD] >= 0)
-        children = links[inner, CHILD]
+        inner = np.flatnonzero(links[:, building.CHILD] >= 0)
+        children = links[inner, building.CHILD]
         assert np.array_equal(np.sort(np.concatenate(([0], children, children + 1))), np.arange(len(links)))
-        assert np.array_equal(links[children, PARENT], inner)
-        assert np.array_equal(links[children + 1, PARENT], inner)
-        assert np.array_equal(links[children, BEGIN], links[inner, BEGIN])
-        assert np.array_equal(links[children, END], links[children + 1, BEGIN])
-        assert np.array_equal(links[children + 1, END], links[inner, END])
-        assert np.all(links[:, BEGIN] < links[:, END]), "a node is empty"
-        assert np.all(np.diff(links[:, DEPTH]) >= 0), "not breadth first"
+        assert np.array_equal(links[children, building.PARENT], inner)
+        assert np.array_equal(links[children + 1, building.PARENT], inner)
+        assert np.array_equal(links[children, building.BEGIN], links[inner, building.BEGIN])
+        assert np.array_equal(links[children, building.END], links[children + 1, building.BEGIN])
+        assert np.array_equal(links[children + 1, building.END], links[inner, building.END])
+        assert np.all(links[:, building.BEGIN] < links[:, building.END]), "a node is empty"
+        assert np.all(np.diff(links[:, building.DEPTH]) >= 0), "not breadth first"
         assert self.depth <= tree_depth_bound(n), f"depth {self.depth} over {n} segments"
         extent = float(np.ptp(self.points, axis=0).max())
         slack = ROUNDING * extent + 8.0 * np.finfo(float).eps * float(np.abs(self.points).max())
@@ -134,7 +135,7 @@ class BoundingTree:
             assert outside <= slack, f"node {node}: a point lies {outside} m outside"
 
 
-def _integers(count: int) -> Indices:
+def _integers(count: int) -> Longs:
     return np.empty(count, dtype=np.int64)
 
 
@@ -184,7 +185,7 @@ def build_tree(
         tuple(fit_scratch(len(turns))),
     )
 
-    def rebuild(turned: Array) -> BoundingTree:
+    def rebuild(turned: Floats) -> BoundingTree:
         return build_tree(
             turned, kind, leaf_size, closed=closed, fit=fit, step_degrees=step_degrees, split=split
         )

@@ -6,18 +6,17 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 LARGEST = 1e100  # m; products of two such numbers are still far from overflow
 SMALLEST = 1e-100  # m; below it, products of two such numbers come near the least that there is
 MOST_POINTS = 1 << 20
 
 
-def as_points(values: ArrayLike, name: str = "points") -> Array:
+def as_points(values: ArrayLike, name: str = "points") -> Floats:
     """Points as an (n, 2) array of their own, m; ValueError if there is none or one is no finite point.
 
     A coordinate below `SMALLEST` is 0: whether three points turn left could not be told from their products.
@@ -64,7 +63,7 @@ def as_angle(angle: float, name: str) -> float:
     return float(angle)
 
 
-def turns_of(step_degrees: float) -> Array:
+def turns_of(step_degrees: float) -> Floats:
     """Directions (k, 2) from 0 to below 90 degrees, so many degrees apart: cosine and sine."""
     count = max(1, math.ceil(90.0 / step_degrees - 1e-9))
     return np.array(

@@ -15,12 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.broadphase.ordering import PairSorter
 from game.physics.broadphase.validation import (
     MAX_BOXES,
-    Corners,
-    Ids,
-    Pairs,
     all_differ,
     corner,
     corners,
@@ -39,14 +37,14 @@ class BroadPhase:
     """
 
     def __init__(self) -> None:
-        self.boxes: Corners = np.zeros((16, 4))
+        self.boxes: Floats = np.zeros((16, 4))
         self.alive: NDArray[np.uint8] = np.zeros(16, dtype=np.uint8)
         self.top = 0  # all ids are below
         self.tests = 0
         self._count = 0
         self._free: list[int] = []  # heap of ids below top that are not in use
         self._sorter = PairSorter()
-        self._found: Pairs | None = None  # the answer of pairs() while nothing has changed
+        self._found: Longs | None = None  # the answer of pairs() while nothing has changed
 
     def __len__(self) -> int:
         return self._count
@@ -66,11 +64,11 @@ class BroadPhase:
         """Number of ids for which arrays are kept."""
         return len(self.alive)
 
-    def ids(self) -> Ids:
+    def ids(self) -> Longs:
         """Ids in use, ascending."""
         return np.flatnonzero(self.alive[: self.top])
 
-    def box(self, box: int) -> tuple[Corners, Corners]:
+    def box(self, box: int) -> tuple[Floats, Floats]:
         """Lower and upper corner of a box, m; ValueError if there is none of that id."""
         self._known(box)
         return self.boxes[box, :2].copy(), self.boxes[box, 2:].copy()
@@ -104,7 +102,7 @@ class BroadPhase:
 
     # -- bulk calls ---------------------------------------------------------------------------------
 
-    def add_boxes(self, lowers: ArrayLike, uppers: ArrayLike, ids: ArrayLike | None = None) -> Ids:
+    def add_boxes(self, lowers: ArrayLike, uppers: ArrayLike, ids: ArrayLike | None = None) -> Longs:
         """Add many boxes, (n, 2) m each; returns their ids. All or none are added.
 
         ``ids``: the ids to give, distinct and free; without it the smallest free ones in order. ValueError,
@@ -155,27 +153,27 @@ class BroadPhase:
 
     # -- answers ------------------------------------------------------------------------------------
 
-    def pairs(self) -> Pairs:
+    def pairs(self) -> Longs:
         """All overlapping pairs, (m, 2), a < b in each row, rows sorted. The array is the caller's own."""
         if self._found is None:
             self._found = self._find_pairs()
         return self._found.copy()
 
-    def query_box(self, lower: ArrayLike, upper: ArrayLike) -> Ids:
+    def query_box(self, lower: ArrayLike, upper: ArrayLike) -> Longs:
         """Ids (k,) of the boxes that overlap a closed box, ascending; its corners (2,) m.
 
         ValueError if the corners are bad.
         """
         return self._find_in_box(*self._corners(lower, upper))
 
-    def query_point(self, point: ArrayLike) -> Ids:
+    def query_point(self, point: ArrayLike) -> Longs:
         """Ids (k,) of the boxes that hold a point (2,) m, ascending; ValueError if it is no finite point."""
         x, y = corner(point, "point")
         if not (np.isfinite(x) and np.isfinite(y)):
             raise ValueError(f"point: expected finite numbers, not ({x}, {y})")
         return self._find_in_box(x, y, x, y)
 
-    def partners(self, box: int) -> Ids:
+    def partners(self, box: int) -> Longs:
         """Ids (k,) of the boxes that overlap this one, ascending; ValueError if there is none of that id."""
         self._known(box)
         x0, y0, x1, y1 = self.boxes[box].tolist()
@@ -200,7 +198,7 @@ class BroadPhase:
 
     # -- for subclasses -----------------------------------------------------------------------------
 
-    def _store(self) -> tuple[Corners, NDArray[np.uint8], int]:
+    def _store(self) -> tuple[Floats, NDArray[np.uint8], int]:
         """The plain tuple of a ``Store``."""
         return self.boxes, self.alive, self.top
 
@@ -219,21 +217,21 @@ class BroadPhase:
         """A box gets new corners; storing them is part of it."""
         self.boxes[box] = x0, y0, x1, y1
 
-    def _added_many(self, ids: Ids) -> None:
+    def _added_many(self, ids: Longs) -> None:
         for box in ids.tolist():
             self._added(box)
 
-    def _removed_many(self, ids: Ids) -> None:
+    def _removed_many(self, ids: Longs) -> None:
         for box in ids.tolist():
             self._removed(box)
 
-    def _moved_many(self, ids: Ids) -> None:
+    def _moved_many(self, ids: Longs) -> None:
         """Boxes have been stored with new corners."""
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         raise NotImplementedError
 
-    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         raise NotImplementedError
 
     # -- the door -----------------------------------------------------------------------------------
@@ -251,14 +249,14 @@ class BroadPhase:
         return x0, y0, x1, y1
 
     @staticmethod
-    def _many(lowers: ArrayLike, uppers: ArrayLike) -> tuple[Corners, Corners]:
+    def _many(lowers: ArrayLike, uppers: ArrayLike) -> tuple[Floats, Floats]:
         low, high = corners(lowers, "lowers"), corners(uppers, "uppers")
         if len(low) != len(high):
             raise ValueError(f"lowers, uppers: {len(low)} lower corners for {len(high)} upper ones")
         return low, high
 
     @staticmethod
-    def _why(index: int, low: Corners, high: Corners) -> str:
+    def _why(index: int, low: Floats, high: Floats) -> str:
         a, b = tuple(low[index].tolist()), tuple(high[index].tolist())
         return f"box {index}: expected numbers, and lower {a} not above upper {b}"
 
@@ -271,7 +269,7 @@ class BroadPhase:
         self.top += fresh
         return taken
 
-    def _claim(self, ids: ArrayLike, count: int) -> Ids:
+    def _claim(self, ids: ArrayLike, count: int) -> Longs:
         """Take ids that the caller names."""
         chosen = id_array(ids)
         if len(chosen) != count:

@@ -10,8 +10,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Longs
 from game.compiler.decorator import kernel
-from game.physics.broadphase.validation import Ids, grown
+from game.physics.broadphase.validation import grown
 
 
 @kernel(_nrt=False)
@@ -96,7 +97,7 @@ class CellLists:
         """Bytes in its arrays."""
         return self.heads.nbytes + self.cells.nbytes + self.nexts.nbytes + self._previous.nbytes
 
-    def check(self, ids: Ids, cell_of: Callable[[int], int]) -> None:
+    def check(self, ids: Longs, cell_of: Callable[[int], int]) -> None:
         """Check every list, and that just ``ids`` stand in them, each in its cell's."""
         seen = set()
         for cell in np.flatnonzero(self.heads >= 0).tolist():

@@ -15,10 +15,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Longs
 from game.compiler.decorator import kernel
 from game.physics.broadphase.grid_search import GUARD, cell_coordinate
 from game.physics.broadphase.uniform_grid import UniformGrid
-from game.physics.broadphase.validation import Pairs
 from game.physics.broadphase.walks.grid import Visit
 
 
@@ -115,7 +115,7 @@ class CoveringGrid(UniformGrid):
         super()._grow(capacity)
         self._packed = np.empty((capacity, 4))
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         grid = self._matrix, self._start
         self.entries = enter_cells(self._store(), *grid, self._entries)
         if self.entries > len(self._entries):

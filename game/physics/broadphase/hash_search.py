@@ -10,11 +10,8 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel, kernel
+from game.physics.broadphase import hash_levels
 from game.physics.broadphase.hash_levels import (
-    COUNT,
-    LEVELS,
-    MASK,
-    TOP,
     Ladder,
     Placed,
     bucket_of,
@@ -185,10 +182,10 @@ def runs_over(layout, fine, coarse):
     fine boxes look up the coarse cells. ``layout``: of the tables, with counts and masks.
     """
     across = math.ldexp(1.0, coarse - fine) + 2.0
-    looking = LOOK_COST * float(layout[fine, COUNT])
-    load = layout[fine, COUNT] / (layout[fine, MASK] + 1.0)
-    running = layout[coarse, COUNT] * across * (RUN_COST + across * load)
-    return coarse < TOP and across < layout[fine, MASK] and running < looking
+    looking = LOOK_COST * float(layout[fine, hash_levels.COUNT])
+    load = layout[fine, hash_levels.COUNT] / (layout[fine, hash_levels.MASK] + 1.0)
+    running = layout[coarse, hash_levels.COUNT] * across * (RUN_COST + across * load)
+    return coarse < hash_levels.TOP and across < layout[fine, hash_levels.MASK] and running < looking
 
 
 @kernel(_nrt=False)
@@ -205,15 +202,15 @@ def find_pairs(store, ladder, placed, ordered, keys, tests):
     layout, start = placed.layout, placed.start
     found = 0
     tests[0] = 0
-    for fine in range(LEVELS):
-        if layout[fine, COUNT] == 0:
+    for fine in range(hash_levels.LEVELS):
+        if layout[fine, hash_levels.COUNT] == 0:
             continue
         finer = table_of(layout, ladder.scales, fine)
         found = search_level(ordered, start, finer, keys, found, tests)
         if found < 0:
             return -1
-        for coarse in range(fine + 1, LEVELS):
-            if layout[coarse, COUNT] == 0:
+        for coarse in range(fine + 1, hash_levels.LEVELS):
+            if layout[coarse, hash_levels.COUNT] == 0:
                 continue
             coarser = table_of(layout, ladder.scales, coarse)
             if runs_over(layout, fine, coarse):

@@ -14,19 +14,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import kernel
+from game.physics.broadphase import hash_levels
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
 from game.physics.broadphase.hash_levels import (
-    COUNT,
-    FACTOR,
-    LEVELS,
-    LIST_SPREAD,
-    LOWEST,
-    MASK,
-    OFFSET,
-    SPREAD,
-    TOP,
     bucket_of,
     cell_at,
     find_levels,
@@ -36,7 +29,7 @@ from game.physics.broadphase.hash_levels import (
 )
 from game.physics.broadphase.hash_search import find_pairs
 from game.physics.broadphase.runs import ROOM
-from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
+from game.physics.broadphase.validation import grown
 from game.physics.broadphase.walks.hash import LevelVisit, Tables, level_visits
 
 
@@ -49,19 +42,20 @@ def walk_lists(boxes, scales, layout, heads, nexts, wanted, ids):
     """
     x0, y0, x1, y1 = wanted
     found = 0
-    for level in range(LEVELS):
-        if layout[level, COUNT] == 0:
+    for level in range(hash_levels.LEVELS):
+        if layout[level, hash_levels.COUNT] == 0:
             continue
         scale = scales[level]
         before, after = cell_at(x0, scale) - 1, cell_at(x1, scale)
         below, above = cell_at(y0, scale) - 1, cell_at(y1, scale)
-        size = layout[level, MASK] + 1
+        size = layout[level, hash_levels.MASK] + 1
         cells = (float(after) - before + 1.0) * (float(above) - below + 1.0)
         if cells < size:
             for row in range(below, above + 1):
                 for column in range(before, after + 1):
                     box = heads[
-                        layout[level, OFFSET] + bucket_of(column, row, size - 1, layout[level, FACTOR])
+                        layout[level, hash_levels.OFFSET]
+                        + bucket_of(column, row, size - 1, layout[level, hash_levels.FACTOR])
                     ]
                     while box >= 0:
                         x_meets = boxes[box, 0] <= x1 and x0 <= boxes[box, 2]
@@ -77,7 +71,7 @@ def walk_lists(boxes, scales, layout, heads, nexts, wanted, ids):
                         box = nexts[box]
         else:
             for bucket in range(size):
-                box = heads[layout[level, OFFSET] + bucket]
+                box = heads[layout[level, hash_levels.OFFSET] + bucket]
                 while box >= 0:
                     if (
                         boxes[box, 0] <= x1
@@ -104,10 +98,12 @@ class HierarchicalGrid(BroadPhase):
             raise ValueError(f"ratio = {ratio!r}: expected 2, 4, 8 or 16")
         self.ratio = ratio
         self._step = int(ratio).bit_length() - 1
-        self._scales = np.array([math.ldexp(1.0, -(level + LOWEST)) for level in range(TOP)] + [0.0])
-        self._layout = np.zeros((LEVELS, 4), dtype=np.int64)  # of the sorted boxes
-        self._list_layout = np.zeros((LEVELS, 4), dtype=np.int64)
-        self._layout[:, MASK] = -1  # no tables yet
+        self._scales = np.array(
+            [math.ldexp(1.0, -(level + hash_levels.LOWEST)) for level in range(hash_levels.TOP)] + [0.0]
+        )
+        self._layout = np.zeros((hash_levels.LEVELS, 4), dtype=np.int64)  # of the sorted boxes
+        self._list_layout = np.zeros((hash_levels.LEVELS, 4), dtype=np.int64)
+        self._layout[:, hash_levels.MASK] = -1  # no tables yet
         self._start: NDArray[np.int32] = np.zeros(64, dtype=np.int32)
         self._tests = np.zeros(1, dtype=np.int64)
         self._lists = CellLists(64, self.capacity)
@@ -121,7 +117,7 @@ class HierarchicalGrid(BroadPhase):
         self._buckets: NDArray[np.int32] = np.zeros(capacity, dtype=np.int32)
         self._ranks: NDArray[np.int32] = np.zeros(capacity, dtype=np.int32)
         self._order: NDArray[np.int64] = np.zeros(2 * capacity, dtype=np.int64)
-        self._sorted: Corners = np.zeros((2 * capacity, 4))
+        self._sorted: Floats = np.zeros((2 * capacity, 4))
 
     def _grow(self, capacity: int) -> None:
         super()._grow(capacity)
@@ -137,7 +133,7 @@ class HierarchicalGrid(BroadPhase):
     @staticmethod
     def cell_size(level: int) -> float:
         """Edge of the cells of a level, m; infinity for the last."""
-        return math.inf if level == TOP else math.ldexp(1.0, level + LOWEST)
+        return math.inf if level == hash_levels.TOP else math.ldexp(1.0, level + hash_levels.LOWEST)
 
     def levels(self) -> list[tuple[int, int]]:
         """Levels that have boxes, and how many, from the finest up."""
@@ -155,7 +151,7 @@ class HierarchicalGrid(BroadPhase):
         """Where a box looks for partners, level by level; ValueError if there is none of that id."""
         return level_visits(self.tables(), box, self.level(box), self.boxes[box].tolist())
 
-    def cells(self) -> tuple[NDArray[np.int8], Corners]:
+    def cells(self) -> tuple[NDArray[np.int8], Floats]:
         """For every id below ``top``: level (-1 if not in use), and (top, 2) lower corner of its cell, m."""
         levels = np.empty(self.top, dtype=np.int8)
         layout = np.empty_like(self._layout)
@@ -179,28 +175,28 @@ class HierarchicalGrid(BroadPhase):
             self._take_out(box)
             self._put(box)
 
-    def _added_many(self, ids: Ids) -> None:
+    def _added_many(self, ids: Longs) -> None:
         self._lists.fresh = False
 
-    def _removed_many(self, ids: Ids) -> None:
+    def _removed_many(self, ids: Longs) -> None:
         self._lists.fresh = False
 
-    def _moved_many(self, ids: Ids) -> None:
+    def _moved_many(self, ids: Longs) -> None:
         self._lists.fresh = False
 
     def _put(self, box: int) -> None:
         """Put a box into its list; where its table is full, all lists are left to be made again."""
         level = self.level(box)
-        if self._list_layout[level, COUNT] > self._list_layout[level, MASK]:
+        if self._list_layout[level, hash_levels.COUNT] > self._list_layout[level, hash_levels.MASK]:
             self._lists.fresh = False
             return
-        self._list_layout[level, COUNT] += 1
+        self._list_layout[level, hash_levels.COUNT] += 1
         self._list_levels[box] = level
         self._lists.put(box, self._bucket(box))
 
     def _take_out(self, box: int) -> None:
         self._lists.take_out(box)
-        self._list_layout[self._list_levels[box], COUNT] -= 1
+        self._list_layout[self._list_levels[box], hash_levels.COUNT] -= 1
         self._list_levels[box] = -1
 
     def _bucket(self, box: int) -> int:
@@ -213,14 +209,14 @@ class HierarchicalGrid(BroadPhase):
     def _make_lists(self) -> None:
         layout, ladder = self._list_layout, (self._step, self._scales)
         find_levels(self._store(), ladder, self._list_levels, layout)
-        buckets = lay_out(layout, LIST_SPREAD)
+        buckets = lay_out(layout, hash_levels.LIST_SPREAD)
         start = np.empty(buckets, dtype=np.int32)
         placed = self._list_levels, layout, self._lists.cells, self._ranks, start
         place_boxes(self._store(), ladder, placed)
         self._lists.cells[: self.top][self.alive[: self.top] == 0] = -1
         self._lists.make(buckets, self.top)
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         found = -1
         while found < 0:
             found = find_pairs(
@@ -232,11 +228,11 @@ class HierarchicalGrid(BroadPhase):
             if found == -1:
                 self._sorter.grow(8 * self._count)
             elif found < -1:
-                self._start = np.zeros(lay_out(self._layout, SPREAD), dtype=np.int32)
+                self._start = np.zeros(lay_out(self._layout, hash_levels.SPREAD), dtype=np.int32)
         self.tests = int(self._tests[0])
         return self._sorter.sorted(found, self.top)
 
-    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         if not self._lists.fresh:
             self._make_lists()
         ids = np.empty(self._count, dtype=np.int64)
@@ -263,6 +259,6 @@ class HierarchicalGrid(BroadPhase):
                 assert self._list_levels[box] == level, "each box is on its level"
         if self._lists.fresh:
             levels = self._list_levels[self.ids()]
-            counts = np.bincount(levels, minlength=LEVELS)
-            assert (self._list_layout[:, COUNT] == counts).all(), "each level counts its boxes"
+            counts = np.bincount(levels, minlength=hash_levels.LEVELS)
+            assert (self._list_layout[:, hash_levels.COUNT] == counts).all(), "each level counts its boxes"
             self._lists.check(self.ids(), self._bucket)

@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import kernel
 from game.physics.broadphase.boxes import BroadPhase
-from game.physics.broadphase.validation import Corners, Ids, Pairs
 
 BLOCK = 16  # boxes that are tested at once
 
@@ -90,16 +90,16 @@ class NaiveBroadPhase(BroadPhase):
 
     def __init__(self) -> None:
         super().__init__()
-        self._packed: Corners = np.empty((4, 16))
+        self._packed: Floats = np.empty((4, 16))
         self._ids: NDArray[np.int64] = np.empty(16, dtype=np.int64)
-        self._pairs: Pairs = np.empty((64, 2), dtype=np.int64)
+        self._pairs: Longs = np.empty((64, 2), dtype=np.int64)
 
     def _grow(self, capacity: int) -> None:
         super()._grow(capacity)
         self._packed = np.empty((4, capacity))
         self._ids = np.empty(capacity, dtype=np.int64)
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         count = pack_boxes(self.boxes, self.alive, self.top, self._packed, self._ids)
         self.tests = count * (count - 1) // 2
         found = find_all_pairs(self._packed, self._ids, count, self._pairs)
@@ -108,6 +108,6 @@ class NaiveBroadPhase(BroadPhase):
             found = find_all_pairs(self._packed, self._ids, count, self._pairs)
         return self._pairs[:found].copy()
 
-    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         found = scan_boxes(self.boxes, self.alive, self.top, x0, y0, x1, y1, self._ids)
         return self._ids[:found].copy()

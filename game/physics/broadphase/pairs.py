@@ -16,22 +16,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Longs
+from game.physics.broadphase import pair_table
 from game.physics.broadphase.ordering import PairSorter
 from game.physics.broadphase.pair_table import (
-    BEFORE,
-    FIRST,
-    FLAGS,
-    GREATEST,
-    ID_FIELD,
-    KEEP,
-    LEAST,
-    MASK,
-    MAX_ID,
-    NOW,
-    PRESENT,
-    ROWS,
-    SECOND,
-    SLOTS,
     PairTable,
     change_pairs,
     cut_box,
@@ -49,7 +37,7 @@ from game.physics.broadphase.pair_table import (
     sweep_unkept,
     triangular_index,
 )
-from game.physics.broadphase.validation import Pairs, grown
+from game.physics.broadphase.validation import grown
 
 MAX_MATRIX_BYTES = 1 << 30  # 23 170 boxes
 PROBED = 4096  # pairs
@@ -58,8 +46,8 @@ PROBED = 4096  # pairs
 class PairEvents(NamedTuple):
     """Pairs that began and that ended, (k, 2) each, a < b, sorted."""
 
-    begun: Pairs
-    ended: Pairs
+    begun: Longs
+    ended: Longs
 
 
 class PairManager:
@@ -77,7 +65,7 @@ class PairManager:
         self._sorter = PairSorter()
 
     def __len__(self) -> int:
-        return int(self.table.numbers[PRESENT])
+        return int(self.table.numbers[pair_table.PRESENT])
 
     def __contains__(self, pair: object) -> bool:
         try:
@@ -85,7 +73,7 @@ class PairManager:
         except (TypeError, ValueError):
             return False
         slot = self.table.where[find_place(*self.table, a, b)] - 1
-        return bool(slot >= 0 and self.table.slots[slot, FLAGS] & NOW)
+        return bool(slot >= 0 and self.table.slots[slot, pair_table.FLAGS] & pair_table.NOW)
 
     def add(self, a: int, b: int) -> bool:
         """Note that a and b overlap; True if that is new. ValueError if they are one box, or no ids."""
@@ -110,7 +98,7 @@ class PairManager:
 
     def set_pairs(self, pairs: ArrayLike) -> None:
         """Make these the pairs that overlap, (m, 2), as a broad phase lists them once a step."""
-        self._put(self._pairs(pairs), KEEP)
+        self._put(self._pairs(pairs), pair_table.KEEP)
         sweep_unkept(*self.table)
 
     def change_pairs(self, changes: NDArray[np.int64], count: int) -> None:
@@ -130,13 +118,15 @@ class PairManager:
         """Remove all pairs; costs their number, and not the size of the index."""
         self.set_pairs(np.empty((0, 2), dtype=np.int64))
 
-    def pairs(self) -> Pairs:
+    def pairs(self) -> Longs:
         """All pairs that overlap, (m, 2), a < b, sorted."""
-        return self._listed(NOW, 0)
+        return self._listed(pair_table.NOW, 0)
 
     def take_events(self) -> PairEvents:
         """Pairs begun and ended since the last call."""
-        events = PairEvents(self._listed(NOW, BEFORE), self._listed(BEFORE, NOW))
+        events = PairEvents(
+            self._listed(pair_table.NOW, pair_table.BEFORE), self._listed(pair_table.BEFORE, pair_table.NOW)
+        )
         settle(*self.table)
         return events
 
@@ -147,16 +137,22 @@ class PairManager:
     def check(self) -> None:
         """Check that list and index agree; AssertionError says how they do not."""
         where, slots, numbers = self.table
-        used = slots[: int(numbers[SLOTS])]
-        assert (used[:, FIRST] < used[:, SECOND]).all(), "in each pair the first id is the smaller"
-        assert np.count_nonzero(used[:, FLAGS] & NOW) == len(self), "as many pairs are present as counted"
-        assert np.isin(used[:, FLAGS], (NOW, BEFORE, NOW | BEFORE)).all(), "no slot is marked or idle"
+        used = slots[: int(numbers[pair_table.SLOTS])]
+        assert (used[:, pair_table.FIRST] < used[:, pair_table.SECOND]).all(), (
+            "in each pair the first id is the smaller"
+        )
+        assert np.count_nonzero(used[:, pair_table.FLAGS] & pair_table.NOW) == len(self), (
+            "as many pairs are present as counted"
+        )
+        assert np.isin(
+            used[:, pair_table.FLAGS], (pair_table.NOW, pair_table.BEFORE, pair_table.NOW | pair_table.BEFORE)
+        ).all(), "no slot is marked or idle"
         assert np.count_nonzero(where) == len(used), "the index holds as many places as there are slots"
         for slot, (a, b, _, hashed) in enumerate(used.tolist()):
             assert where[find_place(where, slots, numbers, a, b)] == slot + 1, (
                 "each pair is found where it is"
             )
-            assert hashed == (0 if numbers[ROWS] else hash_pair(a, b)), "each pair keeps its hash"
+            assert hashed == (0 if numbers[pair_table.ROWS] else hash_pair(a, b)), "each pair keeps its hash"
 
     def limit_pairs(self, most: int) -> None:
         """Make no room for more pairs, those that just ended included: LimitError beyond it."""
@@ -167,19 +163,21 @@ class PairManager:
         self._sorter.check(len(self.table.slots) + 1)
         self.table = self.table._replace(slots=grown(self.table.slots, 2 * len(self.table.slots)))
 
-    def _put(self, pairs: Pairs, mark: int) -> None:
+    def _put(self, pairs: Longs, mark: int) -> None:
         done = 0
         while (done := put_pairs(*self.table, pairs, done, mark)) < len(pairs):
             self.make_room()
 
-    def _listed(self, wanted: int, unwanted: int) -> Pairs:
-        self._sorter.reserve(int(self.table.numbers[SLOTS]))
+    def _listed(self, wanted: int, unwanted: int) -> Longs:
+        self._sorter.reserve(int(self.table.numbers[pair_table.SLOTS]))
         count = list_pairs(self.table.slots, self.table.numbers, self._sorter.keys, wanted, unwanted)
-        if self.table.numbers[LEAST] < 0:  # keys of negative ids are not in the order of the digits
+        if (
+            self.table.numbers[pair_table.LEAST] < 0
+        ):  # keys of negative ids are not in the order of the digits
             keys = self._sorter.keys[:count]
-            pairs = np.stack([keys >> 32, (keys & ID_FIELD).astype(np.int32)], axis=1)
+            pairs = np.stack([keys >> 32, (keys & pair_table.ID_FIELD).astype(np.int32)], axis=1)
             return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
-        return self._sorter.sorted(count, int(self.table.numbers[GREATEST]) + 1).copy()
+        return self._sorter.sorted(count, int(self.table.numbers[pair_table.GREATEST]) + 1).copy()
 
     def _pair(self, a: Any, b: Any) -> tuple[int, int]:
         for box in (a, b):
@@ -191,7 +189,7 @@ class PairManager:
             raise ValueError(f"pair ({a}, {b}): a box makes no pair with itself")
         return (int(a), int(b)) if a < b else (int(b), int(a))
 
-    def _pairs(self, pairs: ArrayLike) -> Pairs:
+    def _pairs(self, pairs: ArrayLike) -> Longs:
         given = pairs
         if not (type(given) is np.ndarray and given.dtype == np.int64 and given.flags.carray):
             given = np.array(given, order="C")
@@ -228,7 +226,7 @@ class MatrixPairs(PairManager):
     @property
     def capacity(self) -> int:
         """Number of ids that the matrix has rows for."""
-        return int(self.table.numbers[ROWS])
+        return int(self.table.numbers[pair_table.ROWS])
 
     def place(self, a: int, b: int) -> int:
         """Place of a pair in the triangle, row by row; ValueError if a and b are no ids of it."""
@@ -239,14 +237,14 @@ class HashedPairs(PairManager):
     """Pairs indexed by a hash table, at most half full; any 32 bit ids, negative ones too."""
 
     def __init__(self) -> None:
-        super().__init__(np.zeros(32, dtype=np.int32), 0, -MAX_ID, MAX_ID)
+        super().__init__(np.zeros(32, dtype=np.int32), 0, -pair_table.MAX_ID, pair_table.MAX_ID)
 
     def probes(self) -> float:
         """Mean number of places looked at to find a pair: 1 at best, 1.5 for random keys at half load.
 
         A mean over the pairs in the first slots, at most 4096.
         """
-        count = min(int(self.table.numbers[SLOTS]), PROBED)
+        count = min(int(self.table.numbers[pair_table.SLOTS]), PROBED)
         return sum_of_probes(*self.table, count) / count if count else 0.0
 
     def chain(self, a: int, b: int) -> tuple[int, ...]:
@@ -255,7 +253,7 @@ class HashedPairs(PairManager):
         ValueError if a and b make no pair.
         """
         low, high = self._pair(a, b)
-        mask = int(self.table.numbers[MASK])
+        mask = int(self.table.numbers[pair_table.MASK])
         home = int(hash_pair(low, high)) & mask
         last = int(find_place(*self.table, low, high))
         return tuple((home + i) & mask for i in range(((last - home) & mask) + 1))
@@ -264,6 +262,6 @@ class HashedPairs(PairManager):
         """Double list and table, and enter every pair again."""
         super().make_room()
         size = 2 * len(self.table.where)
-        self.table.numbers[MASK] = size - 1
+        self.table.numbers[pair_table.MASK] = size - 1
         self.table = self.table._replace(where=np.zeros(size, dtype=np.int32))
         index_all(*self.table)

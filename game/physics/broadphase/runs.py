@@ -17,8 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel
-from game.physics.broadphase.validation import Corners
 
 SHORT = 4  # places of a run that are noted, whether there are so many or not
 MANY = 2048  # noted places that are tested together: they stay in the L1 cache
@@ -37,7 +37,7 @@ class Sorted(NamedTuple):
     """
 
     order: NDArray[np.int64]
-    boxes: Corners
+    boxes: Floats
     noted: NDArray[np.int64]
 
 

@@ -15,14 +15,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Longs
 from game.compiler.decorator import kernel
+from game.physics.broadphase import endpoints
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.endpoints import (
-    FULL,
-    ID,
-    SORTED,
-    TOO_MANY,
-    UPPER,
     find_end_point,
     insertion_sort,
     keep_alive,
@@ -36,7 +33,7 @@ from game.physics.broadphase.endpoints import (
 )
 from game.physics.broadphase.pair_table import cut_gone
 from game.physics.broadphase.pairs import HashedPairs, PairManager
-from game.physics.broadphase.validation import Ids, Pairs, first_bad_box, grown, id_array
+from game.physics.broadphase.validation import first_bad_box, grown, id_array
 
 FEW = 16  # fewer than one in so many boxes moved: they are moved one by one
 MOST_SWAPS = 4_000_000  # tried in a step that is not to be sorted again: some 0.05 s
@@ -63,11 +60,11 @@ def sort_axes(boxes, values, codes, count, progress, limit, changes):
         progress[1] = place
         progress[2] += swaps
         progress[3] = changed
-        if ended != SORTED:
+        if ended != endpoints.SORTED:
             return ended
         progress[0] = axis + 1
         progress[1] = 0
-    return SORTED
+    return endpoints.SORTED
 
 
 def comparisons(count: int) -> int:
@@ -110,7 +107,11 @@ class SweepAndPrune(BroadPhase):
     def end_points(self, axis: int) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.bool_]]:
         """Sorted end points of an axis: coordinates in m, ids, and whether each is an upper end."""
         codes = self._codes[axis, : 2 * len(self)]
-        return self._values[axis, : 2 * len(self)].copy(), (codes & ID).astype(np.int64), codes >= UPPER
+        return (
+            self._values[axis, : 2 * len(self)].copy(),
+            (codes & endpoints.ID).astype(np.int64),
+            codes >= endpoints.UPPER,
+        )
 
     def update_boxes(self, ids: ArrayLike, lowers: ArrayLike, uppers: ArrayLike) -> None:
         """As for every broad phase, ValueError included; where few move, each is moved by itself."""
@@ -144,7 +145,7 @@ class SweepAndPrune(BroadPhase):
         count = 2 * (len(self) - 1)
         for axis in range(2):
             values, codes = self._values[axis], self._codes[axis]
-            for code, place in ((box, axis), (box | UPPER, axis + 2)):
+            for code, place in ((box, axis), (box | endpoints.UPPER, axis + 2)):
                 value = float(self.boxes[box, place])
                 open_gap(values, codes, count, find_end_point(values, codes, count, value, code), value, code)
                 count += 1
@@ -156,17 +157,17 @@ class SweepAndPrune(BroadPhase):
         super().limit_pairs(most)
         self.manager.limit_pairs(2 * most)  # those that ended are in its list, too, until they are asked for
 
-    def _added_many(self, ids: Ids) -> None:
+    def _added_many(self, ids: Longs) -> None:
         count = 2 * (len(self) - len(ids))
         for axis in range(2):
             self._codes[axis, count : count + len(ids)] = ids
-            self._codes[axis, count + len(ids) : count + 2 * len(ids)] = ids | UPPER
+            self._codes[axis, count + len(ids) : count + 2 * len(ids)] = ids | endpoints.UPPER
         self._sort_again()
 
     def _removed(self, box: int) -> None:
         self._removed_many(np.array([box]))
 
-    def _removed_many(self, ids: Ids) -> None:
+    def _removed_many(self, ids: Longs) -> None:
         self.alive[ids] = 0
         for axis in range(2):
             keep_alive(self._values[axis], self._codes[axis], 2 * len(self), self.alive)
@@ -181,7 +182,7 @@ class SweepAndPrune(BroadPhase):
         changed = 0
         for axis in range(2):
             values, codes = self._values[axis], self._codes[axis]
-            ends = [(axis, box), (axis + 2, box | UPPER)]
+            ends = [(axis, box), (axis + 2, box | endpoints.UPPER)]
             if after[axis + 2] > before[axis + 2]:
                 ends.reverse()  # the end that leads goes first, so the two never pass each other
             for place, code in ends:
@@ -192,7 +193,7 @@ class SweepAndPrune(BroadPhase):
                 self.swaps += swaps
         self.manager.change_pairs(self._changes, changed)
 
-    def _moved_many(self, ids: Ids) -> None:
+    def _moved_many(self, ids: Longs) -> None:
         before = self.swaps
         if self._leaping or not self._sort_by_swaps():
             self.resorts += 1
@@ -215,15 +216,15 @@ class SweepAndPrune(BroadPhase):
             )
             self.manager.change_pairs(self._changes, int(self._progress[3]))
             self._progress[3] = 0
-            if ended == FULL:
+            if ended == endpoints.FULL:
                 self._reserve(2 * len(self._changes))
-            elif ended == TOO_MANY and not estimated:
+            elif ended == endpoints.TOO_MANY and not estimated:
                 limit = self._dear(min(overlaps_on_axis(codes, count) for codes in self._codes))
                 estimated = True
             else:
                 break
         self.swaps += int(self._progress[2])
-        return bool(ended == SORTED)
+        return bool(ended == endpoints.SORTED)
 
     def _dear(self, tests: int) -> int:
         """Swaps that cost as much as sorting again and a sweep with so many tests."""
@@ -257,16 +258,16 @@ class SweepAndPrune(BroadPhase):
         self.manager.set_pairs(self._sorter.sorted(found, self.top))
         return inversions
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         return self.manager.pairs()
 
-    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         count = 2 * len(self)
         runs = []
         for axis, low, high in ((0, x0, x1), (1, y0, y1)):
             values, codes = self._values[axis], self._codes[axis]
-            runs.append((find_end_point(values, codes, count, high, UPPER), axis, False))
-            runs.append((count - find_end_point(values, codes, count, low, UPPER), axis, True))
+            runs.append((find_end_point(values, codes, count, high, endpoints.UPPER), axis, False))
+            runs.append((count - find_end_point(values, codes, count, low, endpoints.UPPER), axis, True))
         length, axis, upper = min(runs)
         begin, end = (count - length, count) if upper else (0, length)
         ids = np.empty(length, dtype=np.int64)

@@ -23,6 +23,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import kernel
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
@@ -34,7 +35,7 @@ from game.physics.broadphase.grid_search import (
     place_boxes,
 )
 from game.physics.broadphase.runs import ID_MASK, ROOM
-from game.physics.broadphase.validation import Corners, Ids, Pairs, corner
+from game.physics.broadphase.validation import corner
 from game.physics.broadphase.walks.grid import CellRuns, Visit, corner_visits
 
 MAX_CELLS = 1 << 24  # 64 MB for each of the two arrays over cells
@@ -102,7 +103,7 @@ class UniformGrid(BroadPhase):
     def _make_room_to_sort(self, capacity: int) -> None:
         self._cells: NDArray[np.int32] = np.full(capacity, -1, dtype=np.int32)
         self._order: NDArray[np.int64] = np.zeros(capacity, dtype=np.int64)
-        self._sorted: Corners = np.zeros((capacity, 4))
+        self._sorted: Floats = np.zeros((capacity, 4))
 
     def _grow(self, capacity: int) -> None:
         super()._grow(capacity)
@@ -148,13 +149,13 @@ class UniformGrid(BroadPhase):
         if self._lists.fresh:
             self._put(box)
 
-    def _added_many(self, ids: Ids) -> None:
+    def _added_many(self, ids: Longs) -> None:
         self._lists.fresh = False
 
-    def _removed_many(self, ids: Ids) -> None:
+    def _removed_many(self, ids: Longs) -> None:
         self._lists.fresh = False
 
-    def _moved_many(self, ids: Ids) -> None:
+    def _moved_many(self, ids: Longs) -> None:
         self._lists.fresh = False
 
     def _put(self, box: int) -> None:
@@ -170,7 +171,7 @@ class UniformGrid(BroadPhase):
         place_boxes(self._store(), self._matrix, self._lists.cells, self._start, self._reach)
         self._lists.make(len(self._start), self.top)
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         found = -1
         while found < 0:
             found = find_pairs(
@@ -183,7 +184,7 @@ class UniformGrid(BroadPhase):
         self.tests = int(self._reach[2])
         return self._sorter.sorted(found, self.top)
 
-    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         if not self._lists.fresh:
             self._make_lists()
         ids = np.empty(self._count, dtype=np.int64)

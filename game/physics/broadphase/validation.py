@@ -11,11 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import kernel
-
-Ids = NDArray[np.int64]
-Pairs = NDArray[np.int64]
-Corners = NDArray[np.float64]
 
 MAX_BOXES = 1 << 30  # ids are kept as 32 bit integers, with one bit to spare for sweep and prune
 
@@ -27,7 +24,7 @@ class Store(NamedTuple):
     ``top``: above all ids in use.
     """
 
-    boxes: Corners
+    boxes: Floats
     alive: NDArray[np.uint8]
     top: int
 
@@ -102,7 +99,7 @@ def overlap(boxes, a, b):
     )
 
 
-def corners(values: ArrayLike, name: str) -> Corners:
+def corners(values: ArrayLike, name: str) -> Floats:
     """Corner points as a (n, 2) array that kernels take; ValueError if they are no such thing."""
     given = values
     if not (type(given) is np.ndarray and given.dtype == np.float64 and given.flags.carray):
@@ -126,7 +123,7 @@ def corner(values: ArrayLike, name: str) -> tuple[float, float]:
         raise ValueError(f"{name}: expected two numbers, not {values!r}") from None
 
 
-def id_array(values: ArrayLike) -> Ids:
+def id_array(values: ArrayLike) -> Longs:
     """Ids (n,) as an array that kernels take; ValueError if they are no integers."""
     given = values
     if not (type(given) is np.ndarray and given.dtype == np.int64 and given.flags.carray and given.ndim == 1):
@@ -139,7 +136,7 @@ def id_array(values: ArrayLike) -> Ids:
     return given
 
 
-def all_differ(ids: Ids) -> bool:
+def all_differ(ids: Longs) -> bool:
     """True if no id of an array (n,) comes twice."""
     ascending = np.sort(ids)
     return not (ascending[1:] == ascending[:-1]).any()

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.validation import Corners
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
 
 WORKLOADS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice", "teleport")
@@ -18,17 +18,17 @@ MEAN_COSINE_DIFFERENCE = 8.0 / (math.pi * math.pi)  # E|cos a - cos b| of indepe
 class MovingBoxes(NamedTuple):
     """Boxes with velocities, (n, 2) each: centres and half sizes in m, velocities in m/s."""
 
-    centers: Corners
-    half_sizes: Corners
-    velocities: Corners
+    centers: Floats
+    half_sizes: Floats
+    velocities: Floats
 
     @property
-    def lowers(self) -> Corners:
+    def lowers(self) -> Floats:
         """Lower corners, m."""
         return self.centers - self.half_sizes
 
     @property
-    def uppers(self) -> Corners:
+    def uppers(self) -> Floats:
         """Upper corners, m."""
         return self.centers + self.half_sizes
 
@@ -85,7 +85,7 @@ def _pareto_sizes(count: int, generator: np.random.Generator, ratio: float) -> N
     return np.sort(1.0 / (least + (1.0 - least) * generator.random(count)))[::-1].copy()
 
 
-def _places(kind: str, count: int, generator: np.random.Generator, width: float, height: float) -> Corners:
+def _places(kind: str, count: int, generator: np.random.Generator, width: float, height: float) -> Floats:
     """Centres of the boxes, (n, 2) m."""
     places = generator.random((count, 2)) * (width, height)
     if kind == "clustered":

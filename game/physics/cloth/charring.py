@@ -25,7 +25,7 @@ import math
 from typing import NamedTuple
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.cloth.layout import BEGAN, CHAR, FLOW, FUEL, HOT, PER, SALT, WATER, X, Y
+from game.physics.cloth import layout
 from game.physics.heat.effects import CONVECTION_BIT, RADIATION_BIT, SMOULDERING_BIT
 from game.physics.heat.nodes import BOILING, STEAM_HEAT, WATER_HEAT
 from game.physics.heat.radiation import STEFAN_BOLTZMANN, cooled_inside
@@ -100,18 +100,20 @@ class Flame(NamedTuple):
 @inner_kernel
 def warm(patches, b, a, joule, laws, totals, area):
     """Heat a patch by J/m²; at 373.15 K its water goes first."""
-    capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
-    if patches[WATER, b, a] > 0.0:
-        missing = (BOILING - patches[HOT, b, a]) * capacity
+    capacity = laws.capacity + WATER_HEAT * patches[layout.WATER, b, a]
+    if patches[layout.WATER, b, a] > 0.0:
+        missing = (BOILING - patches[layout.HOT, b, a]) * capacity
         if joule > missing:
-            gone = min(patches[WATER, b, a], (joule - missing) / STEAM_HEAT)
-            patches[HOT, b, a] = BOILING
-            patches[WATER, b, a] = patches[WATER, b, a] - gone if gone < patches[WATER, b, a] else 0.0
+            gone = min(patches[layout.WATER, b, a], (joule - missing) / STEAM_HEAT)
+            patches[layout.HOT, b, a] = BOILING
+            patches[layout.WATER, b, a] = (
+                patches[layout.WATER, b, a] - gone if gone < patches[layout.WATER, b, a] else 0.0
+            )
             totals[STEAM] += area * gone * (STEAM_HEAT + WATER_HEAT * (BOILING - laws.ambient))
             totals[STEAM_KG] += area * gone
             joule -= missing + gone * STEAM_HEAT
-            capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
-    patches[HOT, b, a] += joule / capacity
+            capacity = laws.capacity + WATER_HEAT * patches[layout.WATER, b, a]
+    patches[layout.HOT, b, a] += joule / capacity
 
 
 @inner_kernel
@@ -121,8 +123,8 @@ def _burn(patches, at, how, oxygen, when, totals):
     laws, kinds = how
     h, now, area = when
     plain, salted = kinds
-    salt = patches[SALT, b, a]
-    hot = patches[HOT, b, a]
+    salt = patches[layout.SALT, b, a]
+    hot = patches[layout.HOT, b, a]
     rate = plain.rate + salt * (salted.rate - plain.rate)
     if laws.reaction == IGNITES:
         if hot < plain.ignition + salt * (salted.ignition - plain.ignition):
@@ -130,19 +132,19 @@ def _burn(patches, at, how, oxygen, when, totals):
     else:
         rate *= max(hot - laws.ambient, 0.0) / laws.rise
     own = plain.oxygen + salt * (salted.oxygen - plain.oxygen)
-    gone = patches[FUEL, b, a] * -elementary.expm1(-rate * h * (own + (1.0 - own) * oxygen))
+    gone = patches[layout.FUEL, b, a] * -elementary.expm1(-rate * h * (own + (1.0 - own) * oxygen))
     if gone <= 0.0:
         return 0.0, 0.0, 0.0
     vapour = (plain.vapour + salt * (salted.vapour - plain.vapour)) * gone
     char = (plain.char + salt * (salted.char - plain.char)) * gone
     burnt = max(gone - vapour - char, 0.0)
-    before = patches[FUEL, b, a]
-    patches[FUEL, b, a] = max(before - gone, 0.0)
-    patches[CHAR, b, a] += char
+    before = patches[layout.FUEL, b, a]
+    patches[layout.FUEL, b, a] = max(before - gone, 0.0)
+    patches[layout.CHAR, b, a] += char
     full = (1.0 - BEGUN) * laws.dry
-    if patches[BEGAN, b, a] < 0.0 and patches[FUEL, b, a] <= full:
+    if patches[layout.BEGAN, b, a] < 0.0 and patches[layout.FUEL, b, a] <= full:
         share = (before - full) / gone if gone > 0.0 and before > full else 0.0
-        patches[BEGAN, b, a] = now + h * share
+        patches[layout.BEGAN, b, a] = now + h * share
     joule = burnt * (plain.heat + salt * (salted.heat - plain.heat))
     totals[MADE] += area * joule
     totals[BURNT] += area * burnt
@@ -162,38 +164,38 @@ def conduct(patches, whole, laws, numbers, totals):
     part = laws.conductance * h / (size * size)
     for b in range(rows):
         for a in range(columns):
-            patches[FLOW, b, a] = 0.0
+            patches[layout.FLOW, b, a] = 0.0
     for b in range(rows):
         for a in range(columns):
-            if whole[b // PER, a // PER] <= 0.0:
+            if whole[b // layout.PER, a // layout.PER] <= 0.0:
                 continue
-            here = patches[HOT, b, a]
-            if a + 1 < columns and whole[b // PER, (a + 1) // PER] > 0.0:
-                flow = part * (patches[HOT, b, a + 1] - here)
-                patches[FLOW, b, a] += flow
-                patches[FLOW, b, a + 1] -= flow
-            if b + 1 < rows and whole[(b + 1) // PER, a // PER] > 0.0:
-                flow = part * (patches[HOT, b + 1, a] - here)
-                patches[FLOW, b, a] += flow
-                patches[FLOW, b + 1, a] -= flow
+            here = patches[layout.HOT, b, a]
+            if a + 1 < columns and whole[b // layout.PER, (a + 1) // layout.PER] > 0.0:
+                flow = part * (patches[layout.HOT, b, a + 1] - here)
+                patches[layout.FLOW, b, a] += flow
+                patches[layout.FLOW, b, a + 1] -= flow
+            if b + 1 < rows and whole[(b + 1) // layout.PER, a // layout.PER] > 0.0:
+                flow = part * (patches[layout.HOT, b + 1, a] - here)
+                patches[layout.FLOW, b, a] += flow
+                patches[layout.FLOW, b + 1, a] -= flow
     for b in range(rows):
         for a in range(columns):
-            if patches[WATER, b, a] > 0.0:
-                warm(patches, b, a, patches[FLOW, b, a], laws, totals, size * size)
+            if patches[layout.WATER, b, a] > 0.0:
+                warm(patches, b, a, patches[layout.FLOW, b, a], laws, totals, size * size)
             else:
-                patches[HOT, b, a] += patches[FLOW, b, a] / laws.capacity
+                patches[layout.HOT, b, a] += patches[layout.FLOW, b, a] / laws.capacity
 
 
 @inner_kernel
 def place_of(nodes, b, a):
     """Where the middle of a patch is, m, in the picture's plane."""
-    j, i = b // PER, a // PER
-    down, right = (b - PER * j + 0.5) / PER, (a - PER * i + 0.5) / PER
-    upper = (1.0 - right) * nodes[X, j, i] + right * nodes[X, j, i + 1]
-    lower = (1.0 - right) * nodes[X, j + 1, i] + right * nodes[X, j + 1, i + 1]
+    j, i = b // layout.PER, a // layout.PER
+    down, right = (b - layout.PER * j + 0.5) / layout.PER, (a - layout.PER * i + 0.5) / layout.PER
+    upper = (1.0 - right) * nodes[layout.X, j, i] + right * nodes[layout.X, j, i + 1]
+    lower = (1.0 - right) * nodes[layout.X, j + 1, i] + right * nodes[layout.X, j + 1, i + 1]
     x = (1.0 - down) * upper + down * lower
-    upper = (1.0 - right) * nodes[Y, j, i] + right * nodes[Y, j, i + 1]
-    lower = (1.0 - right) * nodes[Y, j + 1, i] + right * nodes[Y, j + 1, i + 1]
+    upper = (1.0 - right) * nodes[layout.Y, j, i] + right * nodes[layout.Y, j, i + 1]
+    lower = (1.0 - right) * nodes[layout.Y, j + 1, i] + right * nodes[layout.Y, j + 1, i + 1]
     return x, (1.0 - down) * upper + down * lower
 
 
@@ -205,11 +207,11 @@ def _light(patches, nodes, at, laws, flame, when, totals):
     x, y = place_of(nodes, b, a)
     dx, dy = (x - flame.x) / flame.radius, (y - flame.y) / flame.radius
     away = dx * dx + dy * dy
-    if away >= 9.0 or patches[HOT, b, a] >= flame.kelvin:
+    if away >= 9.0 or patches[layout.HOT, b, a] >= flame.kelvin:
         return
-    capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
+    capacity = laws.capacity + WATER_HEAT * patches[layout.WATER, b, a]
     share = flame.strength * flame.exchange * elementary.exp(-away) * h / capacity
-    joule = capacity * (flame.kelvin - patches[HOT, b, a]) * share / (1.0 + share)
+    joule = capacity * (flame.kelvin - patches[layout.HOT, b, a]) * share / (1.0 + share)
     totals[MATCH] += joule * area
     warm(patches, b, a, joule, laws, totals, area)
 
@@ -225,7 +227,7 @@ def _give(patches, at, how, air, cell, when, totals):
     joule, vapour, used = _burn(patches, at, how, fresh, when, totals)
     if joule + vapour <= 0.0:
         return
-    if patches[HOT, b, a] >= gas.ignites:
+    if patches[layout.HOT, b, a] >= gas.ignites:
         lit = min(gas.pilot * vapour, max(cells[j, i, 2], 0.0) * gas.volume / (area * gas.needs))
         vapour -= lit
         used += lit
@@ -254,7 +256,7 @@ def meet_and_burn(cloth, air, how, flame, clock, totals):
     when = (h, now, size * size)
     area, gy, gx = size * size, cells.shape[0], cells.shape[1]
     totals[ALIGHT], totals[HOTTEST] = 0.0, laws.ambient
-    reach = 3.0 * flame.radius + 2.0 * PER * size
+    reach = 3.0 * flame.radius + 2.0 * layout.PER * size
     fourth = laws.ambient * laws.ambient * laws.ambient * laws.ambient
     burns = laws.mask & SMOULDERING_BIT
     coldest = min(kinds[0].ignition, kinds[1].ignition) if laws.reaction == IGNITES else laws.ambient
@@ -262,34 +264,34 @@ def meet_and_burn(cloth, air, how, flame, clock, totals):
         for column in range(whole.shape[1]):
             if whole[row, column] <= 0.0:
                 continue
-            x = nodes[X, row, column] + nodes[X, row, column + 1]
-            x = 0.25 * (x + nodes[X, row + 1, column] + nodes[X, row + 1, column + 1])
-            y = nodes[Y, row, column] + nodes[Y, row, column + 1]
-            y = 0.25 * (y + nodes[Y, row + 1, column] + nodes[Y, row + 1, column + 1])
+            x = nodes[layout.X, row, column] + nodes[layout.X, row, column + 1]
+            x = 0.25 * (x + nodes[layout.X, row + 1, column] + nodes[layout.X, row + 1, column + 1])
+            y = nodes[layout.Y, row, column] + nodes[layout.Y, row, column + 1]
+            y = 0.25 * (y + nodes[layout.Y, row + 1, column] + nodes[layout.Y, row + 1, column + 1])
             i = min(max(int((x - gas.lower_x) / gas.cell), 0), gx - 1)
             j = min(max(int((y - gas.lower_y) / gas.cell), 0), gy - 1)
             strong = SIDES * (laws.exchange + laws.stirred * math.sqrt(wind[j, i]))
             near = flame.strength > 0.0 and abs(x - flame.x) < reach and abs(y - flame.y) < reach
-            for b in range(PER * row, PER * row + PER):
-                for a in range(PER * column, PER * column + PER):
-                    difference = cells[j, i, 0] - patches[HOT, b, a]
+            for b in range(layout.PER * row, layout.PER * row + layout.PER):
+                for a in range(layout.PER * column, layout.PER * column + layout.PER):
+                    difference = cells[j, i, 0] - patches[layout.HOT, b, a]
                     if laws.mask & CONVECTION_BIT and abs(difference) > ALIKE:
-                        capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
+                        capacity = laws.capacity + WATER_HEAT * patches[layout.WATER, b, a]
                         part = strong * h
                         joule = difference * part / (1.0 + part * (1.0 / capacity + area / gas.capacity))
                         cells[j, i, 0] -= joule * area / gas.capacity
                         totals[TO_GAS] -= joule * area
-                        if patches[WATER, b, a] > 0.0:
+                        if patches[layout.WATER, b, a] > 0.0:
                             warm(patches, b, a, joule, laws, totals, area)
                         else:
-                            patches[HOT, b, a] += joule / capacity
+                            patches[layout.HOT, b, a] += joule / capacity
                     if near:
                         _light(patches, nodes, (b, a), laws, flame, when, totals)
-                    if burns and patches[HOT, b, a] >= coldest and patches[FUEL, b, a] > 0.0:
+                    if burns and patches[layout.HOT, b, a] >= coldest and patches[layout.FUEL, b, a] > 0.0:
                         _give(patches, (b, a), how, (cells, gas), (j, i), when, totals)
-                    hot = patches[HOT, b, a]
+                    hot = patches[layout.HOT, b, a]
                     if laws.mask & RADIATION_BIT and abs(hot - laws.ambient) > ALIKE:
-                        capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
+                        capacity = laws.capacity + WATER_HEAT * patches[layout.WATER, b, a]
                         rate = SIDES * laws.emissivity * STEFAN_BOLTZMANN / capacity
                         top = max(hot, laws.ambient)
                         if rate * h * top * top * top < SHORT:
@@ -300,8 +302,8 @@ def meet_and_burn(cloth, air, how, flame, clock, totals):
                         else:
                             cold = cooled_inside(hot, laws.ambient, rate, h)
                         totals[RADIATED] += area * capacity * (hot - cold)
-                        patches[HOT, b, a] = cold
-                    totals[HOTTEST] = max(totals[HOTTEST], patches[HOT, b, a])
+                        patches[layout.HOT, b, a] = cold
+                    totals[HOTTEST] = max(totals[HOTTEST], patches[layout.HOT, b, a])
 
 
 @lean_kernel
@@ -310,8 +312,8 @@ def heat_in(patches, laws, size):
     total = 0.0
     for b in range(patches.shape[1]):
         for a in range(patches.shape[2]):
-            capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
-            total += capacity * (patches[HOT, b, a] - laws.ambient)
+            capacity = laws.capacity + WATER_HEAT * patches[layout.WATER, b, a]
+            total += capacity * (patches[layout.HOT, b, a] - laws.ambient)
     return total * size * size
 
 
@@ -322,16 +324,16 @@ def pour_on(patches, whole, nodes, jet, laws):
     total = 0.0
     for b in range(patches.shape[1]):
         for a in range(patches.shape[2]):
-            if whole[b // PER, a // PER] <= 0.0:
+            if whole[b // layout.PER, a // layout.PER] <= 0.0:
                 continue
             x, y = place_of(nodes, b, a)
             dx, dy = (x - x0) / radius, (y - y0) / radius
             if dx * dx + dy * dy >= 1.0:
                 continue
             more = most * (1.0 - dx * dx - dy * dy)
-            capacity = laws.capacity + WATER_HEAT * patches[WATER, b, a]
-            excess = capacity * (patches[HOT, b, a] - laws.ambient)
-            patches[HOT, b, a] = laws.ambient + excess / (capacity + WATER_HEAT * more)
-            patches[WATER, b, a] += more
+            capacity = laws.capacity + WATER_HEAT * patches[layout.WATER, b, a]
+            excess = capacity * (patches[layout.HOT, b, a] - laws.ambient)
+            patches[layout.HOT, b, a] = laws.ambient + excess / (capacity + WATER_HEAT * more)
+            patches[layout.WATER, b, a] += more
             total += more * area
     return total

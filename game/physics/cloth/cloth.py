@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats, Longs
+from game.physics.cloth import layout
 from game.physics.cloth.charring import (
     STEAM_KG,
     TOTALS,
@@ -23,31 +25,12 @@ from game.physics.cloth.effects import ATTACHMENTS, CLOTH, TEARING, WIND
 from game.physics.cloth.fabric import Fabric
 from game.physics.cloth.hanging import Hanging
 from game.physics.cloth.holding import burn_through, find_reach, name_pieces, take_ash, tear_out, tie, weigh
-from game.physics.cloth.layout import (
-    BEGAN,
-    FUEL,
-    HOT,
-    INVERSE,
-    NODE_ROWS,
-    NOT_YET,
-    PATCH_ROWS,
-    PER,
-    SALT,
-    THERE,
-    VX,
-    VZ,
-    X,
-    Y,
-    Z,
-    make_ties,
-)
+from game.physics.cloth.layout import make_ties
 from game.physics.cloth.sheet import Breeze, Motion, blow_on, move_sheet
 from game.physics.heat.effects import CONDUCTION
 from game.physics.heat.nodes import WATER_HEAT
 from game.physics.kernels import elementwise
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 LEAST_MESHES, MOST_MESHES = 4, 400
 STABLE = 0.45  # of the share of a patch's heat that may flow in a substep, over 1/4 being the limit
 LEAST_LEFT = 0.14  # of its mass: a mesh with less holds nothing
@@ -88,18 +71,18 @@ class Cloth:
         self.made_of, self.hanging = made_of or Fabric(), hanging or Hanging()
         self.spacing = self.hanging.width / meshes
         down = max(1, round(self.hanging.height / self.spacing))
-        self.nodes: Floats = np.zeros((NODE_ROWS, down + 1, meshes + 1))
-        self.patches: Floats = np.zeros((PATCH_ROWS, PER * down, PER * meshes))
+        self.nodes: Floats = np.zeros((layout.NODE_ROWS, down + 1, meshes + 1))
+        self.patches: Floats = np.zeros((layout.PATCH_ROWS, layout.PER * down, layout.PER * meshes))
         self.ties = make_ties(down, meshes)
         self.totals: Floats = np.zeros(TOTALS)
         self.ash: Floats = np.zeros(4)
         self.others: Floats = np.zeros(9)
         self.others[1:3], self.others[3:5] = 1.0, NOBODY
-        self.names: Ints = np.zeros((down, meshes), dtype=np.int64)
-        self._stack: Ints = np.zeros((down * meshes, 2), dtype=np.int64)
+        self.names: Longs = np.zeros((down, meshes), dtype=np.int64)
+        self._stack: Longs = np.zeros((down * meshes, 2), dtype=np.int64)
         self._hook: Floats = np.ones(2)
         self.pieces = 1
-        self.size = self.spacing / PER
+        self.size = self.spacing / layout.PER
         self.poured = 0.0
         self._lay()
         self._renew()
@@ -117,11 +100,11 @@ class Cloth:
         deep = (
             2.0 * math.sqrt(slack) * self.hanging.span / (2.0 * math.pi * WAVES)
         )  # so that its way is as long
-        self.nodes[X], self.nodes[Y] = x[None, :], self.hanging.top - down[:, None]
-        self.nodes[Z] = deep * elementwise.sin(turns)[None, :] * np.ones((rows, 1))
-        self.nodes[Z, 0, 0] = self.nodes[Z, 0, -1] = 0.0
-        self.patches[HOT], self.patches[FUEL] = self.made_of.ambient, self.made_of.dry
-        self.patches[BEGAN] = NOT_YET
+        self.nodes[layout.X], self.nodes[layout.Y] = x[None, :], self.hanging.top - down[:, None]
+        self.nodes[layout.Z] = deep * elementwise.sin(turns)[None, :] * np.ones((rows, 1))
+        self.nodes[layout.Z, 0, 0] = self.nodes[layout.Z, 0, -1] = 0.0
+        self.patches[layout.HOT], self.patches[layout.FUEL] = self.made_of.ambient, self.made_of.dry
+        self.patches[layout.BEGAN] = layout.NOT_YET
 
     # -- what holds ---------------------------------------------------------------------------------
 
@@ -152,9 +135,9 @@ class Cloth:
         weigh(self.nodes, self.patches, self.whole, self.spacing * self.spacing, self.made_of.dry)
         for k in range(2):
             if self.hooked[k] > 0.0:
-                self.nodes[INVERSE, 0, (self.nodes.shape[2] - 1) * k] = 0.0
+                self.nodes[layout.INVERSE, 0, (self.nodes.shape[2] - 1) * k] = 0.0
         if self.held is not None:
-            self.nodes[INVERSE, self.held[0], self.held[1]] = 0.0
+            self.nodes[layout.INVERSE, self.held[0], self.held[1]] = 0.0
 
     def hanging_pieces(self) -> set[int]:
         """Names of the pieces that hang on a hook."""
@@ -183,12 +166,12 @@ class Cloth:
         given = np.asarray(share, dtype=np.float64)
         if given.shape != self.patches.shape[1:] or not np.all((given >= 0.0) & (given <= 1.0)):
             raise ValueError(f"share: expected {self.patches.shape[1:]} numbers from 0 to 1")
-        self.patches[SALT] = given
+        self.patches[layout.SALT] = given
 
     def _nearest(self, point: tuple[float, float], reach: float) -> tuple[int, int] | None:
         """Row and column of the node nearest to a place (m) of the picture; None: none is within reach."""
-        right, up = self.nodes[X] - point[0], self.nodes[Y] - point[1]
-        away = np.where(self.nodes[THERE] > 0.0, right * right + up * up, np.inf)
+        right, up = self.nodes[layout.X] - point[0], self.nodes[layout.Y] - point[1]
+        away = np.where(self.nodes[layout.THERE] > 0.0, right * right + up * up, np.inf)
         row, column = divmod(int(np.argmin(away)), away.shape[1])
         return (row, column) if away[row, column] <= reach * reach else None
 
@@ -198,8 +181,8 @@ class Cloth:
         if nearest is None:
             return None
         row, column = nearest
-        right = self.spacing * column + point[0] - float(self.nodes[X, row, column])
-        down = self.spacing * row + float(self.nodes[Y, row, column]) - point[1]
+        right = self.spacing * column + point[0] - float(self.nodes[layout.X, row, column])
+        down = self.spacing * row + float(self.nodes[layout.Y, row, column]) - point[1]
         return right, down
 
     def dab(self, on: tuple[float, float], radius: float, value: float = 1.0) -> None:
@@ -213,7 +196,7 @@ class Cloth:
         down = (np.arange(rows) + 0.5) * self.size - on[1]
         away = np.sqrt((right * right)[None, :] + (down * down)[:, None])
         share = np.clip(0.5 + (radius - away) / (2.0 * self.size), 0.0, 1.0)
-        salt = self.patches[SALT]
+        salt = self.patches[layout.SALT]
         salt[:] = np.maximum(salt, share) if value > 0.5 else np.minimum(salt, 1.0 - share)
 
     def pour(self, point: tuple[float, float], radius: float, most: float) -> float:
@@ -236,12 +219,12 @@ class Cloth:
         """Take hold of the node nearest to a place (m), if there is one within reach that no hook holds."""
         self.release()
         nearest = self._nearest(point, reach)
-        if nearest is None or self.nodes[INVERSE][nearest] <= 0.0:
+        if nearest is None or self.nodes[layout.INVERSE][nearest] <= 0.0:
             return False
         row, column = nearest
         self.others[3:5] = nearest
-        self.others[5:8] = self.nodes[X : Z + 1, row, column]
-        self.nodes[INVERSE, row, column] = 0.0
+        self.others[5:8] = self.nodes[layout.X : layout.Z + 1, row, column]
+        self.nodes[layout.INVERSE, row, column] = 0.0
         return True
 
     def drag(self, point: tuple[float, float]) -> None:
@@ -311,7 +294,7 @@ class Cloth:
             take_ash(self.patches, self.whole, numbers, self.ash)
             self._renew()
             held = self.held
-            if held is not None and self.nodes[THERE, held[0], held[1]] <= 0.0:
+            if held is not None and self.nodes[layout.THERE, held[0], held[1]] <= 0.0:
                 self.release()
         return lost > 0
 
@@ -322,7 +305,7 @@ class Cloth:
         for _ in range(max(1, round(60.0 * seconds))):
             self.move(1.0 / 60.0)
         self.hanging = chosen
-        self.nodes[VX : VZ + 1] = 0.0
+        self.nodes[layout.VX : layout.VZ + 1] = 0.0
 
     # -- what there is ------------------------------------------------------------------------------
 
@@ -332,11 +315,11 @@ class Cloth:
 
     def mass(self) -> float:
         """kg of fuel and char that is there."""
-        return float(np.sum(self.patches[FUEL : FUEL + 2])) * self.size * self.size
+        return float(np.sum(self.patches[layout.FUEL : layout.FUEL + 2])) * self.size * self.size
 
     def water(self) -> float:
         """kg of water in it."""
-        return float(np.sum(self.patches[FUEL + 2])) * self.size * self.size
+        return float(np.sum(self.patches[layout.FUEL + 2])) * self.size * self.size
 
     def steam(self) -> float:
         """kg of water that went as steam."""
@@ -346,7 +329,7 @@ class Cloth:
         """m/s at which the front goes along what is written, the median over patches that it came to in the
         last seconds ``since``: one over the gradient of the times at which it came. nan: it came to too few.
         """
-        began, salt = self.patches[BEGAN], self.patches[SALT]
+        began, salt = self.patches[layout.BEGAN], self.patches[layout.SALT]
         new = (began > self.time - since) & (salt > 0.9)
         new[[0, -1], :], new[:, [0, -1]] = False, False
         rows, columns = np.nonzero(new)

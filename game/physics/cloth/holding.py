@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.cloth.layout import CHAR, FUEL, HOT, INVERSE, PER, THERE, WATER, X, Y, Z
+from game.physics.cloth import layout
 
 MOST_ROUNDS = 12  # of sweeps for the ways to the hooks
 SHORTER = 0.96  # of a way over threads and diagonals, which is up to 8 % longer than a straight one
@@ -16,10 +16,10 @@ LIGHTEST = 0.12  # of its first mass: no node is lighter, however much has burnt
 def solid_share(patches, j, i, dry):
     """How much of a mesh's first mass (``dry`` kg/m²) is left, water apart."""
     total = 0.0
-    for b in range(PER * j, PER * j + PER):
-        for a in range(PER * i, PER * i + PER):
-            total += patches[FUEL, b, a] + patches[CHAR, b, a]
-    return total / (PER * PER * dry)
+    for b in range(layout.PER * j, layout.PER * j + layout.PER):
+        for a in range(layout.PER * i, layout.PER * i + layout.PER):
+            total += patches[layout.FUEL, b, a] + patches[layout.CHAR, b, a]
+    return total / (layout.PER * layout.PER * dry)
 
 
 @lean_kernel
@@ -54,8 +54,11 @@ def tear_out(nodes, ties, patches, limits):
                     continue
                 if (ties.across[j, i] if way == 0 else ties.along[j, i]) <= 0.0:
                     continue
-                dx, dy = nodes[X, jb, ib] - nodes[X, j, i], nodes[Y, jb, ib] - nodes[Y, j, i]
-                dz = nodes[Z, jb, ib] - nodes[Z, j, i]
+                dx, dy = (
+                    nodes[layout.X, jb, ib] - nodes[layout.X, j, i],
+                    nodes[layout.Y, jb, ib] - nodes[layout.Y, j, i],
+                )
+                dz = nodes[layout.Z, jb, ib] - nodes[layout.Z, j, i]
                 strain = math.sqrt(dx * dx + dy * dy + dz * dz) / spacing - 1.0
                 if strain <= 0.1 * most:
                     continue
@@ -94,15 +97,19 @@ def take_ash(patches, whole, numbers, ash):
             if whole[j, i] >= 0.0:
                 continue
             whole[j, i] = 0.0
-            for b in range(PER * j, PER * j + PER):
-                for a in range(PER * i, PER * i + PER):
-                    per = capacity + water_heat * patches[WATER, b, a]
-                    ash[0] += area * per * (patches[HOT, b, a] - ambient)
-                    ash[1] += area * patches[FUEL, b, a]
-                    ash[2] += area * patches[CHAR, b, a]
-                    ash[3] += area * patches[WATER, b, a]
-                    patches[HOT, b, a] = ambient
-                    patches[FUEL, b, a], patches[CHAR, b, a], patches[WATER, b, a] = 0.0, 0.0, 0.0
+            for b in range(layout.PER * j, layout.PER * j + layout.PER):
+                for a in range(layout.PER * i, layout.PER * i + layout.PER):
+                    per = capacity + water_heat * patches[layout.WATER, b, a]
+                    ash[0] += area * per * (patches[layout.HOT, b, a] - ambient)
+                    ash[1] += area * patches[layout.FUEL, b, a]
+                    ash[2] += area * patches[layout.CHAR, b, a]
+                    ash[3] += area * patches[layout.WATER, b, a]
+                    patches[layout.HOT, b, a] = ambient
+                    patches[layout.FUEL, b, a], patches[layout.CHAR, b, a], patches[layout.WATER, b, a] = (
+                        0.0,
+                        0.0,
+                        0.0,
+                    )
 
 
 @lean_kernel
@@ -117,7 +124,7 @@ def tie(nodes, ties, hooked):
             for b in range(max(j - 1, 0), min(j + 1, ny)):
                 for a in range(max(i - 1, 0), min(i + 1, nx)):
                     here = max(here, ties.whole[b, a])
-            nodes[THERE, j, i] = here
+            nodes[layout.THERE, j, i] = here
             if i < nx:
                 above = ties.whole[j - 1, i] if j > 0 else 0.0
                 ties.across[j, i] = max(above, ties.whole[j, i] if j < ny else 0.0)
@@ -125,7 +132,7 @@ def tie(nodes, ties, hooked):
                 beside = ties.whole[j, i - 1] if i > 0 else 0.0
                 ties.along[j, i] = max(beside, ties.whole[j, i] if i < nx else 0.0)
     for k in range(2):
-        if nodes[THERE, 0, nx * k] <= 0.0:
+        if nodes[layout.THERE, 0, nx * k] <= 0.0:
             hooked[k] = 0.0
 
 
@@ -142,11 +149,15 @@ def weigh(nodes, patches, whole, mesh, dry):
             for b in range(max(j - 1, 0), min(j + 1, ny)):
                 for a in range(max(i - 1, 0), min(i + 1, nx)):
                     if whole[b, a] > 0.0:
-                        for d in range(PER * b, PER * b + PER):
-                            for c in range(PER * a, PER * a + PER):
-                                mass += patches[FUEL, d, c] + patches[CHAR, d, c] + patches[WATER, d, c]
-            mass *= 0.25 * mesh / (PER * PER)
-            nodes[INVERSE, j, i] = 1.0 / max(mass, least) if nodes[THERE, j, i] > 0.0 else 0.0
+                        for d in range(layout.PER * b, layout.PER * b + layout.PER):
+                            for c in range(layout.PER * a, layout.PER * a + layout.PER):
+                                mass += (
+                                    patches[layout.FUEL, d, c]
+                                    + patches[layout.CHAR, d, c]
+                                    + patches[layout.WATER, d, c]
+                                )
+            mass *= 0.25 * mesh / (layout.PER * layout.PER)
+            nodes[layout.INVERSE, j, i] = 1.0 / max(mass, least) if nodes[layout.THERE, j, i] > 0.0 else 0.0
 
 
 @inner_kernel
@@ -163,7 +174,7 @@ def find_reach(nodes, ties, hooked, spacing):
     orders until nothing changes; at least as far as it is straight.
     """
     rows, columns = nodes.shape[1], nodes.shape[2]
-    there, slant = nodes[THERE], spacing * math.sqrt(2.0)
+    there, slant = nodes[layout.THERE], spacing * math.sqrt(2.0)
     for k in range(2):
         reach = ties.reach[k]
         for j in range(rows):

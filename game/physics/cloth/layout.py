@@ -10,9 +10,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from game.arrays import Floats
+
 # rows of nodes: place m, velocity m/s, where a substep began m, inverse mass 1/kg, whether it is there
 X, Y, Z, VX, VY, VZ, WAS_X, WAS_Y, WAS_Z, INVERSE, THERE = range(11)
 NODE_ROWS = 11

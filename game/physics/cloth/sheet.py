@@ -16,6 +16,7 @@ import math
 from typing import NamedTuple
 
 from game.compiler.decorator import inner_kernel, lean_kernel
+from game.physics.cloth import layout
 from game.physics.cloth.effects import (
     ATTACHMENTS_BIT,
     FOLDS_BIT,
@@ -24,7 +25,6 @@ from game.physics.cloth.effects import (
     LINKS_BIT,
     SHEAR_BIT,
 )
-from game.physics.cloth.layout import INVERSE, THERE, VX, VY, VZ, WAS_X, WAS_Y, WAS_Z, X, Y, Z
 from game.physics.kernels import elementary
 
 TINY = 1e-12  # m
@@ -66,9 +66,17 @@ def _pull_row(nodes, above, below, shift, hold, goal):
     rest, soft = goal
     count = hold.shape[0]
     first, second = max(-shift, 0), max(shift, 0)
-    xa, ya, za = nodes[X, above, first:], nodes[Y, above, first:], nodes[Z, above, first:]
-    xb, yb, zb = nodes[X, below, second:], nodes[Y, below, second:], nodes[Z, below, second:]
-    wa, wb = nodes[INVERSE, above, first:], nodes[INVERSE, below, second:]
+    xa, ya, za = (
+        nodes[layout.X, above, first:],
+        nodes[layout.Y, above, first:],
+        nodes[layout.Z, above, first:],
+    )
+    xb, yb, zb = (
+        nodes[layout.X, below, second:],
+        nodes[layout.Y, below, second:],
+        nodes[layout.Z, below, second:],
+    )
+    wa, wb = nodes[layout.INVERSE, above, first:], nodes[layout.INVERSE, below, second:]
     for i in range(count):
         dx, dy, dz = xb[i] - xa[i], yb[i] - ya[i], zb[i] - za[i]
         length = math.sqrt(dx * dx + dy * dy + dz * dz) + TINY
@@ -85,19 +93,22 @@ def _pull_row(nodes, above, below, shift, hold, goal):
 def _pull(nodes, ja, ia, jb, ib, goal, pushes):
     """One link; with ``pushes`` it only resists being shorter."""
     rest, soft = goal
-    wa, wb = nodes[INVERSE, ja, ia], nodes[INVERSE, jb, ib]
-    dx, dy = nodes[X, jb, ib] - nodes[X, ja, ia], nodes[Y, jb, ib] - nodes[Y, ja, ia]
-    dz = nodes[Z, jb, ib] - nodes[Z, ja, ia]
+    wa, wb = nodes[layout.INVERSE, ja, ia], nodes[layout.INVERSE, jb, ib]
+    dx, dy = (
+        nodes[layout.X, jb, ib] - nodes[layout.X, ja, ia],
+        nodes[layout.Y, jb, ib] - nodes[layout.Y, ja, ia],
+    )
+    dz = nodes[layout.Z, jb, ib] - nodes[layout.Z, ja, ia]
     length = math.sqrt(dx * dx + dy * dy + dz * dz) + TINY
     pull = (1.0 - rest / length) / (wa + wb + soft + TINY)
     if pushes and pull > 0.0:
         return
-    nodes[X, ja, ia] += wa * pull * dx
-    nodes[Y, ja, ia] += wa * pull * dy
-    nodes[Z, ja, ia] += wa * pull * dz
-    nodes[X, jb, ib] -= wb * pull * dx
-    nodes[Y, jb, ib] -= wb * pull * dy
-    nodes[Z, jb, ib] -= wb * pull * dz
+    nodes[layout.X, ja, ia] += wa * pull * dx
+    nodes[layout.Y, ja, ia] += wa * pull * dy
+    nodes[layout.Z, ja, ia] += wa * pull * dz
+    nodes[layout.X, jb, ib] -= wb * pull * dx
+    nodes[layout.Y, jb, ib] -= wb * pull * dy
+    nodes[layout.Z, jb, ib] -= wb * pull * dz
 
 
 @inner_kernel
@@ -137,16 +148,20 @@ def _hold_back(nodes, reach):
     last = nodes.shape[2] - 1
     for k in range(2):
         column = last * k
-        hx, hy, hz = nodes[X, 0, column], nodes[Y, 0, column], nodes[Z, 0, column]
+        hx, hy, hz = nodes[layout.X, 0, column], nodes[layout.Y, 0, column], nodes[layout.Z, 0, column]
         for j in range(nodes.shape[1]):
             for i in range(nodes.shape[2]):
-                dx, dy, dz = nodes[X, j, i] - hx, nodes[Y, j, i] - hy, nodes[Z, j, i] - hz
+                dx, dy, dz = (
+                    nodes[layout.X, j, i] - hx,
+                    nodes[layout.Y, j, i] - hy,
+                    nodes[layout.Z, j, i] - hz,
+                )
                 square, most = dx * dx + dy * dy + dz * dz, reach[k, j, i]
-                if square > most * most and nodes[INVERSE, j, i] > 0.0:
+                if square > most * most and nodes[layout.INVERSE, j, i] > 0.0:
                     part = most / math.sqrt(square)
-                    nodes[X, j, i] = hx + part * dx
-                    nodes[Y, j, i] = hy + part * dy
-                    nodes[Z, j, i] = hz + part * dz
+                    nodes[layout.X, j, i] = hx + part * dx
+                    nodes[layout.Y, j, i] = hy + part * dy
+                    nodes[layout.Z, j, i] = hz + part * dz
 
 
 @lean_kernel
@@ -161,29 +176,35 @@ def move_sheet(nodes, ties, motion, held, target):
         for j in range(nodes.shape[1]):
             for i in range(nodes.shape[2]):
                 for axis in range(3):
-                    nodes[WAS_X + axis, j, i] = nodes[X + axis, j, i]
-                if nodes[INVERSE, j, i] > 0.0:
-                    nodes[VY, j, i] -= h * fall
-                    nodes[X, j, i] += h * keep * nodes[VX, j, i]
-                    nodes[Y, j, i] += h * keep * nodes[VY, j, i]
-                    nodes[Z, j, i] += h * keep * nodes[VZ, j, i]
+                    nodes[layout.WAS_X + axis, j, i] = nodes[layout.X + axis, j, i]
+                if nodes[layout.INVERSE, j, i] > 0.0:
+                    nodes[layout.VY, j, i] -= h * fall
+                    nodes[layout.X, j, i] += h * keep * nodes[layout.VX, j, i]
+                    nodes[layout.Y, j, i] += h * keep * nodes[layout.VY, j, i]
+                    nodes[layout.Z, j, i] += h * keep * nodes[layout.VZ, j, i]
         if held[0] >= 0:
             for axis in range(3):
-                here = nodes[X + axis, held[0], held[1]]
-                nodes[X + axis, held[0], held[1]] = here + (target[axis] - here) / (motion.substeps - turn)
+                here = nodes[layout.X + axis, held[0], held[1]]
+                nodes[layout.X + axis, held[0], held[1]] = here + (target[axis] - here) / (
+                    motion.substeps - turn
+                )
         _sweep(nodes, ties, motion)
         if motion.mask & ATTACHMENTS_BIT:
             _hold_back(nodes, ties.reach)
         for j in range(nodes.shape[1]):
             for i in range(nodes.shape[2]):
-                low = motion.mask & GROUND_BIT and nodes[Y, j, i] < motion.floor
-                if low and nodes[INVERSE, j, i] > 0.0:
-                    nodes[Y, j, i] = motion.floor
-                    nodes[X, j, i] -= (1.0 - GRIP) * (nodes[X, j, i] - nodes[WAS_X, j, i])
-                    nodes[Z, j, i] -= (1.0 - GRIP) * (nodes[Z, j, i] - nodes[WAS_Z, j, i])
-                nodes[VX, j, i] = (nodes[X, j, i] - nodes[WAS_X, j, i]) / h
-                nodes[VY, j, i] = (nodes[Y, j, i] - nodes[WAS_Y, j, i]) / h
-                nodes[VZ, j, i] = (nodes[Z, j, i] - nodes[WAS_Z, j, i]) / h
+                low = motion.mask & GROUND_BIT and nodes[layout.Y, j, i] < motion.floor
+                if low and nodes[layout.INVERSE, j, i] > 0.0:
+                    nodes[layout.Y, j, i] = motion.floor
+                    nodes[layout.X, j, i] -= (1.0 - GRIP) * (
+                        nodes[layout.X, j, i] - nodes[layout.WAS_X, j, i]
+                    )
+                    nodes[layout.Z, j, i] -= (1.0 - GRIP) * (
+                        nodes[layout.Z, j, i] - nodes[layout.WAS_Z, j, i]
+                    )
+                nodes[layout.VX, j, i] = (nodes[layout.X, j, i] - nodes[layout.WAS_X, j, i]) / h
+                nodes[layout.VY, j, i] = (nodes[layout.Y, j, i] - nodes[layout.WAS_Y, j, i]) / h
+                nodes[layout.VZ, j, i] = (nodes[layout.Z, j, i] - nodes[layout.WAS_Z, j, i]) / h
 
 
 @inner_kernel
@@ -191,14 +212,20 @@ def normal_at(nodes, j, i):
     """Unit normal of the cloth at a node, from the neighbours that are there; (0, 0, 1) where it has none."""
     rows, columns = nodes.shape[1], nodes.shape[2]
     left, right, up, down = max(i - 1, 0), min(i + 1, columns - 1), max(j - 1, 0), min(j + 1, rows - 1)
-    left = left if nodes[THERE, j, left] > 0.0 else i
-    right = right if nodes[THERE, j, right] > 0.0 else i
-    up = up if nodes[THERE, up, i] > 0.0 else j
-    down = down if nodes[THERE, down, i] > 0.0 else j
-    ax, ay = nodes[X, j, right] - nodes[X, j, left], nodes[Y, j, right] - nodes[Y, j, left]
-    az = nodes[Z, j, right] - nodes[Z, j, left]
-    bx, by = nodes[X, up, i] - nodes[X, down, i], nodes[Y, up, i] - nodes[Y, down, i]
-    bz = nodes[Z, up, i] - nodes[Z, down, i]
+    left = left if nodes[layout.THERE, j, left] > 0.0 else i
+    right = right if nodes[layout.THERE, j, right] > 0.0 else i
+    up = up if nodes[layout.THERE, up, i] > 0.0 else j
+    down = down if nodes[layout.THERE, down, i] > 0.0 else j
+    ax, ay = (
+        nodes[layout.X, j, right] - nodes[layout.X, j, left],
+        nodes[layout.Y, j, right] - nodes[layout.Y, j, left],
+    )
+    az = nodes[layout.Z, j, right] - nodes[layout.Z, j, left]
+    bx, by = (
+        nodes[layout.X, up, i] - nodes[layout.X, down, i],
+        nodes[layout.Y, up, i] - nodes[layout.Y, down, i],
+    )
+    bz = nodes[layout.Z, up, i] - nodes[layout.Z, down, i]
     x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
     length = math.sqrt(x * x + y * y + z * z)
     if length < TINY:
@@ -216,15 +243,17 @@ def blow_on(nodes, u, v, breeze, area, dt):
     gy, gx = u.shape[0], v.shape[1]
     for j in range(nodes.shape[1]):
         for i in range(nodes.shape[2]):
-            light = nodes[INVERSE, j, i]
+            light = nodes[layout.INVERSE, j, i]
             if light <= 0.0:
                 continue
-            column = min(max(int((nodes[X, j, i] - breeze.lower_x) / breeze.cell), 0), gx - 1)
-            row = min(max(int((nodes[Y, j, i] - breeze.lower_y) / breeze.cell), 0), gy - 1)
-            wave = elementary.sin(breeze.wave * (nodes[X, j, i] + 0.6 * nodes[Y, j, i]) - breeze.phase)
-            ax = 0.5 * (u[row, column] + u[row, column + 1]) - nodes[VX, j, i]
-            ay = 0.5 * (v[row, column] + v[row + 1, column]) - nodes[VY, j, i]
-            az = breeze.deep + breeze.swell * wave - nodes[VZ, j, i]
+            column = min(max(int((nodes[layout.X, j, i] - breeze.lower_x) / breeze.cell), 0), gx - 1)
+            row = min(max(int((nodes[layout.Y, j, i] - breeze.lower_y) / breeze.cell), 0), gy - 1)
+            wave = elementary.sin(
+                breeze.wave * (nodes[layout.X, j, i] + 0.6 * nodes[layout.Y, j, i]) - breeze.phase
+            )
+            ax = 0.5 * (u[row, column] + u[row, column + 1]) - nodes[layout.VX, j, i]
+            ay = 0.5 * (v[row, column] + v[row + 1, column]) - nodes[layout.VY, j, i]
+            az = breeze.deep + breeze.swell * wave - nodes[layout.VZ, j, i]
             nx, ny, nz = normal_at(nodes, j, i)
             through = ax * nx + ay * ny + az * nz
             tx, ty, tz = ax - through * nx, ay - through * ny, az - through * nz
@@ -232,6 +261,6 @@ def blow_on(nodes, u, v, breeze, area, dt):
             strong = breeze.press * area * light * abs(through) * dt
             weak = breeze.brush * area * light * slip * dt
             normal, along = strong / (1.0 + strong) * through, weak / (1.0 + weak)
-            nodes[VX, j, i] += normal * nx + along * tx
-            nodes[VY, j, i] += normal * ny + along * ty
-            nodes[VZ, j, i] += normal * nz + along * tz
+            nodes[layout.VX, j, i] += normal * nx + along * tx
+            nodes[layout.VY, j, i] += normal * ny + along * ty
+            nodes[layout.VZ, j, i] += normal * nz + along * tz

@@ -8,30 +8,21 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.physics.combustion.burning import (
-    ALIGHT,
-    BURNT,
-    FIERCEST,
-    FUEL,
-    OXYGEN,
-    RADIATED,
-    RELEASED,
-    SOOT,
-    SOOT_GONE,
-    SOOT_MADE,
-    SUMS,
-    TEMPERATURE,
-    USED,
-    FlameLaws,
-    burn_cells,
-)
+from game.arrays import Floats
+from game.physics.combustion import burning
+from game.physics.combustion.burning import FlameLaws, burn_cells
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 
-Floats = NDArray[np.float64]
-BOOKS = (BURNT, USED, RELEASED, RADIATED, SOOT_MADE, SOOT_GONE)
+BOOKS = (
+    burning.BURNT,
+    burning.USED,
+    burning.RELEASED,
+    burning.RADIATED,
+    burning.SOOT_MADE,
+    burning.SOOT_GONE,
+)
 LEAST_TEMPERATURE = 1e-6  # K
 
 
@@ -100,18 +91,18 @@ class Flames:
         if not 0.0 < cell < math.inf:
             raise ValueError(f"cell = {cell!r}: expected a finite number above 0")
         self.cell, self.made_of = float(cell), made_of or GasFuel()
-        self.sums, self.books = np.zeros(SUMS), np.zeros(len(BOOKS))
+        self.sums, self.books = np.zeros(burning.SUMS), np.zeros(len(BOOKS))
         self.power = 0.0
 
     @property
     def alight(self) -> int:
         """Cells that burnt in the last step."""
-        return int(self.sums[ALIGHT])
+        return int(self.sums[burning.ALIGHT])
 
     @property
     def fiercest(self) -> float:
         """W/m³ in the cell that burnt most in the last step."""
-        return float(self.sums[FIERCEST])
+        return float(self.sums[burning.FIERCEST])
 
     def step(self, cells: Floats, dt: float, source: Floats) -> None:
         """Burn for dt (s); source (ny, nx) 1/s: what expands is added. ValueError for a bad dt or shape."""
@@ -121,7 +112,7 @@ class Flames:
             raise ValueError(f"cells {cells.shape}, source {source.shape}: they do not belong together")
         burn_cells(cells, self.columns, self.made_of.laws(), float(dt), source, self.sums)
         self.books += self.sums[list(BOOKS)] * (self.cell * self.cell)
-        self.power = float(self.sums[RELEASED]) * (self.cell * self.cell) / dt
+        self.power = float(self.sums[burning.RELEASED]) * (self.cell * self.cell) / dt
 
     def books_now(self) -> Books:
         """As numbers."""
@@ -131,12 +122,12 @@ class Flames:
         """J above the ambient, kg of fuel, of oxygen, of soot in all cells, a metre deep."""
         volume, rows = self.cell * self.cell, self.columns.tolist()
         sums = [float(np.sum(cells[..., k])) * volume for k in rows]
-        warmth = sums[TEMPERATURE] - self.made_of.ambient * volume * cells.shape[0] * cells.shape[1]
-        return self.made_of.capacity * warmth, sums[FUEL], sums[OXYGEN], sums[SOOT]
+        warmth = sums[burning.TEMPERATURE] - self.made_of.ambient * volume * cells.shape[0] * cells.shape[1]
+        return self.made_of.capacity * warmth, sums[burning.FUEL], sums[burning.OXYGEN], sums[burning.SOOT]
 
     def pressure_ratio(self, cells: Floats) -> float:
         """Of a room that was shut at the ambient temperature: the mean temperature over it (ideal gas)."""
-        return float(np.mean(cells[..., int(self.columns[TEMPERATURE])])) / self.made_of.ambient
+        return float(np.mean(cells[..., int(self.columns[burning.TEMPERATURE])])) / self.made_of.ambient
 
 
 def checked_cells(cells: Floats, columns: Sequence[int]) -> None:

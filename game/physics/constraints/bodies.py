@@ -11,12 +11,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Longs
 from game.compiler.decorator import lean_kernel
 from game.physics.constraints.links import TINY
-
-Ints = NDArray[np.int64]
 
 
 @lean_kernel
@@ -40,7 +38,7 @@ def join_bodies(parents, pairs, corners, starts):
         parents[i] = root_of(parents, i)
 
 
-def bodies_of(count: int, pairs: Ints, corners: Ints, outline_starts: Ints) -> tuple[Ints, Ints]:
+def bodies_of(count: int, pairs: Longs, corners: Longs, outline_starts: Longs) -> tuple[Longs, Longs]:
     """(members (n,), starts (b + 1,)) of the bodies that links (m, 2) and outlines make of n particles."""
     parents = np.arange(count, dtype=np.int64)
     join_bodies(parents, pairs, corners, outline_starts)

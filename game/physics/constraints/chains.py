@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiler.decorator import lean_kernel
-from game.physics.constraints.links import MULTIPLIER, REST, SOFTNESS, TINY, XPBD
+from game.physics.constraints import links as li
 
 DIAGONAL, OFF, RIGHT, NORMAL_X, NORMAL_Y = range(5)
 WORK_ROWS = 5
@@ -41,12 +41,12 @@ def solve_chain(model, x, y, inverse_mass, nodes, chain_links, net):
         dx = x[b] - x[a]
         dy = y[b] - y[a]
         length = math.sqrt(dx * dx + dy * dy)
-        whole = length > TINY and not torn[order[e]]
+        whole = length > li.TINY and not torn[order[e]]
         work[NORMAL_X, i] = dx / length if whole else 0.0
         work[NORMAL_Y, i] = dy / length if whole else 0.0
-        soft = rows[SOFTNESS, e] if model == XPBD else 0.0
+        soft = rows[li.SOFTNESS, e] if model == li.XPBD else 0.0
         work[DIAGONAL, i] = inverse_mass[a] + inverse_mass[b] + soft if whole else 1.0
-        work[RIGHT, i] = length - rows[REST, e] - soft * rows[MULTIPLIER, e] if whole else 0.0
+        work[RIGHT, i] = length - rows[li.REST, e] - soft * rows[li.MULTIPLIER, e] if whole else 0.0
         work[OFF, i] = 0.0
         if i > 0:
             cosine = work[NORMAL_X, i - 1] * work[NORMAL_X, i] + work[NORMAL_Y, i - 1] * work[NORMAL_Y, i]
@@ -75,7 +75,7 @@ def solve_chain(model, x, y, inverse_mass, nodes, chain_links, net):
         y[a] += inverse_mass[a] * pull_y
         x[b] -= inverse_mass[b] * pull_x
         y[b] -= inverse_mass[b] * pull_y
-        rows[MULTIPLIER, chain_links[i]] += work[RIGHT, i]
+        rows[li.MULTIPLIER, chain_links[i]] += work[RIGHT, i]
 
 
 @lean_kernel

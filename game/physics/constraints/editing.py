@@ -10,28 +10,25 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
+from game.physics.constraints import motion
 from game.physics.constraints.graph import Links
-from game.physics.constraints.motion import AIM_X, FIELD_ROWS, FRESH, INVERSE_MASS, VX, VY, X, Y
 from game.physics.constraints.system import PositionBasedDynamics
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 class Topology(NamedTuple):
     """What is linked to what, in the order given, as plain arrays."""
 
-    pairs: Ints  # (m, 2)
+    pairs: Longs  # (m, 2)
     rest: Floats  # (m,) m
     stiffness: Floats  # (m,)
     compliance: Floats  # (m,) m/N
-    torn: Ints  # (m,)
-    corners: Ints  # of all outlines
-    starts: Ints  # (k + 1,)
+    torn: Longs  # (m,)
+    corners: Longs  # of all outlines
+    starts: Longs  # (k + 1,)
     areas: Floats  # (5, k)
-    contacts: Ints  # (c, 2)
+    contacts: Longs  # (c, 2)
     distances: Floats  # (c,) m
 
 
@@ -52,7 +49,7 @@ def topology_of(system: PositionBasedDynamics) -> Topology:
     )
 
 
-def outlines_of(topology: Topology) -> list[Ints]:
+def outlines_of(topology: Topology) -> list[Longs]:
     """The corners (k,) of each outline."""
     return [topology.corners[a:b] for a, b in pairwise(topology.starts.tolist())]
 
@@ -64,8 +61,8 @@ def assemble(system: PositionBasedDynamics, fields: Floats, topology: Topology) 
     }
     outlines = [outline.tolist() for outline in outlines_of(topology)]
     made = PositionBasedDynamics(
-        fields[X : Y + 1].T,
-        fields[INVERSE_MASS],
+        fields[motion.X : motion.Y + 1].T,
+        fields[motion.INVERSE_MASS],
         topology.pairs,
         topology.stiffness,
         rest_lengths=topology.rest,
@@ -76,8 +73,8 @@ def assemble(system: PositionBasedDynamics, fields: Floats, topology: Topology) 
         order=system.order,
         **settings,
     )
-    made.fields[:AIM_X, : made.count] = fields[:AIM_X]
-    made.fields[FRESH] = 1.0
+    made.fields[: motion.AIM_X, : made.count] = fields[: motion.AIM_X]
+    made.fields[motion.FRESH] = 1.0
     made.outlines.rows[:] = topology.areas
     made.torn[:] = topology.torn
     return made
@@ -92,9 +89,9 @@ def with_particle(
     system: PositionBasedDynamics, position: tuple[float, float], inverse_mass: float
 ) -> PositionBasedDynamics:
     """One more particle, at rest, with the last number."""
-    new = np.zeros((FIELD_ROWS, 1))
-    new[X, 0], new[Y, 0] = position
-    new[INVERSE_MASS] = inverse_mass
+    new = np.zeros((motion.FIELD_ROWS, 1))
+    new[motion.X, 0], new[motion.Y, 0] = position
+    new[motion.INVERSE_MASS] = inverse_mass
     return assemble(system, np.hstack([particles_of(system), new]), topology_of(system))
 
 
@@ -126,7 +123,7 @@ def without_particle(system: PositionBasedDynamics, index: int) -> PositionBased
     )
 
 
-def _renumbered(numbers: Ints, gone: int) -> Ints:
+def _renumbered(numbers: Longs, gone: int) -> Longs:
     return numbers - (numbers > gone)
 
 
@@ -154,8 +151,8 @@ def with_link(
 
 def nearest_particle(system: PositionBasedDynamics, point: tuple[float, float], reach: float) -> int:
     """The particle nearest to a point (m) within reach (m); -1 if there is none."""
-    dx = system.fields[X, : system.count] - point[0]
-    dy = system.fields[Y, : system.count] - point[1]
+    dx = system.fields[motion.X, : system.count] - point[0]
+    dy = system.fields[motion.Y, : system.count] - point[1]
     squares = dx * dx + dy * dy
     best = int(np.argmin(squares))
     return best if squares[best] <= reach * reach else -1
@@ -165,7 +162,7 @@ def links_across(
     system: PositionBasedDynamics, start: tuple[float, float], end: tuple[float, float]
 ) -> list[int]:
     """Whole links that a straight cut from start to end (m) crosses."""
-    x, y = system.fields[X], system.fields[Y]
+    x, y = system.fields[motion.X], system.fields[motion.Y]
     a, b = system.links.pairs[:, 0], system.links.pairs[:, 1]
 
     def side(px: float, py: float, qx: Floats, qy: Floats, rx: Floats, ry: Floats) -> Floats:
@@ -184,5 +181,5 @@ def links_across(
 
 def speeds_of(system: PositionBasedDynamics) -> Floats:
     """(n,) m/s."""
-    vx, vy = system.fields[VX, : system.count], system.fields[VY, : system.count]
+    vx, vy = system.fields[motion.VX, : system.count], system.fields[motion.VY, : system.count]
     return np.sqrt(vx * vx + vy * vy)

@@ -6,25 +6,25 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from game.physics.constraints.areas import AREA, AREA_ROWS, COMPLIANCE, INTACT, STIFFNESS, outline_area
+from game.arrays import Floats, Longs
+from game.physics.constraints import areas
+from game.physics.constraints.areas import outline_area
 from game.physics.constraints.settings import LARGEST
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 MAX_PARTICLES = 1_000_000
 
 
 class Arms(NamedTuple):
     """The links at each particle: those of particle i are first[i] to first[i + 1]."""
 
-    first: Ints  # (n + 1,)
-    links: Ints  # (2 m,) in the order of solving
-    others: Ints  # (2 m,) the particle at the other end
+    first: Longs  # (n + 1,)
+    links: Longs  # (2 m,) in the order of solving
+    others: Longs  # (2 m,) the particle at the other end
 
 
-def arms_of(links: Ints, count: int) -> Arms:
+def arms_of(links: Longs, count: int) -> Arms:
     """`Arms` of links (m, 2) between ``count`` particles."""
     ends = np.concatenate([links[:, 0], links[:, 1]])
     others = np.concatenate([links[:, 1], links[:, 0]])
@@ -42,7 +42,7 @@ class Links:
     pairs: (m, 2) particles. rest: (m,) m. stiffness: (m,) 0 to 1. compliance: (m,) m/N.
     """
 
-    pairs: Ints
+    pairs: Longs
     rest: Floats
     stiffness: Floats
     compliance: Floats
@@ -87,8 +87,8 @@ class Links:
 class Outlines:
     """Closed outlines that keep their area. corners: indices; starts: (k + 1,); rows: (AREA_ROWS, k)."""
 
-    corners: Ints
-    starts: Ints
+    corners: Longs
+    starts: Longs
     rows: Floats
 
     @classmethod
@@ -114,16 +114,16 @@ class Outlines:
         starts = np.zeros(k + 1, dtype=np.int64)
         np.cumsum([len(outline) for outline in outlines], out=starts[1:])
         corners = np.array([i for outline in outlines for i in outline], dtype=np.int64)
-        rows = np.zeros((AREA_ROWS, k))
-        rows[INTACT] = 1.0
-        rows[STIFFNESS] = checked("area stiffness", stiffness, k, 0.0, 1.0)
-        rows[COMPLIANCE] = checked("area compliance", compliance, k, 0.0, 1e15)
+        rows = np.zeros((areas.AREA_ROWS, k))
+        rows[areas.INTACT] = 1.0
+        rows[areas.STIFFNESS] = checked("area stiffness", stiffness, k, 0.0, 1.0)
+        rows[areas.COMPLIANCE] = checked("area compliance", compliance, k, 0.0, 1e15)
         if area is None:
             x, y = np.ascontiguousarray(positions[:, 0]), np.ascontiguousarray(positions[:, 1])
             for j in range(k):
-                rows[AREA, j] = outline_area(x, y, corners[starts[j] : starts[j + 1]])
+                rows[areas.AREA, j] = outline_area(x, y, corners[starts[j] : starts[j + 1]])
         else:
-            rows[AREA] = checked("area", area, k, -(LARGEST * LARGEST), LARGEST * LARGEST)
+            rows[areas.AREA] = checked("area", area, k, -(LARGEST * LARGEST), LARGEST * LARGEST)
         return cls(corners, starts, rows)
 
 

@@ -14,12 +14,11 @@ the patch.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.constraints.motion import FRESH, INVERSE_MASS, VX
 from game.physics.constraints.network import NOBODY
 
-Floats = NDArray[np.float64]
 HEAD = 6  # numbers of the hand before its patch
 
 

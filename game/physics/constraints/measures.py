@@ -8,8 +8,8 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import kernel
+from game.physics.constraints import motion
 from game.physics.constraints.links import REST
-from game.physics.constraints.motion import INVERSE_MASS, VX, VY, X, Y
 
 
 @kernel
@@ -18,12 +18,12 @@ def measure_energy(fields, count, gravity, floor):
     kinetic = 0.0
     potential = 0.0
     for i in range(count):
-        w = fields[INVERSE_MASS, i]
+        w = fields[motion.INVERSE_MASS, i]
         if w > 0.0:
-            vx = fields[VX, i]
-            vy = fields[VY, i]
+            vx = fields[motion.VX, i]
+            vy = fields[motion.VY, i]
             kinetic += 0.5 * (vx * vx + vy * vy) / w
-            potential += gravity * (fields[Y, i] - floor) / w
+            potential += gravity * (fields[motion.Y, i] - floor) / w
     return kinetic, potential
 
 
@@ -34,11 +34,13 @@ def measure_momentum(fields, count):
     py = 0.0
     spin = 0.0
     for i in range(count):
-        w = fields[INVERSE_MASS, i]
+        w = fields[motion.INVERSE_MASS, i]
         if w > 0.0:
-            px += fields[VX, i] / w
-            py += fields[VY, i] / w
-            spin += (fields[X, i] * fields[VY, i] - fields[Y, i] * fields[VX, i]) / w
+            px += fields[motion.VX, i] / w
+            py += fields[motion.VY, i] / w
+            spin += (
+                fields[motion.X, i] * fields[motion.VY, i] - fields[motion.Y, i] * fields[motion.VX, i]
+            ) / w
     return px, py, spin
 
 
@@ -60,8 +62,8 @@ def measure_links(fields, links, rows, order, torn, compliance, strains):
         strains[e] = 0.0
         if torn[place]:
             continue
-        dx = fields[X, links[e, 1]] - fields[X, links[e, 0]]
-        dy = fields[Y, links[e, 1]] - fields[Y, links[e, 0]]
+        dx = fields[motion.X, links[e, 1]] - fields[motion.X, links[e, 0]]
+        dy = fields[motion.Y, links[e, 1]] - fields[motion.Y, links[e, 0]]
         length = math.sqrt(dx * dx + dy * dy)
         rest = rows[REST, e]
         excess = length - rest

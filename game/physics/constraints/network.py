@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 
+from game.arrays import Longs
 from game.physics.constraints.bodies import bodies_of
 from game.physics.constraints.chains import WORK_ROWS, find_chains
 from game.physics.constraints.colours import arrange_links
-from game.physics.constraints.graph import Ints, Links, Outlines
+from game.physics.constraints.graph import Links, Outlines
 from game.physics.constraints.links import LINK_ROWS, REST
 from game.physics.constraints.motion import Network
 
@@ -18,7 +19,7 @@ NOBODY = -1
 
 
 def network_of(
-    count: int, links: Links, outlines: Outlines, contacts: Links, torn: Ints, order: str, direct: bool
+    count: int, links: Links, outlines: Outlines, contacts: Links, torn: Longs, order: str, direct: bool
 ) -> Network:
     """The constraints of ``count`` particles in the order (of ORDERS) in which links are solved.
 

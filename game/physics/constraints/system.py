@@ -9,10 +9,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.arrays import Floats, Longs
+from game.physics.constraints import motion as m
 from game.physics.constraints.areas import AREA, INTACT, measure_areas
 from game.physics.constraints.attachments import nearest_pins
 from game.physics.constraints.effects import ATTACHMENTS, LINKED, TEARING
-from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked, checked_pairs
+from game.physics.constraints.graph import Links, Outlines, arms_of, checked, checked_pairs
 from game.physics.constraints.grip import (
     empty_hand,
     give_mass,
@@ -24,17 +26,7 @@ from game.physics.constraints.grip import (
 )
 from game.physics.constraints.links import MODELS, REST, prepare_links
 from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
-from game.physics.constraints.motion import (
-    FIELD_ROWS,
-    FRESH,
-    INVERSE_MASS,
-    OLD_VX,
-    VX,
-    Motion,
-    X,
-    Y,
-    advance,
-)
+from game.physics.constraints.motion import Motion, advance
 from game.physics.constraints.network import NOBODY, PADDING, network_of
 from game.physics.constraints.schemes import SCHEMES
 from game.physics.constraints.settings import LARGEST, Settings, effects_for
@@ -45,7 +37,7 @@ class PositionState(NamedTuple):
     """What moves. The arrays are the system's own, not copies."""
 
     fields: Floats  # (12, n + padding): see motion
-    torn: Ints  # (m,)
+    torn: Longs  # (m,)
     intact: Floats  # (k,) outlines
     hand: Floats  # (6 + 3 k,): who is held and who is led along, see grip
 
@@ -93,14 +85,14 @@ class PositionBasedDynamics:
         if "effects" not in settings:
             settings["effects"] = effects_for(len(areas) > 0, np.size(contacts) > 0)
         self.settings = Settings(**settings)
-        self.fields = np.zeros((FIELD_ROWS, n + PADDING))
+        self.fields = np.zeros((m.FIELD_ROWS, n + PADDING))
         self.count = n
         self.order = order
-        self.fields[X : Y + 1, :n] = places.T
-        self.fields[INVERSE_MASS, :n] = checked("inverse_masses", inverse_masses, n, 0.0, 1e15)
-        self.fields[FRESH] = 1.0
+        self.fields[m.X : m.Y + 1, :n] = places.T
+        self.fields[m.INVERSE_MASS, :n] = checked("inverse_masses", inverse_masses, n, 0.0, 1e15)
+        self.fields[m.FRESH] = 1.0
         if velocities is not None:
-            self.fields[VX : VX + 2, :n] = checked_pairs("velocities", velocities, n).T
+            self.fields[m.VX : m.VX + 2, :n] = checked_pairs("velocities", velocities, n).T
         self.links = Links.between(places, links, rest_lengths, stiffness, compliances)
         self.outlines = Outlines.around(places, areas, None, area_stiffness, area_compliance)
         self.torn = np.zeros(len(self.links.pairs), dtype=np.int64)
@@ -122,7 +114,7 @@ class PositionBasedDynamics:
             self.settings = before
             raise
         if self.settings.scheme != before.scheme:
-            self.fields[FRESH] = 1.0
+            self.fields[m.FRESH] = 1.0
         self.hand[4] = 0.0
 
     def _arrange(self) -> None:
@@ -163,10 +155,10 @@ class PositionBasedDynamics:
         settings = self.settings
         h = dt / settings.substeps
         if h != self.hand[4] > 0.0:
-            self.fields[FRESH] = 1.0  # the difference over two steps wants them to be equal
+            self.fields[m.FRESH] = 1.0  # the difference over two steps wants them to be equal
         if settings.scheme == "bdf2":
             ahead = settings.substeps
-            if np.all(self.fields[FRESH, : self.count] > 0.0):
+            if np.all(self.fields[m.FRESH, : self.count] > 0.0):
                 # the first substep is one of Euler, also in what a compliance means
                 ahead -= 1
                 self._advance(h, h, 1, ahead)
@@ -175,7 +167,7 @@ class PositionBasedDynamics:
         else:
             self._advance(h, h, settings.substeps, 0)
         if TEARING in settings.effects:
-            torn = tear(self.fields[X], self.fields[Y], self._net, settings.stretch_limit)
+            torn = tear(self.fields[m.X], self.fields[m.Y], self._net, settings.stretch_limit)
             if torn:
                 self.tears += torn
                 if ATTACHMENTS in settings.effects:
@@ -212,7 +204,7 @@ class PositionBasedDynamics:
         if not 0 <= index < self.count:
             raise ValueError(f"particle {index}: there are 0 to {self.count - 1}")
         self.release()
-        self.hand = hand_on(index, self.fields[X : Y + 1, : self.count].T, self.inverse_masses, radius)
+        self.hand = hand_on(index, self.fields[m.X : m.Y + 1, : self.count].T, self.inverse_masses, radius)
         take_hold(self.hand, self.inverse_masses)
 
     def drag(self, target: ArrayLike) -> None:
@@ -252,17 +244,17 @@ class PositionBasedDynamics:
     @property
     def positions(self) -> Floats:
         """(n, 2) m, a copy."""
-        return np.array(self.fields[X : Y + 1, : self.count].T, order="C")
+        return np.array(self.fields[m.X : m.Y + 1, : self.count].T, order="C")
 
     @property
     def velocities(self) -> Floats:
         """(n, 2) m/s, a copy."""
-        return np.array(self.fields[VX : VX + 2, : self.count].T, order="C")
+        return np.array(self.fields[m.VX : m.VX + 2, : self.count].T, order="C")
 
     @property
     def inverse_masses(self) -> Floats:
         """(n,) 1/kg: a view; call `masses_changed` after writing to it."""
-        return self.fields[INVERSE_MASS, : self.count]
+        return self.fields[m.INVERSE_MASS, : self.count]
 
     def masses_changed(self) -> None:
         """Inverse masses or the links' own numbers were written to: use them from the next step on."""
@@ -302,7 +294,7 @@ class PositionBasedDynamics:
         """Areas (k,) m² of the outlines, now and at rest."""
         outlines = self.outlines
         now = np.empty(len(outlines.starts) - 1)
-        measure_areas(self.fields[X], self.fields[Y], outlines.corners, outlines.starts, now)
+        measure_areas(self.fields[m.X], self.fields[m.Y], outlines.corners, outlines.starts, now)
         return now, outlines.rows[AREA].copy()
 
     # -- remembering --------------------------------------------------------------------------------
@@ -323,9 +315,9 @@ class PositionBasedDynamics:
 
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
-        assert np.all(np.isfinite(self.fields[: OLD_VX + 2])), "finite"
+        assert np.all(np.isfinite(self.fields[: m.OLD_VX + 2])), "finite"
         held = self.held
-        assert held == NOBODY or self.fields[INVERSE_MASS, held] == 0.0, "what is held is fixed"
+        assert held == NOBODY or self.fields[m.INVERSE_MASS, held] == 0.0, "what is held is fixed"
         net = self._net
         assert sorted(net.order.tolist()) == list(range(len(self.torn))), "each link is solved once"
         assert np.all(net.links == self.links.pairs[net.order]), "links in the order of solving"

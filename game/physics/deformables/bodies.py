@@ -6,8 +6,9 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.constraints import PositionBasedDynamics, PositionState
 from game.physics.constraints.effects import LINKED
 from game.physics.deformables.collider import BOTH, MeshCollider
@@ -16,7 +17,6 @@ from game.physics.deformables.meshes import MeshStore, mean_edge
 from game.physics.deformables.pushing import push_out
 from game.physics.effects import EffectSet
 
-Floats = NDArray[np.float64]
 MOST_SUBSTEPS = 100
 
 

@@ -6,8 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats, Longs
 from game.physics.deformables.depth import DEPTH_ROWS, measure_depths
 from game.physics.deformables.edges import RimTable, find_crossings
 from game.physics.deformables.effects import MESH_CONTACTS, SELF_CONTACTS, SOFT
@@ -18,8 +19,6 @@ from game.physics.deformables.vertices import COUNTERS, VertexTable, count_work,
 from game.physics.effects import EffectSet
 from game.physics.kernels.finite import finite_doubles
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 MOST_SLOTS = 1 << 26
 LAST_STAMP = 1 << 30
 BOTH = MESH_CONTACTS | SELF_CONTACTS
@@ -51,11 +50,11 @@ class MeshCollider:
         self.inside = np.zeros(n, dtype=np.uint8)
         self.depths: Floats = np.zeros((DEPTH_ROWS, n))
         self.rings = 0
-        self._contacts: Ints = np.zeros(2 * n + 65, dtype=np.int64)
-        self._crossings: Ints = np.zeros(edges + 64, dtype=np.int64)
+        self._contacts: Longs = np.zeros(2 * n + 65, dtype=np.int64)
+        self._crossings: Longs = np.zeros(edges + 64, dtype=np.int64)
         self._counters = np.zeros(COUNTERS, dtype=np.int64)
         self._found = self._crossed = 0
-        self._worked: tuple[Counts, Ints] | None = None  # counted when first asked for
+        self._worked: tuple[Counts, Longs] | None = None  # counted when first asked for
         self._stamp = 0
         self.set_effects(effects)
         self.set_cells(cell_size, table_size)
@@ -146,16 +145,16 @@ class MeshCollider:
     # -- what was found -----------------------------------------------------------------------------
 
     @property
-    def contact_keys(self) -> Ints:
+    def contact_keys(self) -> Longs:
         """(c,) triangle << 32 | vertex in it, ascending; a view, good until the next `find`."""
         return self._contacts[: self._found]
 
     @property
-    def crossing_keys(self) -> Ints:
+    def crossing_keys(self) -> Longs:
         """(c,) edge << 32 | edge of the rim that it crosses, ascending; a view as above."""
         return self._crossings[: self._crossed]
 
-    def _work(self) -> tuple[Counts, Ints]:
+    def _work(self) -> tuple[Counts, Longs]:
         """Counts of a pass over vertices at the places of now, and the loads of all slots, (slots,)."""
         if self._worked is not None:
             return self._worked
@@ -172,11 +171,11 @@ class MeshCollider:
         return self._work()[0]
 
     @property
-    def loads(self) -> Ints:
+    def loads(self) -> Longs:
         """(slots,) how many vertices each slot has."""
         return self._work()[1]
 
-    def naive(self) -> tuple[Ints, Ints]:
+    def naive(self) -> tuple[Longs, Longs]:
         """What all pairs tested give for the places of the last `find`: contact and crossing keys, sorted."""
         contacts, crossings = self._contacts.copy(), self._crossings.copy()
         while (found := all_vertices(self.mask, self.points, self.store.topology, contacts)) > len(contacts):

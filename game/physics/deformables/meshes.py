@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Places = NDArray[np.int32]
+from game.arrays import Floats, Ints, Longs
+
 MOST_VERTICES = 1_000_000
 
 
@@ -18,7 +17,7 @@ class Mesh(NamedTuple):
     """points: (n, 2) m; triangles: (t, 3) of them, counter-clockwise at rest."""
 
     points: Floats
-    triangles: Ints
+    triangles: Longs
 
 
 class Topology(NamedTuple):
@@ -28,13 +27,13 @@ class Topology(NamedTuple):
     others[first[i]:first[i + 1]].
     """
 
-    triangles: Places  # (t, 3)
-    mesh_of: Places  # (n,)
-    edges: Places  # (m, 2), each once
-    rim: Places  # (r,) edges of one triangle only
-    beyond: Places  # (m,) of an edge of the rim the third vertex of its triangle, else -1
-    first: Ints
-    others: Ints
+    triangles: Ints  # (t, 3)
+    mesh_of: Ints  # (n,)
+    edges: Ints  # (m, 2), each once
+    rim: Ints  # (r,) edges of one triangle only
+    beyond: Ints  # (m,) of an edge of the rim the third vertex of its triangle, else -1
+    first: Longs
+    others: Longs
 
 
 class MeshStore(NamedTuple):
@@ -42,7 +41,7 @@ class MeshStore(NamedTuple):
     which mesh each is of."""
 
     topology: Topology
-    loops: tuple[Ints, ...]
+    loops: tuple[Longs, ...]
     loop_mesh: tuple[int, ...]
 
     @property
@@ -56,7 +55,7 @@ def store_of(meshes: Sequence[Mesh]) -> tuple[MeshStore, Floats]:
     if not meshes:
         raise ValueError("meshes: expected one or more")
     points: list[Floats] = []
-    triangles: list[Ints] = []
+    triangles: list[Longs] = []
     counts: list[int] = []
     begin = 0
     for number, mesh in enumerate(meshes):
@@ -72,7 +71,7 @@ def store_of(meshes: Sequence[Mesh]) -> tuple[MeshStore, Floats]:
     return _assemble(all_triangles, mesh_of), np.concatenate(points)
 
 
-def _checked(number: int, points: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Ints]:
+def _checked(number: int, points: ArrayLike, triangles: ArrayLike) -> tuple[Floats, Longs]:
     places = np.array(points, dtype=np.float64)
     corners = np.array(triangles, dtype=np.int64)
     if places.ndim != 2 or places.shape[1:] != (2,) or not np.isfinite(places).all():
@@ -87,7 +86,7 @@ def _checked(number: int, points: ArrayLike, triangles: ArrayLike) -> tuple[Floa
     return places, corners
 
 
-def _assemble(triangles: Ints, mesh_of: Ints) -> MeshStore:
+def _assemble(triangles: Longs, mesh_of: Longs) -> MeshStore:
     """Edges, rim, neighbours and outlines. ValueError for an edge of three triangles, a pinched rim."""
     n = len(mesh_of)
     sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
@@ -115,7 +114,7 @@ def _assemble(triangles: Ints, mesh_of: Ints) -> MeshStore:
     return MeshStore(topology, loops, tuple(int(mesh_of[loop[0]]) for loop in loops))
 
 
-def _loops(sides: Ints) -> tuple[Ints, ...]:
+def _loops(sides: Longs) -> tuple[Longs, ...]:
     """Closed outlines of directed sides (r, 2). ValueError where a vertex has more than one way on."""
     onward = dict(sides.tolist())
     if len(onward) < len(sides):

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.grid.layout import PAD, Grid
 
-Floats = NDArray[np.float64]
 TIME, LAST, SETTLED = range(3)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiler.decorator import inner_kernel, kernel, lean_kernel
-from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, NO_SLIP, PERIODIC, RIGHT, TOP, WALL
+from game.physics.grid import borders
 
 CALM = 1e-9  # 1/s per cell: a steepness of the vorticity below this has no direction
 
@@ -72,7 +72,7 @@ def confine(u, v, strength, kinds, curl, out):
     strength: m/s for each 1/s, their epsilon times the cell, over the cell, as curl here is omega h.
     """
     ny, nx = curl.shape
-    joined = (kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC)
+    joined = (kinds[borders.LEFT] == borders.PERIODIC, kinds[borders.BOTTOM] == borders.PERIODIC)
     for j in range(ny):
         for i in range(nx):
             curl[j, i] = _curl(u, v, j, i, ny, nx, joined)
@@ -89,7 +89,7 @@ def confine(u, v, strength, kinds, curl, out):
 @inner_kernel
 def _holds(kind):
     """Whether the velocity through a side is given, so that no force changes it."""
-    return kind in (WALL, NO_SLIP, INFLOW)
+    return kind in (borders.WALL, borders.NO_SLIP, borders.INFLOW)
 
 
 @inner_kernel
@@ -98,12 +98,12 @@ def _row_of_u(cells, kinds, j, goal):
     row, nx = cells[j], cells.shape[1]
     for i in range(1, nx):
         goal[i] = 0.5 * (row[i - 1, 0] + row[i, 0])
-    if kinds[LEFT] == PERIODIC:
+    if kinds[borders.LEFT] == borders.PERIODIC:
         goal[0] = 0.5 * (row[nx - 1, 0] + row[0, 0])
         goal[nx] = goal[0]
     else:
-        goal[0] = 0.0 if _holds(kinds[LEFT]) else row[0, 0]
-        goal[nx] = 0.0 if _holds(kinds[RIGHT]) else row[nx - 1, 0]
+        goal[0] = 0.0 if _holds(kinds[borders.LEFT]) else row[0, 0]
+        goal[nx] = 0.0 if _holds(kinds[borders.RIGHT]) else row[nx - 1, 0]
 
 
 @inner_kernel
@@ -119,12 +119,12 @@ def _sides_of_v(cells, kinds, fv):
     """The forces on v at the bottom and the top."""
     ny = cells.shape[0]
     for i in range(cells.shape[1]):
-        if kinds[BOTTOM] == PERIODIC:
+        if kinds[borders.BOTTOM] == borders.PERIODIC:
             fv[0, i] = 0.5 * (cells[ny - 1, i, 1] + cells[0, i, 1])
             fv[ny, i] = fv[0, i]
         else:
-            fv[0, i] = 0.0 if _holds(kinds[BOTTOM]) else cells[0, i, 1]
-            fv[ny, i] = 0.0 if _holds(kinds[TOP]) else cells[ny - 1, i, 1]
+            fv[0, i] = 0.0 if _holds(kinds[borders.BOTTOM]) else cells[0, i, 1]
+            fv[ny, i] = 0.0 if _holds(kinds[borders.TOP]) else cells[ny - 1, i, 1]
 
 
 @lean_kernel

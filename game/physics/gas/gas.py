@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.gas.arrays import LAST, SETTLED, TIME, GasState, make_room, make_state
 from game.physics.gas.effects import VISCOSITY
 from game.physics.gas.ledger import Ledger
@@ -23,7 +24,6 @@ from game.physics.kernels import elementary
 from game.physics.kernels.finite import finite_doubles
 from game.physics.multigrid import Found, PressureSolver
 
-Floats = NDArray[np.float64]
 FIELDS = ("smoke", "temperature", "fuel", "oxygen", "soot")
 AIR_OXYGEN = 0.23  # mass fraction in air
 MOST_FIELDS = 16

@@ -14,13 +14,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.gas.conserving import upwind
 from game.physics.grid.borders import PERIODIC
 from game.physics.grid.layout import PAD
 from game.physics.grid.obstacles import SolidFaces
 
-Floats = NDArray[np.float64]
 # rows of momentum: lift and other forces in the gas, pressure of solids and of sides, what viscosity drags,
 # what sides hold, what flows through them, the scheme's own
 FORCES, SOLIDS, SIDES, DRAG, HELD, THROUGH, CARRYING = range(7)

@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.grid.obstacles import SolidFaces
-
-Floats = NDArray[np.float64]
 
 
 class Load(NamedTuple):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from game.compiler.decorator import kernel
-from game.physics.grid.borders import BOTTOM, LEFT, OPEN, PERIODIC, RIGHT, TOP
+from game.physics.grid import borders
 
 
 @kernel
@@ -43,17 +43,21 @@ def pressure_ghosts(p, kinds, for_gradient):
     """
     ny, nx = p.shape[0] - 2, p.shape[1] - 2
     for j in range(1, ny + 1):
-        if kinds[LEFT] == PERIODIC:
+        if kinds[borders.LEFT] == borders.PERIODIC:
             p[j, 0], p[j, nx + 1] = p[j, nx], p[j, 1]
             continue
-        p[j, 0] = (-p[j, 1] if kinds[LEFT] == OPEN else p[j, 1]) if for_gradient else 0.0
-        p[j, nx + 1] = (-p[j, nx] if kinds[RIGHT] == OPEN else p[j, nx]) if for_gradient else 0.0
+        p[j, 0] = (-p[j, 1] if kinds[borders.LEFT] == borders.OPEN else p[j, 1]) if for_gradient else 0.0
+        p[j, nx + 1] = (
+            (-p[j, nx] if kinds[borders.RIGHT] == borders.OPEN else p[j, nx]) if for_gradient else 0.0
+        )
     for i in range(1, nx + 1):
-        if kinds[BOTTOM] == PERIODIC:
+        if kinds[borders.BOTTOM] == borders.PERIODIC:
             p[0, i], p[ny + 1, i] = p[ny, i], p[1, i]
             continue
-        p[0, i] = (-p[1, i] if kinds[BOTTOM] == OPEN else p[1, i]) if for_gradient else 0.0
-        p[ny + 1, i] = (-p[ny, i] if kinds[TOP] == OPEN else p[ny, i]) if for_gradient else 0.0
+        p[0, i] = (-p[1, i] if kinds[borders.BOTTOM] == borders.OPEN else p[1, i]) if for_gradient else 0.0
+        p[ny + 1, i] = (
+            (-p[ny, i] if kinds[borders.TOP] == borders.OPEN else p[ny, i]) if for_gradient else 0.0
+        )
 
 
 @kernel

@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.gas.arrays import Drag, GasState, make_drag
 from game.physics.grid.layout import PAD, Grid
 from game.physics.grid.obstacles import GridObstacles, Sampled, SolidFaces
-
-Floats = NDArray[np.float64]
 
 
 @kernel

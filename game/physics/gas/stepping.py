@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.physics.gas import ledger as le
 from game.physics.gas.arrays import SETTLED, GasState, Room
 from game.physics.gas.carrying import (
     CUBIC,
@@ -31,7 +33,7 @@ from game.physics.gas.effects import (
     VISCOSITY,
 )
 from game.physics.gas.forces import Pushed, cell_forces, confine, face_forces, push, push_cells
-from game.physics.gas.ledger import CARRIED, DRAGGED, LADEN, PUSHED, STOPPED, Ledger
+from game.physics.gas.ledger import Ledger
 from game.physics.gas.maccormack import correct_face, correct_scalars
 from game.physics.gas.padding import extend, pad_field, pad_scalars, pad_u, pad_v
 from game.physics.gas.projection import (
@@ -51,7 +53,6 @@ from game.physics.grid.ghosts import X, Y, fill_scalar_ghosts, fill_velocity_gho
 from game.physics.grid.obstacles import LAYERS
 from game.physics.multigrid import Found, PressureSolver
 
-Floats = NDArray[np.float64]
 FAR, FARTHER = 8.0, 16.0  # cells in a step from which on q grows, and at which it is 1
 
 
@@ -118,24 +119,24 @@ def _advance(s, room, solver, solids, sources, step, q, ahead):
     if conserved is not None:
         s.scalars[:, :, _kept(step)] = conserved
     if book is not None:
-        book.see(CARRIED, s.u, s.v)
-        book.see_fields(CARRIED, s.scalars)
+        book.see(le.CARRIED, s.u, s.v)
+        book.see_fields(le.CARRIED, s.scalars)
         book.source(dt, rates)
     if DIFFUSION in effects:
         _diffuse(s, room, solids, step)
     _push(s, room, step, force, q * dt)
     if book is not None:
         book.force(q * dt, s.force_u, s.force_v)
-        book.see(PUSHED, s.u, s.v)
+        book.see(le.PUSHED, s.u, s.v)
     if VISCOSITY in effects and step.settings.viscosity > 0.0:
         _drag(s, room, solids, step, q)
     if book is not None:
-        book.see(DRAGGED, s.u, s.v)
+        book.see(le.DRAGGED, s.u, s.v)
     set_side_velocities(s.u, s.v, step.edges)
     if solids.present:
         set_closed_faces(s.u, s.v, solids.faces)
     if book is not None:
-        book.see(STOPPED, s.u, s.v)
+        book.see(le.STOPPED, s.u, s.v)
     found = Found(0, 0.0, 0.0)
     if PRESSURE in effects:
         grows = expansion if EXPANSION in effects else np.zeros_like(expansion)
@@ -173,7 +174,7 @@ def _carry_velocity(
     if step.ledger is not None:
         step.ledger.force(part, s.force_u, s.force_v)
         step.ledger.press(part, s.pressure)
-        step.ledger.see(LADEN, room.pad_u[2:-2, 2:-2], room.pad_v[2:-2, 2:-2])
+        step.ledger.see(le.LADEN, room.pad_u[2:-2, 2:-2], room.pad_v[2:-2, 2:-2])
     if solids.present:
         _set_padded_solids(room, faces, slip)
     fill_velocity_ghosts(room.pad_u, X, edges)

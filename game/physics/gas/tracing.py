@@ -10,7 +10,7 @@ import math
 
 from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.physics.gas.places import FARTHEST, midpoint
-from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, OPEN, PERIODIC, RIGHT, TOP
+from game.physics.grid import borders
 from game.physics.grid.sampling import clamped, wrapped
 from game.physics.kernels.magnitudes import from_bits, largest
 
@@ -71,9 +71,9 @@ def _velocity_at(w, x, y, joined_x, joined_y):
 @inner_kernel
 def _side_limit(kind, wall, beyond):
     """How far a way may lead at a side: to a wall, or a cell beyond an open one."""
-    if kind == PERIODIC:
+    if kind == borders.PERIODIC:
         return math.inf if beyond > 0.0 else -math.inf
-    return beyond if kind in (OPEN, INFLOW) else wall
+    return beyond if kind in (borders.OPEN, borders.INFLOW) else wall
 
 
 @inner_kernel
@@ -110,9 +110,15 @@ def trace(w, scale, kinds, straight, shift):
     and at most a cell beyond open sides.
     """
     ny, nx = w.shape[0], w.shape[1]
-    joined_x, joined_y = kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC
-    low_x, high_x = _side_limit(kinds[LEFT], -0.5, -1.5), _side_limit(kinds[RIGHT], nx - 0.5, nx + 0.5)
-    low_y, high_y = _side_limit(kinds[BOTTOM], -0.5, -1.5), _side_limit(kinds[TOP], ny - 0.5, ny + 0.5)
+    joined_x, joined_y = kinds[borders.LEFT] == borders.PERIODIC, kinds[borders.BOTTOM] == borders.PERIODIC
+    low_x, high_x = (
+        _side_limit(kinds[borders.LEFT], -0.5, -1.5),
+        _side_limit(kinds[borders.RIGHT], nx - 0.5, nx + 0.5),
+    )
+    low_y, high_y = (
+        _side_limit(kinds[borders.BOTTOM], -0.5, -1.5),
+        _side_limit(kinds[borders.TOP], ny - 0.5, ny + 0.5),
+    )
     if not (straight or joined_x or joined_y):
         flat, goal, bounds = w.reshape(-1), shift.reshape(-1), (low_x, high_x, low_y, high_y)
         for j in range(ny):
@@ -134,7 +140,7 @@ def trace(w, scale, kinds, straight, shift):
 @kernel
 def stop_at_walls(shift, clear, ax, ay, kinds):
     """Shorten ways that lead through closed faces. clear (ny, nx): cells to the nearest of them."""
-    joined = (kinds[LEFT] == PERIODIC, kinds[BOTTOM] == PERIODIC)
+    joined = (kinds[borders.LEFT] == borders.PERIODIC, kinds[borders.BOTTOM] == borders.PERIODIC)
     for j in range(shift.shape[0]):
         for i in range(shift.shape[1]):
             dx, dy = shift[j, i, 0], shift[j, i, 1]

@@ -9,22 +9,7 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import kernel
-from game.physics.generations.kinds import (
-    ANGLE,
-    ARMS,
-    CONE,
-    COUNT,
-    DISC,
-    FIRST_POINT,
-    PATTERN,
-    RING,
-    SCATTER,
-    SHAPE_POINTS,
-    SPEED,
-    SPEED_SPREAD,
-    SPHERE,
-    SPREAD,
-)
+from game.physics.generations import kinds
 from game.physics.kernels import elementary
 from game.physics.particles.random_numbers import WORD, threefry, uniform_pair
 
@@ -45,19 +30,19 @@ def burst_velocity(birth, points, seed, identity, number):
 
     birth: its row. identity: the parent's. Children 2 j and 2 j + 1 of paired patterns share their numbers.
     """
-    pattern = int(birth[PATTERN])
-    paired = pattern in (SPHERE, RING, DISC)
+    pattern = int(birth[kinds.PATTERN])
+    paired = pattern in (kinds.SPHERE, kinds.RING, kinds.DISC)
     draw = number // 2 if paired else number
     sign = -1.0 if paired and number % 2 else 1.0
     a, b = uniform_pair(seed + SALT_DIRECTION, identity & WORD, (identity >> 32) * 8192 + draw)
     faster, _ = uniform_pair(seed + SALT_SPEED, identity & WORD, (identity >> 32) * 8192 + draw)
-    speed = sign * birth[SPEED] * (1.0 + birth[SPEED_SPREAD] * (2.0 * faster - 1.0))
+    speed = sign * birth[kinds.SPEED] * (1.0 + birth[kinds.SPEED_SPREAD] * (2.0 * faster - 1.0))
     dx, dy = direction(birth, pattern, points, a, b, draw, number)
     vx = speed * dx
     vy = speed * dy
-    if birth[SCATTER] > 0.0:
+    if birth[kinds.SCATTER] > 0.0:
         a, b = uniform_pair(seed + SALT_SCATTER, identity & WORD, (identity >> 32) * 8192 + draw)
-        away = sign * birth[SCATTER] * math.sqrt(a)
+        away = sign * birth[kinds.SCATTER] * math.sqrt(a)
         vx += away * elementary.cos(FULL_TURN * b)
         vy += away * elementary.sin(FULL_TURN * b)
     return vx, vy
@@ -66,29 +51,29 @@ def burst_velocity(birth, points, seed, identity, number):
 @kernel
 def direction(birth, pattern, points, a, b, draw, number):
     """Where a child goes: a vector of length 1 or, seen from the side, less. a, b: two random numbers."""
-    count = birth[COUNT]
-    tilt = birth[ANGLE]
-    if pattern == SPHERE:  # uniform on a sphere: its height is uniform, and the view is from the side
+    count = birth[kinds.COUNT]
+    tilt = birth[kinds.ANGLE]
+    if pattern == kinds.SPHERE:  # uniform on a sphere: its height is uniform, and the view is from the side
         height = 2.0 * a - 1.0
         across = math.sqrt(max(1.0 - height * height, 0.0)) * elementary.cos(FULL_TURN * b)
         return across, height
-    if pattern == RING:  # half of it; the other half are the opposite ones
+    if pattern == kinds.RING:  # half of it; the other half are the opposite ones
         angle = FULL_TURN * draw / count
-        flat = elementary.cos(birth[SPREAD])
+        flat = elementary.cos(birth[kinds.SPREAD])
         x, y = elementary.cos(angle), flat * elementary.sin(angle)
         return x * elementary.cos(tilt) - y * elementary.sin(tilt), x * elementary.sin(
             tilt
         ) + y * elementary.cos(tilt)
-    if pattern == DISC:
+    if pattern == kinds.DISC:
         reach = math.sqrt(a)
         return reach * elementary.cos(FULL_TURN * b), reach * elementary.sin(FULL_TURN * b)
-    if pattern == CONE:
-        angle = tilt + birth[SPREAD] * (2.0 * a - 1.0)
+    if pattern == kinds.CONE:
+        angle = tilt + birth[kinds.SPREAD] * (2.0 * a - 1.0)
         return elementary.sin(angle), elementary.cos(angle)
-    if pattern == ARMS:
+    if pattern == kinds.ARMS:
         angle = tilt + FULL_TURN * number / count
         return elementary.sin(angle), elementary.cos(angle)
-    point = int(birth[FIRST_POINT]) + number % int(birth[SHAPE_POINTS])
+    point = int(birth[kinds.FIRST_POINT]) + number % int(birth[kinds.SHAPE_POINTS])
     return points[point, 0], points[point, 1]
 
 

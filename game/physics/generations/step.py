@@ -17,28 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiler.decorator import kernel
+from game.physics.generations import kinds
 from game.physics.generations.effects import GROUND_BIT, THRUST_BIT, TRAILS_BIT
 from game.physics.generations.flight import SPLIT_DRAG, Law, Star, fly, fly_split, terms_over
-from game.physics.generations.kinds import (
-    ALONG,
-    AT_BIRTH,
-    AT_DEATH,
-    AT_HIT,
-    BURNS,
-    CHILD,
-    COUNT,
-    DIES_ON_GROUND,
-    EXHAUST,
-    INHERITED,
-    LIFE,
-    LIFE_SPREAD,
-    LINEAR,
-    OCCASION,
-    QUADRATIC,
-    RATE,
-    REPORTS,
-    WEIGHT,
-)
 from game.physics.generations.patterns import burst_velocity, child_identity, life_of
 
 X, Y, VX, VY, BORN, DIES, BURNT, DEPTH = range(8)
@@ -80,7 +61,7 @@ class Rules(NamedTuple):
 def law_of(table, kind):
     """How a kind flies."""
     row = table.kinds[kind]
-    return Law(row[WEIGHT], row[LINEAR], row[QUADRATIC], row[EXHAUST])
+    return Law(row[kinds.WEIGHT], row[kinds.LINEAR], row[kinds.QUADRATIC], row[kinds.EXHAUST])
 
 
 @kernel
@@ -104,10 +85,10 @@ def find_special(rules, table, air, pool, kind, h, limit):
     begin = table.begin[kind]
     end = begin + pool.before[kind]
     every = rules.mask & TRAILS_BIT != 0 and leaves_trail(table, kind)
-    every = every or (rules.mask & THRUST_BIT != 0 and table.kinds[kind, EXHAUST] > 0.0)
+    every = every or (rules.mask & THRUST_BIT != 0 and table.kinds[kind, kinds.EXHAUST] > 0.0)
     lowest = -math.inf
-    if rules.mask & GROUND_BIT and table.kinds[kind, DIES_ON_GROUND] > 0.0:
-        lowest = rules.ground + 2.0 * h * h * air.gravity * abs(table.kinds[kind, WEIGHT])
+    if rules.mask & GROUND_BIT and table.kinds[kind, kinds.DIES_ON_GROUND] > 0.0:
+        lowest = rules.ground + 2.0 * h * h * air.gravity * abs(table.kinds[kind, kinds.WEIGHT])
     found = 0
     for low in range(begin, end, BLOCK):
         high = min(low + BLOCK, end)
@@ -149,7 +130,7 @@ def list_special(pool, every, places, limits, h, found):
 def leaves_trail(table, kind):
     """Whether stars of a kind leave something along their way."""
     for row in range(table.first[kind], table.first[kind + 1]):
-        if table.births[row, OCCASION] == ALONG:
+        if table.births[row, kinds.OCCASION] == kinds.ALONG:
             return True
     return False
 
@@ -251,7 +232,7 @@ def live(rules, table, air, pool, waiting, instants):
     stop = min(star[DIES], end) if star[DIES] <= limit else end
     stop = max(stop, begin)
     if fresh:
-        waiting = bear(rules, table, pool, waiting, AT_BIRTH, begin)
+        waiting = bear(rules, table, pool, waiting, kinds.AT_BIRTH, begin)
     landed, stop = find_landing(rules, table, air, star, kind, (begin, stop))
     if rules.mask & TRAILS_BIT:
         waiting = leave_trail(rules, table, air, pool, waiting, (begin, stop, fresh))
@@ -260,9 +241,9 @@ def live(rules, table, air, pool, waiting, instants):
     if landed:
         star[Y] = rules.ground
         pool.tallies[LANDED] += 1
-        waiting = bear(rules, table, pool, waiting, AT_HIT, stop)
+        waiting = bear(rules, table, pool, waiting, kinds.AT_HIT, stop)
     elif star[DIES] <= limit:
-        waiting = bear(rules, table, pool, waiting, AT_DEATH, stop)
+        waiting = bear(rules, table, pool, waiting, kinds.AT_DEATH, stop)
     else:
         return True, waiting
     pool.tallies[ENDED] += 1
@@ -273,7 +254,7 @@ def live(rules, table, air, pool, waiting, instants):
 def find_landing(rules, table, air, star, kind, instants):
     """Whether a star meets the ground between two instants (s), and when; else the latter."""
     begin, stop = instants
-    if rules.mask & GROUND_BIT == 0 or table.kinds[kind, DIES_ON_GROUND] == 0.0:
+    if rules.mask & GROUND_BIT == 0 or table.kinds[kind, kinds.DIES_ON_GROUND] == 0.0:
         return False, stop
     law = law_of(table, kind)
     flown = Star(star[X], star[Y], star[VX], star[VY], begin - star[BORN], star[BURNT])
@@ -301,11 +282,11 @@ def leave_trail(rules, table, air, pool, waiting, instants):
     flown = Star(star[X], star[Y], star[VX], star[VY], begin - star[BORN], star[BURNT])
     for row in range(table.first[kind], table.first[kind + 1]):
         birth = table.births[row]
-        if birth[OCCASION] != ALONG:
+        if birth[kinds.OCCASION] != kinds.ALONG:
             continue
-        made = 0 if fresh else trail_until(birth[RATE], star[BORN], begin)
-        for number in range(made, trail_until(birth[RATE], star[BORN], stop)):
-            instant = min(max(star[BORN] + number / birth[RATE], begin), stop)
+        made = 0 if fresh else trail_until(birth[kinds.RATE], star[BORN], begin)
+        for number in range(made, trail_until(birth[kinds.RATE], star[BORN], stop)):
+            instant = min(max(star[BORN] + number / birth[kinds.RATE], begin), stop)
             x, y, vx, vy = fly(rules.method, rules.mask, law, air, flown, instant - begin)
             waiting = enqueue(rules, table, pool, waiting, (row, number), (x, y, vx, vy, instant))
     return waiting
@@ -323,13 +304,13 @@ def bear(rules, table, pool, waiting, occasion, instant):
     """Bear what is born of the star at place 0 on an occasion, and list it if its kind is listed."""
     star = pool.queue[0]
     kind = pool.queued[0, 1]
-    if table.kinds[kind, REPORTS] > 0.0:
+    if table.kinds[kind, kinds.REPORTS] > 0.0:
         report(pool, occasion, kind, instant, star)
     for row in range(table.first[kind], table.first[kind + 1]):
         birth = table.births[row]
-        if birth[OCCASION] == occasion:
+        if birth[kinds.OCCASION] == occasion:
             at = (star[X], star[Y], star[VX], star[VY], instant)
-            for number in range(int(birth[COUNT])):
+            for number in range(int(birth[kinds.COUNT])):
                 waiting = enqueue(rules, table, pool, waiting, (row, number), at)
     return waiting
 
@@ -343,19 +324,21 @@ def enqueue(rules, table, pool, waiting, which, at):
     row, number = which
     x, y, vx, vy, instant = at
     birth = table.births[row]
-    child = int(birth[CHILD])
+    child = int(birth[kinds.CHILD])
     parent = pool.queued[0, 0]
     identity = child_identity(parent, row, number)
     ux, uy = burst_velocity(birth, table.points, rules.seed, row_identity(parent, row), number)
-    life = life_of(table.kinds[child, LIFE], table.kinds[child, LIFE_SPREAD], rules.seed, identity)
+    life = life_of(
+        table.kinds[child, kinds.LIFE], table.kinds[child, kinds.LIFE_SPREAD], rules.seed, identity
+    )
     new = pool.queue[waiting]
     new[X] = x
     new[Y] = y
-    new[VX] = birth[INHERITED] * vx + ux
-    new[VY] = birth[INHERITED] * vy + uy
+    new[VX] = birth[kinds.INHERITED] * vx + ux
+    new[VY] = birth[kinds.INHERITED] * vy + uy
     new[BORN] = instant
     new[DIES] = instant + life
-    new[BURNT] = table.kinds[child, BURNS] / life
+    new[BURNT] = table.kinds[child, kinds.BURNS] / life
     new[DEPTH] = pool.queue[0, DEPTH]
     pool.queued[waiting, 0] = identity
     pool.queued[waiting, 1] = child

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
 from game.physics.grid.layout import Grid
 
-Floats = NDArray[np.float64]
 KINDS = ("wall", "no-slip", "open", "inflow", "periodic")
 WALL, NO_SLIP, OPEN, INFLOW, PERIODIC = range(5)
 SIDES = ("left", "right", "bottom", "top")

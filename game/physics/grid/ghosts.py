@@ -7,7 +7,7 @@ its first value lies on the side itself (u across left and right) it is *nodal*,
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel, kernel
-from game.physics.grid.borders import BOTTOM, INFLOW, LEFT, NO_SLIP, OPEN, PERIODIC, RIGHT, TOP, WALL
+from game.physics.grid import borders
 from game.physics.grid.layout import PAD
 
 X, Y = 0, 1  # which component of the velocity a padded field holds
@@ -16,9 +16,9 @@ X, Y = 0, 1  # which component of the velocity a padded field holds
 @inner_kernel
 def _nodal(edge, inner, far, kind):
     """A ghost behind a value on the side: a wall reflects it odd, a periodic side goes on."""
-    if kind == PERIODIC:
+    if kind == borders.PERIODIC:
         return far
-    if kind in (WALL, NO_SLIP):
+    if kind in (borders.WALL, borders.NO_SLIP):
         return 2.0 * edge - inner
     return edge
 
@@ -26,11 +26,11 @@ def _nodal(edge, inner, far, kind):
 @inner_kernel
 def _centred(edge, inner, far, kind, along):
     """A ghost behind cell values: even at a slippery wall, such that the side has its own value at others."""
-    if kind == PERIODIC:
+    if kind == borders.PERIODIC:
         return far
-    if kind in (NO_SLIP, INFLOW):
+    if kind in (borders.NO_SLIP, borders.INFLOW):
         return 2.0 * along - inner
-    if kind == WALL:
+    if kind == borders.WALL:
         return inner
     return edge
 
@@ -50,12 +50,21 @@ def fill_velocity_ghosts(padded, axis, edges):
     """Ghosts of u (axis 0) or v (axis 1), padded (rows + 2 PAD, columns + 2 PAD)."""
     rows, columns = padded.shape[0] - 2 * PAD, padded.shape[1] - 2 * PAD
     kinds, given = edges.kinds, edges.velocities
-    left, right, bottom, top = kinds[LEFT], kinds[RIGHT], kinds[BOTTOM], kinds[TOP]
+    left, right, bottom, top = (
+        kinds[borders.LEFT],
+        kinds[borders.RIGHT],
+        kinds[borders.BOTTOM],
+        kinds[borders.TOP],
+    )
     last, node = columns - 1, axis == X
     for j in range(rows):
         row = padded[j + PAD]
-        wall_left = 0.0 if node else _along(given, LEFT, j, rows - 1, axis, bottom == PERIODIC)
-        wall_right = 0.0 if node else _along(given, RIGHT, j, rows - 1, axis, bottom == PERIODIC)
+        wall_left = (
+            0.0 if node else _along(given, borders.LEFT, j, rows - 1, axis, bottom == borders.PERIODIC)
+        )
+        wall_right = (
+            0.0 if node else _along(given, borders.RIGHT, j, rows - 1, axis, bottom == borders.PERIODIC)
+        )
         for k in range(1, PAD + 1):
             if node:
                 row[PAD - k] = _nodal(row[PAD], row[PAD + k], row[PAD + last - k], left)
@@ -68,8 +77,14 @@ def fill_velocity_ghosts(padded, axis, edges):
                 )  # fmt: skip
     last, node = rows - 1, axis == Y
     for i in range(columns + 2 * PAD):
-        wall_low = 0.0 if node else _along(given, BOTTOM, i - PAD, columns - 1, axis, left == PERIODIC)
-        wall_high = 0.0 if node else _along(given, TOP, i - PAD, columns - 1, axis, left == PERIODIC)
+        wall_low = (
+            0.0
+            if node
+            else _along(given, borders.BOTTOM, i - PAD, columns - 1, axis, left == borders.PERIODIC)
+        )
+        wall_high = (
+            0.0 if node else _along(given, borders.TOP, i - PAD, columns - 1, axis, left == borders.PERIODIC)
+        )
         for k in range(1, PAD + 1):
             if node:
                 padded[PAD - k, i] = _nodal(
@@ -93,8 +108,8 @@ def fill_velocity_ghosts(padded, axis, edges):
 def _fill_cell(padded, j, i, from_j, from_i, kind, held, values):
     """One ghost cell: the value that the side holds, else that of the cell it mirrors or goes on in."""
     for f in range(padded.shape[2]):
-        if kind != PERIODIC and held[f]:
-            if kind in (WALL, NO_SLIP):
+        if kind != borders.PERIODIC and held[f]:
+            if kind in (borders.WALL, borders.NO_SLIP):
                 padded[j, i, f] = 2.0 * values[f] - padded[from_j, from_i, f]
             else:
                 padded[j, i, f] = values[f]
@@ -113,27 +128,39 @@ def fill_scalar_ghosts(padded, kinds, held, values):
     low, high = PAD, PAD + nx - 1
     for j in range(PAD, PAD + ny):
         for k in range(1, PAD + 1):
-            left, right = kinds[LEFT], kinds[RIGHT]
+            left, right = kinds[borders.LEFT], kinds[borders.RIGHT]
             _fill_cell(
-                padded, j, low - k, j, high + 1 - k if left == PERIODIC else low + k - 1, left, held[LEFT],
-                values[LEFT],
-            )  # fmt: skip
+                padded,
+                j,
+                low - k,
+                j,
+                high + 1 - k if left == borders.PERIODIC else low + k - 1,
+                left,
+                held[borders.LEFT],
+                values[borders.LEFT],
+            )
             _fill_cell(
-                padded, j, high + k, j, low + k - 1 if right == PERIODIC else high + 1 - k, right,
-                held[RIGHT], values[RIGHT],
+                padded, j, high + k, j, low + k - 1 if right == borders.PERIODIC else high + 1 - k, right,
+                held[borders.RIGHT], values[borders.RIGHT],
             )  # fmt: skip
     low, high = PAD, PAD + ny - 1
     for i in range(padded.shape[1]):
         for k in range(1, PAD + 1):
-            bottom, top = kinds[BOTTOM], kinds[TOP]
+            bottom, top = kinds[borders.BOTTOM], kinds[borders.TOP]
             _fill_cell(
-                padded, low - k, i, high + 1 - k if bottom == PERIODIC else low + k - 1, i, bottom,
-                held[BOTTOM], values[BOTTOM],
+                padded, low - k, i, high + 1 - k if bottom == borders.PERIODIC else low + k - 1, i, bottom,
+                held[borders.BOTTOM], values[borders.BOTTOM],
             )  # fmt: skip
             _fill_cell(
-                padded, high + k, i, low + k - 1 if top == PERIODIC else high + 1 - k, i, top, held[TOP],
-                values[TOP],
-            )  # fmt: skip
+                padded,
+                high + k,
+                i,
+                low + k - 1 if top == borders.PERIODIC else high + 1 - k,
+                i,
+                top,
+                held[borders.TOP],
+                values[borders.TOP],
+            )
 
 
 @kernel
@@ -141,19 +168,19 @@ def set_side_velocities(u, v, edges):
     """Give the faces on the sides what holds there: walls 0, inflow its velocity, periodic one value."""
     ny, nx = v.shape[0] - 1, u.shape[1] - 1
     kinds, given = edges.kinds, edges.velocities
-    for side, i in ((LEFT, 0), (RIGHT, nx)):
+    for side, i in ((borders.LEFT, 0), (borders.RIGHT, nx)):
         for j in range(ny):
-            if kinds[side] == INFLOW:
+            if kinds[side] == borders.INFLOW:
                 u[j, i] = given[side, j, X]
-            elif kinds[side] == PERIODIC:
+            elif kinds[side] == borders.PERIODIC:
                 u[j, nx] = u[j, 0]
-            elif kinds[side] != OPEN:
+            elif kinds[side] != borders.OPEN:
                 u[j, i] = 0.0
-    for side, j in ((BOTTOM, 0), (TOP, ny)):
+    for side, j in ((borders.BOTTOM, 0), (borders.TOP, ny)):
         for i in range(nx):
-            if kinds[side] == INFLOW:
+            if kinds[side] == borders.INFLOW:
                 v[j, i] = given[side, i, Y]
-            elif kinds[side] == PERIODIC:
+            elif kinds[side] == borders.PERIODIC:
                 v[ny, i] = v[0, i]
-            elif kinds[side] != OPEN:
+            elif kinds[side] != borders.OPEN:
                 v[j, i] = 0.0

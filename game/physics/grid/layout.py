@@ -11,9 +11,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from game.arrays import Floats
+
 FEWEST, LONGEST, MOST = 4, 1 << 16, 1 << 24  # cells along a side, at most along a side, in all
 PAD = 2  # rows and columns of ghosts around a padded field
 

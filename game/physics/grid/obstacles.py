@@ -7,11 +7,10 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.grid.fractions import clearance, close_thin_cells, layers, open_cells, open_faces
 from game.physics.grid.layout import Grid
 
-Floats = NDArray[np.float64]
-Whole = NDArray[np.int64]
 LAYERS = 2  # of closed faces that take on the velocity of the gas beside them
 NEAR = 3.0  # cells from a surface within which all is sampled
 BLOCK = 8  # cells along the side of a block that is looked at as one first
@@ -26,9 +25,9 @@ class SolidFaces(NamedTuple):
     u: Floats  # (ny, nx + 1) m/s of the solid there
     v: Floats  # (ny + 1, nx)
     clear: Floats  # (ny, nx) cells to the nearest that is not all open
-    layer_u: Whole  # (ny, nx + 1) 0 open, 1 ... closed ones by how deep
-    layer_v: Whole  # (ny + 1, nx)
-    body: Whole  # (ny, nx) which body is nearest, -1 for none
+    layer_u: Longs  # (ny, nx + 1) 0 open, 1 ... closed ones by how deep
+    layer_v: Longs  # (ny + 1, nx)
+    body: Longs  # (ny, nx) which body is nearest, -1 for none
 
 
 class Found(Protocol):
@@ -39,7 +38,7 @@ class Found(Protocol):
     @property
     def velocity(self) -> Floats: ...
     @property
-    def body(self) -> Whole: ...
+    def body(self) -> Longs: ...
 
 
 class Sampled(Protocol):
@@ -80,7 +79,7 @@ class GridObstacles:
         middle = np.stack([across.ravel(), upright.ravel()], axis=1) * BLOCK * grid.cell
         self._middles: Floats = middle + np.asarray(grid.lower)
 
-    def _block_of(self, shape: tuple[int, int]) -> Whole:
+    def _block_of(self, shape: tuple[int, int]) -> Longs:
         """(n,) which block each point of a field of this shape lies in."""
         j, i = np.meshgrid(np.arange(shape[0]), np.arange(shape[1]), indexing="ij")
         columns = -(-(self.grid.nx + 1) // BLOCK)
@@ -147,7 +146,7 @@ class GridObstacles:
         layers(faces.ay, LAYERS, faces.layer_v)
 
 
-def _nearest(solids: tuple[Sampled, ...], points: Floats) -> tuple[Floats, Floats, Whole]:
+def _nearest(solids: tuple[Sampled, ...], points: Floats) -> tuple[Floats, Floats, Longs]:
     """Distance, velocity and body of the nearest of several solids."""
     distance, velocity = np.full(len(points), np.inf), np.zeros((len(points), 2))
     body = np.full(len(points), -1, np.int64)

@@ -9,30 +9,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.effects import EffectSet
+from game.physics.heat import nodes as no
 from game.physics.heat.effects import HEAT
-from game.physics.heat.nodes import (
-    AMBIENT,
-    AREA,
-    BURNT,
-    EXCHANGE,
-    FUEL,
-    GAS,
-    GIVEN,
-    OXYGEN,
-    REST,
-    ROWS,
-    TEMPERATURE,
-    VAPOUR,
-    WATER,
-    WATER_HEAT,
-    NodeLaws,
-    step_nodes,
-    strongest_coupling,
-)
+from game.physics.heat.nodes import NodeLaws, step_nodes, strongest_coupling
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 MOST_NODES, MOST_SUBSTEPS = 1_000_000, 1_000
 STABLE = 0.5  # of the limit at which neighbours would change places
 
@@ -80,7 +62,7 @@ class NodesState(NamedTuple):
     """nodes (ROWS, n): see `nodes`; torn (m,); totals (4,): J radiated, in steam, of fuel; kg of steam."""
 
     nodes: Floats
-    torn: Ints
+    torn: Longs
     totals: Floats
 
 
@@ -99,39 +81,39 @@ class BurningBodies:
         if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_NODES:
             raise ValueError(f"count = {count!r}: expected a whole number, 1 to {MOST_NODES}")
         self.count, self.made_of = count, made_of or Fuel()
-        self.links: Ints = np.array(links, dtype=np.int64).reshape(-1, 2)
+        self.links: Longs = np.array(links, dtype=np.int64).reshape(-1, 2)
         if len(self.links) and not (self.links.min() >= 0 and self.links.max() < count):
             raise ValueError(f"links: expected nodes from 0 to {count - 1}")
         if len(self.links) and np.any(self.links[:, 0] == self.links[:, 1]):
             raise ValueError("links: a node cannot be linked to itself")
         self.conductances = _numbers("conductances", conductances, len(self.links), 0.0, 1e12)
-        self.torn: Ints = np.zeros(len(self.links), dtype=np.int64)
-        self.nodes: Floats = np.zeros((ROWS, count))
+        self.torn: Longs = np.zeros(len(self.links), dtype=np.int64)
+        self.nodes: Floats = np.zeros((no.ROWS, count))
         for row, name, values, low, high in (
-            (TEMPERATURE, "temperature", temperature, 1e-9, 1e9), (REST, "rest", rest, 1e-12, 1e15),
-            (FUEL, "fuel", fuel, 0.0, 1e12), (WATER, "water", water, 0.0, 1e12),
-            (AREA, "area", area, 0.0, 1e12),
+            (no.TEMPERATURE, "temperature", temperature, 1e-9, 1e9), (no.REST, "rest", rest, 1e-12, 1e15),
+            (no.FUEL, "fuel", fuel, 0.0, 1e12), (no.WATER, "water", water, 0.0, 1e12),
+            (no.AREA, "area", area, 0.0, 1e12),
         ):  # fmt: skip
             self.nodes[row] = _numbers(name, values, count, low, high)
-        self.nodes[GAS], self.nodes[OXYGEN] = self.made_of.ambient, 1.0
-        self.nodes[AMBIENT], self.nodes[EXCHANGE] = self.made_of.ambient, self.made_of.exchange
+        self.nodes[no.GAS], self.nodes[no.OXYGEN] = self.made_of.ambient, 1.0
+        self.nodes[no.AMBIENT], self.nodes[no.EXCHANGE] = self.made_of.ambient, self.made_of.exchange
         self.totals: Floats = np.zeros(4)
         self._sums = np.zeros(count)
 
     @property
     def temperature(self) -> Floats:
         """(n,) K, not copied."""
-        return self.nodes[TEMPERATURE]
+        return self.nodes[no.TEMPERATURE]
 
     @property
     def fuel(self) -> Floats:
         """(n,) kg, not copied."""
-        return self.nodes[FUEL]
+        return self.nodes[no.FUEL]
 
     @property
     def water(self) -> Floats:
         """(n,) kg, not copied."""
-        return self.nodes[WATER]
+        return self.nodes[no.WATER]
 
     def burning(self) -> NDArray[np.bool_]:
         """(n,) which burn now."""
@@ -144,22 +126,22 @@ class BurningBodies:
         which grows with its speed (None: as the fuel says). ValueError.
         """
         given = self.made_of.exchange if exchange is None else exchange
-        self.nodes[EXCHANGE] = _numbers("exchange", given, self.count, 0.0, 1e6)
-        self.nodes[GAS] = _numbers("gas temperature", temperature, self.count, 0.0, 1e9)
-        self.nodes[OXYGEN] = _numbers("oxygen", oxygen, self.count, 0.0, 1e3)
+        self.nodes[no.EXCHANGE] = _numbers("exchange", given, self.count, 0.0, 1e6)
+        self.nodes[no.GAS] = _numbers("gas temperature", temperature, self.count, 0.0, 1e9)
+        self.nodes[no.OXYGEN] = _numbers("oxygen", oxygen, self.count, 0.0, 1e3)
 
     def meet_light(self, temperature: ArrayLike) -> None:
         """Temperature (K) of what each node shines to: a fourth root of a mean of fourth powers.
         ValueError.
         """
-        self.nodes[AMBIENT] = _numbers("temperature around", temperature, self.count, 0.0, 1e9)
+        self.nodes[no.AMBIENT] = _numbers("temperature around", temperature, self.count, 0.0, 1e9)
 
     def take_given(self) -> tuple[Floats, Floats, Floats]:
         """What was given to the gas since the last time, (n,) each: J, kg of vapour, kg burnt; then nothing
         is left.
         """
-        rows = self.nodes[[GIVEN, VAPOUR, BURNT]].copy()
-        self.nodes[[GIVEN, VAPOUR, BURNT]] = 0.0
+        rows = self.nodes[[no.GIVEN, no.VAPOUR, no.BURNT]].copy()
+        self.nodes[[no.GIVEN, no.VAPOUR, no.BURNT]] = 0.0
         return rows[0], rows[1], rows[2]
 
     def wet(self, node: int, kilograms: float, kelvin: float = 293.15) -> None:
@@ -170,10 +152,14 @@ class BurningBodies:
                 "there, from 0, and up to 373.15"
             )
         nodes = self.nodes
-        own = nodes[REST, node] + self.made_of.fuel_heat * nodes[FUEL, node] + WATER_HEAT * nodes[WATER, node]
-        more = WATER_HEAT * kilograms
-        nodes[TEMPERATURE, node] = (own * nodes[TEMPERATURE, node] + more * kelvin) / (own + more)
-        nodes[WATER, node] += kilograms
+        own = (
+            nodes[no.REST, node]
+            + self.made_of.fuel_heat * nodes[no.FUEL, node]
+            + no.WATER_HEAT * nodes[no.WATER, node]
+        )
+        more = no.WATER_HEAT * kilograms
+        nodes[no.TEMPERATURE, node] = (own * nodes[no.TEMPERATURE, node] + more * kelvin) / (own + more)
+        nodes[no.WATER, node] += kilograms
 
     def tear(self, link: int) -> None:
         """No heat goes along a link any more; what it tears off keeps its own. ValueError."""
@@ -189,7 +175,9 @@ class BurningBodies:
         """J in all nodes, from 0 K; of water: as a liquid."""
         laws, n = self.made_of, self.nodes
         return math.fsum(
-            ((n[REST] + laws.fuel_heat * n[FUEL] + WATER_HEAT * n[WATER]) * n[TEMPERATURE]).tolist()
+            (
+                (n[no.REST] + laws.fuel_heat * n[no.FUEL] + no.WATER_HEAT * n[no.WATER]) * n[no.TEMPERATURE]
+            ).tolist()
         )
 
     def step(self, dt: float) -> int:

@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from game.physics.heat.fronts import REACTIONS, front_step
 from game.physics.heat.grid import checked_grid
-
-Floats = NDArray[np.float64]
 
 
 class BurningFront:

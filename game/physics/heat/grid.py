@@ -6,12 +6,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.heat.conduction import alternating_step, explicit_step, flow_into, implicit_step, join_cells
 from game.physics.heat.enthalpy import Phases, add_flow, join_phases, temperatures_of
 
-Floats = NDArray[np.float64]
 SCHEMES = ("explicit", "crank-nicolson", "alternating")
 BEYOND = ("refuse", "switch")
 EDGES = ("left", "right", "lower", "upper")

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import inner_kernel, kernel
 from game.physics.multigrid.levels import JOINED, Axis, axis_tables, levels_of
 from game.physics.multigrid.smoothing import FACTORS, begin, find_plain, relax, residual, wrap_ghosts
@@ -20,21 +21,19 @@ from game.physics.multigrid.walls import (
     restrict_irregular,
 )
 
-Floats = NDArray[np.float64]
-Whole = NDArray[np.int64]
 LAST_PAIRS = 8  # of sweeps on the coarsest level, which has at most two by two cells
 
 
 class Places(NamedTuple):
     """Sizes of the levels, and where each begins in the arrays: (levels,) each."""
 
-    rows: Whole
-    columns: Whole
-    padded: Whole  # in p, q, r
-    cells: Whole  # in b, inverse, norm
-    x: Whole  # in cx
-    y: Whole  # in cy
-    row: Whole  # in plain
+    rows: Longs
+    columns: Longs
+    padded: Longs  # in p, q, r
+    cells: Longs  # in b, inverse, norm
+    x: Longs  # in cx
+    y: Longs  # in cy
+    row: Longs  # in plain
 
 
 class Hierarchy(NamedTuple):
@@ -52,11 +51,11 @@ class Hierarchy(NamedTuple):
     x: Axis
     y: Axis
     row: Floats  # room for a row
-    plain: Whole  # (rows of all levels, 2) of each row, a run of cells whose faces all conduct 1
-    stands: Whole  # as the cells: whether a coarse cell stands for it
-    ways: Whole  # of irregular cells, from where each level's cells begin
-    listed: Whole
-    irregular: Whole  # (levels,) how many
+    plain: Longs  # (rows of all levels, 2) of each row, a run of cells whose faces all conduct 1
+    stands: Longs  # as the cells: whether a coarse cell stands for it
+    ways: Longs  # of irregular cells, from where each level's cells begin
+    listed: Longs
+    irregular: Longs  # (levels,) how many
     joined: NDArray[np.bool_]  # (2,) whether x, y are periodic
 
 

@@ -7,13 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels.magnitudes import from_bits, largest
 from game.physics.multigrid.smoothing import flow_into, mostly_plain, wrap_ghosts
-
-Floats = NDArray[np.float64]
-Whole = NDArray[np.int64]
-
 
 LAST_PLACE = 2.220446049250313e-16
 
@@ -29,12 +26,12 @@ class Equation(NamedTuple):
     r: Floats  # (ny, nx) residual
     d: Floats  # (ny + 2, nx + 2) direction of a search
     z: Floats  # (ny, nx) room
-    labels: Whole  # (ny, nx) region of a cell, -1 for closed ones
+    labels: Longs  # (ny, nx) region of a cell, -1 for closed ones
     fixed: NDArray[np.bool_]  # (ny nx,) of a region, whether an open side fixes its pressure
     sums: Floats  # (2, ny nx) room, for each region
-    stack: Whole  # (ny nx,) room
+    stack: Longs  # (ny nx,) room
     joined: NDArray[np.bool_]  # (2,) whether x, y are periodic
-    plain: Whole  # (ny, 2) of each row, a run of cells whose faces all conduct 1
+    plain: Longs  # (ny, 2) of each row, a run of cells whose faces all conduct 1
     whole: NDArray[np.bool_]  # (1,) whether all cells are of one region
 
 

@@ -9,12 +9,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.multigrid.transfer import FAR, NEAR
 
-Floats = NDArray[np.float64]
-Whole = NDArray[np.int64]
 CLOSED, OPEN_END, JOINED = range(3)  # how an axis ends: no flow, pressure 0 on the side, periodic
 
 
@@ -29,17 +27,17 @@ class Axis(NamedTuple):
     2 I and 2 I + 1, with the weights 3/4 and 1/4 of equal widths.
     """
 
-    near: Whole
-    far: Whole
+    near: Longs
+    far: Longs
     share: Floats
-    members: Whole
+    members: Longs
     gather: Floats
-    mid: Whole
+    mid: Longs
     ratio: Floats
-    fine_at: Whole  # (levels,) where a level's fine rows begin
-    coarse_at: Whole  # (levels,) where its coarse rows begin
-    face_at: Whole  # (levels,)
-    even: Whole  # (levels, 2)
+    fine_at: Longs  # (levels,) where a level's fine rows begin
+    coarse_at: Longs  # (levels,) where its coarse rows begin
+    face_at: Longs  # (levels,)
+    even: Longs  # (levels, 2)
 
 
 def _merged(count: int) -> list[list[int]]:
@@ -81,7 +79,7 @@ def _up_table(widths: Floats, groups: list[list[int]], ends: tuple[int, int]):
     return np.array(near), np.array(far), np.array(share)
 
 
-def _down_table(groups: list[list[int]], near: Whole, far: Whole, share: Floats):
+def _down_table(groups: list[list[int]], near: Longs, far: Longs, share: Floats):
     """members, gather of each coarse cell: the transpose."""
     count, fine = len(groups), len(near)
     members, gather = np.zeros((count, 3), np.int64), np.zeros((count, 5))
@@ -99,7 +97,7 @@ def _down_table(groups: list[list[int]], near: Whole, far: Whole, share: Floats)
     return members, gather
 
 
-def _even_run(members: Whole, gather: Floats) -> tuple[int, int]:
+def _even_run(members: Longs, gather: Floats) -> tuple[int, int]:
     """The longest run of coarse cells with the weights of equal widths: `Axis.even`."""
     k = np.arange(len(members))
     pairs = (members[:, 0] == 2 * k) & (members[:, 1] == 2 * k + 1)
@@ -109,7 +107,7 @@ def _even_run(members: Whole, gather: Floats) -> tuple[int, int]:
     return int(odd[longest]) + 1, int(odd[longest + 1])
 
 
-def _link_table(widths: Floats, groups: list[list[int]], ends: tuple[int, int]) -> tuple[Whole, Floats]:
+def _link_table(widths: Floats, groups: list[list[int]], ends: tuple[int, int]) -> tuple[Longs, Floats]:
     """mid and ratio of each coarse face."""
     coarse = np.array([np.sum(widths[group]) for group in groups])
     fine_gaps, gaps = _gaps(widths, ends), _gaps(coarse, ends)

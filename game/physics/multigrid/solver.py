@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
 from game.physics.grid.borders import OPEN, PERIODIC
 from game.physics.multigrid.conjugate_gradients import factorise, solve_gradients
@@ -19,7 +20,6 @@ from game.physics.multigrid.multigrid import solve_cycles, solve_multigrid
 from game.physics.multigrid.smoothing import find_plain
 from game.physics.multigrid.transfer import invert_diagonal
 
-Floats = NDArray[np.float64]
 SOLVERS = ("multigrid", "v-cycles", "conjugate-gradients", "gauss-seidel", "jacobi")
 USUAL_TURNS = {"multigrid": 3, "v-cycles": 4, "conjugate-gradients": 40, "gauss-seidel": 20, "jacobi": 40}
 LEAST_FACE = 1e-3  # open part of a face below which it counts as closed

@@ -11,8 +11,8 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.narrowphase.coarse import coarse_outlines, coarse_polygon, finer_feature, levels_of
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
@@ -21,8 +21,6 @@ from game.physics.narrowphase.gjk import LIMIT, METHODS, TOLERANCE, Start, gjk_q
 from game.physics.narrowphase.simplex import support_scan
 from game.physics.narrowphase.vclip import vclip_query
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 COLUMNS = 7  # distance, x and y of A's point, of B's point, of the normal
 
 
@@ -57,7 +55,7 @@ class PolygonSet:
     def __len__(self) -> int:
         return len(self.anchors)
 
-    def side(self, poses: Array) -> tuple[Array, Integers, Array, Integers, Array, Array, Array]:
+    def side(self, poses: Floats) -> tuple[Floats, Longs, Floats, Longs, Floats, Floats, Floats]:
         """The plain tuple of a `Side`, with poses (k, 4)."""
         return self.vertices, self.first, self.outlines, self.coarse, self.anchors, self.centres, poses
 
@@ -65,33 +63,33 @@ class PolygonSet:
 class Proximities(NamedTuple):
     """Answers of a batch, a row for each pair; see `Proximity`. Feature 2 i is a vertex, 2 i + 1 an edge."""
 
-    distance: Array  # (m,) m
-    point_a: Array  # (m, 2) m
-    point_b: Array
-    feature_a: Integers  # (m,)
-    feature_b: Integers
-    iterations: Integers
-    normal: Array  # (m, 2)
+    distance: Floats  # (m,) m
+    point_a: Floats  # (m, 2) m
+    point_b: Floats
+    feature_a: Longs  # (m,)
+    feature_b: Longs
+    iterations: Longs
+    normal: Floats  # (m, 2)
 
 
 class Side(NamedTuple):
     """The polygons of one side of a batch, as kernels take them; see `PolygonSet`."""
 
-    vertices: Array  # (N, 2) m
-    first: Integers  # (k + 1,)
-    outlines: Array  # (M, 2) m
-    coarse: Integers  # (k,)
-    anchors: Array  # (k, 2) m
-    centres: Array  # (k, 2) m
-    poses: Array  # (k, 4) x, y, cos, sin
+    vertices: Floats  # (N, 2) m
+    first: Longs  # (k + 1,)
+    outlines: Floats  # (M, 2) m
+    coarse: Longs  # (k,)
+    anchors: Floats  # (k, 2) m
+    centres: Floats  # (k, 2) m
+    poses: Floats  # (k, 4) x, y, cos, sin
 
 
 class Answers(NamedTuple):
     """Where kernels write what they found, a row for each pair."""
 
-    numbers: Array  # (m, COLUMNS)
-    features: Integers  # (m, 2) where to begin (or -1), then what was found
-    iterations: Integers  # (m,)
+    numbers: Floats  # (m, COLUMNS)
+    features: Longs  # (m, 2) where to begin (or -1), then what was found
+    iterations: Longs  # (m,)
 
 
 @inner_kernel
@@ -197,7 +195,7 @@ def gjk_batch(
     pairs: Any = None,
     poses_a: Any = None,
     poses_b: Any = None,
-    features: Integers | None = None,
+    features: Longs | None = None,
     tolerance: float = TOLERANCE,
     deep: bool = True,
     method: str = "climb",
@@ -222,7 +220,7 @@ def vclip_batch(
     pairs: Any = None,
     poses_a: Any = None,
     poses_b: Any = None,
-    features: Integers | None = None,
+    features: Longs | None = None,
     deep: bool = True,
 ) -> Proximities:
     """V-Clip for many pairs of convex polygons; arguments as for `gjk_batch`.
@@ -255,7 +253,7 @@ class _Query:
             raise ValueError(f"features: expected an int64 array ({m}, 2)")
         self.written = (np.empty((m, COLUMNS)), features, np.empty(m, dtype=np.int64))
 
-    def _pairs(self, pairs: Any) -> Integers:
+    def _pairs(self, pairs: Any) -> Longs:
         if pairs is None:
             if len(self.a) != len(self.b):
                 raise ValueError(
@@ -279,7 +277,7 @@ class _Query:
         )  # fmt: skip
 
 
-def _poses(name: str, given: Any, count: int) -> Array:
+def _poses(name: str, given: Any, count: int) -> Floats:
     if given is None:
         return np.tile((0.0, 0.0, 1.0, 0.0), (count, 1))
     poses = np.ascontiguousarray(given, dtype=np.float64)

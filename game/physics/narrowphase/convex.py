@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, linear
 from game.physics.narrowphase.cleaning import NOT_CONVEX, clean_outline
-
-Array = NDArray[np.float64]
 
 LARGEST = 1e75  # m: products of four lengths stay finite
 SMALLEST = 1e-75  # m: and do not vanish
@@ -40,10 +39,10 @@ class ConvexPolygon:
     """
 
     __slots__ = ("anchor", "centre", "local", "source", "vertices")
-    vertices: Array
-    local: Array
-    anchor: Array
-    centre: Array
+    vertices: Floats
+    local: Floats
+    anchor: Floats
+    centre: Floats
     source: NDArray[np.int64]
 
     def __init__(self, points: Any) -> None:
@@ -54,7 +53,7 @@ class ConvexPolygon:
             raise NonConvexError(convex_hull(given), int(vertex))
         self._take(given[kept[:count]], kept[:count].copy())
 
-    def _take(self, vertices: Array, source: NDArray[np.int64]) -> None:
+    def _take(self, vertices: Floats, source: NDArray[np.int64]) -> None:
         self.vertices = vertices
         self.source = source
         self.anchor = vertices[0].copy()
@@ -98,7 +97,7 @@ class ConvexPolygon:
         x, y = self.local.T
         return 0.5 * float(linear.product(x, np.roll(y, -1)) - linear.product(y, np.roll(x, -1)))
 
-    def normals(self) -> Array:
+    def normals(self) -> Floats:
         """Outward unit normals (k, 2) of its edges; none for a point."""
         if len(self) == 1:
             return np.zeros((0, 2))
@@ -124,7 +123,7 @@ class ConvexPolygon:
             raise ValueError(f"convex polygon: does not turn left at vertex {vertex}")
 
 
-def outline_points(points: Any) -> Array:
+def outline_points(points: Any) -> Floats:
     """Points (n, 2) of an outline as float64, contiguous; ValueError if they are none."""
     try:
         given = np.ascontiguousarray(points, dtype=np.float64)

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise
 
-Array = NDArray[np.float64]
 
-
-def minkowski_difference(a: Array, b: Array) -> Array:
+def minkowski_difference(a: Floats, b: Floats) -> Floats:
     """Corners (k, 2) of A - B, counterclockwise, of convex polygons (n, 2), (m, 2) that turn left.
 
     Its edges are those of A and of -B, in the order of their directions (de Berg and others 2008, 13.3).
@@ -27,11 +25,11 @@ def minkowski_difference(a: Array, b: Array) -> Array:
     return start + np.vstack((np.zeros((1, 2)), np.cumsum(edges[order], axis=0)[:-1]))
 
 
-def _from_lowest(polygon: Array) -> Array:
+def _from_lowest(polygon: Floats) -> Floats:
     """The polygon from its lowest (then leftmost) corner on."""
     lowest = int(np.lexsort((polygon[:, 0], polygon[:, 1]))[0])
     return np.roll(polygon, -lowest, axis=0)
 
 
-def _edges(polygon: Array) -> Array:
+def _edges(polygon: Floats) -> Floats:
     return np.roll(polygon, -1, axis=0) - polygon

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase import epa as epa_kernels
 from game.physics.narrowphase import gjk as gjk_kernels
 from game.physics.narrowphase import vclip as vclip_kernels
@@ -18,12 +19,11 @@ from game.physics.narrowphase.proximity import Proximity, certify
 from game.physics.narrowphase.separating_axis import overlap_query
 from game.physics.narrowphase.vclip import vclip_query
 
-Array = NDArray[np.float64]
 Start = Proximity | tuple[Feature, Feature] | None
 
 
 def vclip(
-    a: Any, b: Any, start: Start = None, deep: bool = True, trace: Array = vclip_kernels.NO_TRACE
+    a: Any, b: Any, start: Start = None, deep: bool = True, trace: Floats = vclip_kernels.NO_TRACE
 ) -> Proximity:
     """Distance, closest points and features of two convex polygons by V-Clip (Mirtich 1998).
 
@@ -45,7 +45,7 @@ def gjk(
     method: str = "climb",
     limit: int = gjk_kernels.LIMIT,
     deep: bool = True,
-    trace: Array = gjk_kernels.NO_TRACE,
+    trace: Floats = gjk_kernels.NO_TRACE,
 ) -> Proximity:
     """Distance, closest points and features of two convex polygons by GJK.
 
@@ -84,8 +84,8 @@ def epa(
     tolerance: float = gjk_kernels.TOLERANCE,
     method: str = "climb",
     deep: bool = True,
-    trace: Array = gjk_kernels.NO_TRACE,
-    expansion: Array = epa_kernels.NO_TRACE,
+    trace: Floats = gjk_kernels.NO_TRACE,
+    expansion: Floats = epa_kernels.NO_TRACE,
     first: NDArray[np.int64] = epa_kernels.NO_CORNERS,
 ) -> Proximity:
     """`gjk`, with the depth of an overlap by expanding a polygon (EPA) instead of looking at all edges.
@@ -169,7 +169,7 @@ def gjk_trace(a: Any, b: Any, start: Start = None, **options: Any) -> tuple[Prox
     return found, _simplex_steps(rows)
 
 
-def _simplex_steps(rows: Array) -> list[SimplexStep]:
+def _simplex_steps(rows: Floats) -> list[SimplexStep]:
     steps = []
     for row in rows[np.isfinite(rows[:, 0])].tolist():
         corners = ((int(row[1]), int(row[2])), (int(row[3]), int(row[4])))

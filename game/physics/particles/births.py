@@ -16,17 +16,8 @@ import math
 
 from game.compiler.decorator import lean_kernel
 from game.physics.kernels import elementary
+from game.physics.particles import encounters
 from game.physics.particles.effects import REPORTS_BIT
-from game.physics.particles.encounters import (
-    BORN,
-    COUNT,
-    DIED,
-    DROPPED,
-    DURATION,
-    HEAD,
-    IDENTITY,
-    START,
-)
 from game.physics.particles.random_numbers import uniform_pair
 
 # an emitter's row: position at the end of the step and at its beginning (m), axis (rad from +y, clockwise),
@@ -58,22 +49,22 @@ def retire(mask, pool, listed, found, life, now, h):
     hits, who = listed
     end = now + h
     limit = end + SLACK * (abs(end) + life)
-    while tallies[COUNT] > 0 and found < who.shape[0]:
-        place = tallies[HEAD]
+    while tallies[encounters.COUNT] > 0 and found < who.shape[0]:
+        place = tallies[encounters.HEAD]
         instant = fields[4, place] + life
         if instant > limit:
             break
         if mask & REPORTS_BIT:
             for row in range(4):
                 hits[row, found] = fields[row, place]
-            hits[START, found] = 0.0
-            hits[DURATION, found] = min(max(instant - now, 0.0), h)
-            hits[IDENTITY, found] = tags[0, place]
+            hits[encounters.START, found] = 0.0
+            hits[encounters.DURATION, found] = min(max(instant - now, 0.0), h)
+            hits[encounters.IDENTITY, found] = tags[0, place]
             who[found] = -1
             found += 1
-        tallies[HEAD] = place + 1 if place + 1 < capacity else 0
-        tallies[COUNT] -= 1
-        tallies[DIED] += 1
+        tallies[encounters.HEAD] = place + 1 if place + 1 < capacity else 0
+        tallies[encounters.COUNT] -= 1
+        tallies[encounters.DIED] += 1
     return found
 
 
@@ -136,25 +127,25 @@ def emit(mask, pool, sources, listed, found, life, now, h):
         counts[e, SERIAL] += 1
         age = min(max(end - instant, 0.0), h)
         stillborn = age + SLACK * (abs(end) + life) >= life
-        if not stillborn and tallies[COUNT] == capacity:
-            tallies[DROPPED] += 1
+        if not stillborn and tallies[encounters.COUNT] == capacity:
+            tallies[encounters.DROPPED] += 1
             continue
-        tallies[BORN] += 1
+        tallies[encounters.BORN] += 1
         if stillborn:
-            tallies[DIED] += 1
+            tallies[encounters.DIED] += 1
             if mask & REPORTS_BIT == 0:
                 continue
         launch(emitters[e], seed, e, serial, 1.0 - age / h, hits, found)
-        hits[START, found] = h - age
-        hits[DURATION, found] = min(age, life)
-        hits[IDENTITY, found] = e * IDENTITY_STEP + serial
+        hits[encounters.START, found] = h - age
+        hits[encounters.DURATION, found] = min(age, life)
+        hits[encounters.IDENTITY, found] = e * IDENTITY_STEP + serial
         who[found] = -1
         if not stillborn:
-            place = (tallies[HEAD] + tallies[COUNT]) % capacity
+            place = (tallies[encounters.HEAD] + tallies[encounters.COUNT]) % capacity
             fields[4, place] = instant
             tags[0, place] = e * IDENTITY_STEP + serial
             tags[1, place] = 0
             who[found] = place
-            tallies[COUNT] += 1
+            tallies[encounters.COUNT] += 1
         found += 1
     return found

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
-from game.physics.particles.births import FROM_X, FROM_Y, IDENTITY_STEP, SPEED
+from game.physics.particles import births
 from game.physics.particles.flight import decay_over
 from game.physics.particles.forces import Forces
 
@@ -63,13 +63,13 @@ def measure_deviation(swarm, low, high, stride, emitters, law, now, since, toler
     outside = 0
     looked = 0
     for i in range(low, high, stride):
-        e = tags[0, i] // IDENTITY_STEP
+        e = tags[0, i] // births.IDENTITY_STEP
         if tags[1, i] != 0 or fields[4, i] < since or e >= emitters.shape[0]:
             continue
         x, y, reach = circle_at(law, now - fields[4, i])
-        dx = fields[0, i] - emitters[e, FROM_X] - x
-        dy = fields[1, i] - emitters[e, FROM_Y] - y
-        off = math.sqrt(dx * dx + dy * dy) - emitters[e, SPEED] * reach
+        dx = fields[0, i] - emitters[e, births.FROM_X] - x
+        dy = fields[1, i] - emitters[e, births.FROM_Y] - y
+        off = math.sqrt(dx * dx + dy * dy) - emitters[e, births.SPEED] * reach
         worst = max(worst, abs(off))
         outside += off > tolerance
         looked += 1

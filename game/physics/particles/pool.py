@@ -8,18 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.physics.particles import encounters
 from game.physics.particles.births import IDENTITY_STEP
-from game.physics.particles.encounters import (
-    BORN,
-    COUNT,
-    CUT_SHORT,
-    DIED,
-    DROPPED,
-    HEAD,
-    IMPACTS,
-    TALLIES,
-    UNREPORTED,
-)
 from game.physics.particles.solids import LARGEST
 
 MAX_CAPACITY = 4_000_000
@@ -43,44 +33,44 @@ class Pool:
         self.capacity = capacity
         self.fields = np.zeros((5, capacity + PADDING))
         self.tags = np.zeros((2, capacity), dtype=np.int64)
-        self.tallies = np.zeros(TALLIES, dtype=np.int64)
+        self.tallies = np.zeros(encounters.TALLIES, dtype=np.int64)
 
     def __len__(self) -> int:
-        return int(self.tallies[COUNT])
+        return int(self.tallies[encounters.COUNT])
 
     @property
     def born(self) -> int:
         """Particles ever born."""
-        return int(self.tallies[BORN])
+        return int(self.tallies[encounters.BORN])
 
     @property
     def died(self) -> int:
         """Particles ever dead of age."""
-        return int(self.tallies[DIED])
+        return int(self.tallies[encounters.DIED])
 
     @property
     def dropped(self) -> int:
         """Births for which there was no place."""
-        return int(self.tallies[DROPPED])
+        return int(self.tallies[encounters.DROPPED])
 
     @property
     def impacts(self) -> int:
         """Flights of a step with an impact, ever."""
-        return int(self.tallies[IMPACTS])
+        return int(self.tallies[encounters.IMPACTS])
 
     @property
     def cut_short(self) -> int:
         """Flights in which a step's greatest number of contacts was reached, and the time left dropped."""
-        return int(self.tallies[CUT_SHORT])
+        return int(self.tallies[encounters.CUT_SHORT])
 
     @property
     def unreported(self) -> int:
         """Reports for which there was no line."""
-        return int(self.tallies[UNREPORTED])
+        return int(self.tallies[encounters.UNREPORTED])
 
     def segments(self) -> tuple[tuple[int, int], ...]:
         """Places that are taken, as one or two ranges, the oldest particle first."""
-        head = int(self.tallies[HEAD])
+        head = int(self.tallies[encounters.HEAD])
         end = head + len(self)
         if end <= self.capacity:
             return ((head, end),)
@@ -121,25 +111,25 @@ class Pool:
         if places.shape != speeds.shape:
             raise ValueError(f"velocities: expected {len(places)} pairs, got {len(speeds)}")
         count = min(len(places), self.capacity - len(self))
-        slots = (int(self.tallies[HEAD]) + len(self) + np.arange(count)) % self.capacity
+        slots = (int(self.tallies[encounters.HEAD]) + len(self) + np.arange(count)) % self.capacity
         self.fields[0:2, slots] = places[:count].T
         self.fields[2:4, slots] = speeds[:count].T
         self.fields[4, slots] = self.time_s
         self.tags[0, slots] = BY_HAND * IDENTITY_STEP + self.born + np.arange(count)
         self.tags[1, slots] = 0
-        self.tallies[COUNT] += count
-        self.tallies[BORN] += count
-        self.tallies[DROPPED] += len(places) - count
+        self.tallies[encounters.COUNT] += count
+        self.tallies[encounters.BORN] += count
+        self.tallies[encounters.DROPPED] += len(places) - count
 
     def clear(self) -> None:
         """Let all die now."""
-        self.tallies[DIED] += self.tallies[COUNT]
-        self.tallies[COUNT] = 0
+        self.tallies[encounters.DIED] += self.tallies[encounters.COUNT]
+        self.tallies[encounters.COUNT] = 0
 
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
         assert 0 <= len(self) <= self.capacity, "count"
-        assert 0 <= self.tallies[HEAD] < self.capacity, "head"
+        assert 0 <= self.tallies[encounters.HEAD] < self.capacity, "head"
         assert self.born == self.died + len(self), "born = died + alive"
         assert np.all(np.diff(self.living(self.fields[4])) >= 0.0), "in the order of birth"
         assert np.all(np.isfinite(self.living(self.fields))), "finite"

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
+from game.physics.plates import flight
 from game.physics.plates.contacts import WALL
-from game.physics.plates.flight import WX, WX_T, WX_X, WX_Y, WY, WY_T, WY_X, WY_Y
 from game.physics.surfaces.sample_fields import Field
 
-Floats = NDArray[np.float64]
 LARGEST = 1e7  # m, m/s
 
 
@@ -55,7 +55,7 @@ def slopes_of(field: Field, places: Floats, time: float, air: Floats, reach: flo
     by_x = (field.sample(where + across, time) - field.sample(where - across, time)) / (2.0 * reach)
     by_y = (field.sample(where + up, time) - field.sample(where - up, time)) / (2.0 * reach)
     by_t = (field.sample(where, time + reach) - field.sample(where, time - reach)) / (2.0 * reach)
-    air[WX], air[WY] = here.T
-    air[WX_X], air[WY_X] = by_x.T
-    air[WX_Y], air[WY_Y] = by_y.T
-    air[WX_T], air[WY_T] = by_t.T
+    air[flight.WX], air[flight.WY] = here.T
+    air[flight.WX_X], air[flight.WY_X] = by_x.T
+    air[flight.WX_Y], air[flight.WY_Y] = by_y.T
+    air[flight.WX_T], air[flight.WY_T] = by_t.T

@@ -13,31 +13,13 @@ import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.plates.law import (
-    BEND,
-    BEND_INERTIA,
-    BEND_RATE,
-    HALF,
-    HEAVY,
-    INERTIA,
-    MASS,
-    MASS_X,
-    MASS_Y,
-    RADIUS,
-    SPIN,
-    STIFF,
-    THETA,
-    VX,
-    VY,
-    X,
-    Y,
-)
+from game.physics.plates import law
 
 NOBODY = -1  # the ground or a wall
 FEATURES, PARTNERS = 8, 65_536  # of a plate: three points, two ends of a wall; the ground, plates, walls
 WALLS = 8_192  # number of the first wall among partners
 POINTS, PER_POINT = 3, 4  # of a plate: offset from its place (m), and how it moves with the bend (m/rad)
-BELOW = 0.5 * (1.0 - HEAVY)  # of a half chord times sin q that the midrib lies below the centre of mass
+BELOW = 0.5 * (1.0 - law.HEAVY)  # of a half chord times sin q that the midrib lies below the centre of mass
 START_X, START_Y, END_X, END_Y, WALL_RADIUS, WALL_FRICTION = range(6)
 WALL = 6
 GAP, FRICTION, NORMAL_X, NORMAL_Y, PUSH, RUB, HEIGHT, YIELDS, YIELDS_ACROSS = range(9)
@@ -50,7 +32,7 @@ RICHER = 1e-3  # m, beyond what is crossed in a step, within which contacts are 
 @inner_kernel
 def shape(state, laws, points, i):
     """Write the three points of a plate: (x, y) from its place, and how they move with the bend."""
-    a, q, theta = laws[HALF, i], state[BEND, i], state[THETA, i]
+    a, q, theta = laws[law.HALF, i], state[law.BEND, i], state[law.THETA, i]
     c, s, level, up = elementary.cos(theta), elementary.sin(theta), elementary.cos(q), elementary.sin(q)
     for k in range(POINTS):
         side = k - 1.0
@@ -68,18 +50,21 @@ def lever(row, first, state, laws, i, arm, normal, sign, bends):
     Levers: along, across: each spin arm, bend arm, then what it changes: vx, vy, spin, bend rate.
     """
     total_n, total_t = 0.0, 0.0
-    gives = bends if laws[STIFF, i] > 0.0 else 0.0
-    c, s = elementary.cos(state[THETA, i]), elementary.sin(state[THETA, i])
-    mass = laws[MASS, i]
+    gives = bends if laws[law.STIFF, i] > 0.0 else 0.0
+    c, s = elementary.cos(state[law.THETA, i]), elementary.sin(state[law.THETA, i])
+    mass = laws[law.MASS, i]
     for k in range(2):
         dx, dy = (normal[0], normal[1]) if k == 0 else (-normal[1], normal[0])
         dx, dy = sign * dx, sign * dy
         turn, bend = arm[0] * dy - arm[1] * dx, gives * (arm[2] * dx + arm[3] * dy)
-        ux, uy = (c * dx + s * dy) / laws[MASS_X, i], (c * dy - s * dx) / laws[MASS_Y, i]
+        ux, uy = (c * dx + s * dy) / laws[law.MASS_X, i], (c * dy - s * dx) / laws[law.MASS_Y, i]
         at = first + 6 * k
         row[at], row[at + 1] = turn, bend
         row[at + 2], row[at + 3] = (c * ux - s * uy) / mass, (s * ux + c * uy) / mass
-        row[at + 4], row[at + 5] = turn / (mass * laws[INERTIA, i]), bend / (mass * laws[BEND_INERTIA, i])
+        row[at + 4], row[at + 5] = (
+            turn / (mass * laws[law.INERTIA, i]),
+            bend / (mass * laws[law.BEND_INERTIA, i]),
+        )
         total = row[at + 2] * dx + row[at + 3] * dy + turn * row[at + 4] + bend * row[at + 5]
         if k == 0:
             total_n = total
@@ -109,7 +94,7 @@ def add(found, count, world, i, feature, j, other, normal, limits):
         more, off = lever(row, ARMS + LEVERS, state, laws, j, far_arm, normal, -1.0, bends)
         along, across = along + more, across + off
     row[GAP], row[FRICTION], row[NORMAL_X], row[NORMAL_Y] = limits[0], limits[1], normal[0], normal[1]
-    row[HEIGHT], row[YIELDS], row[YIELDS_ACROSS] = state[Y, i] + arm[1], along, across
+    row[HEIGHT], row[YIELDS], row[YIELDS_ACROSS] = state[law.Y, i] + arm[1], along, across
     return count + 1
 
 
@@ -137,7 +122,7 @@ def between(points, j, side, share):
 @inner_kernel
 def point_on_plate(state, points, px, py, j):
     """Of the halves of plate j the nearest place to a point: its half, share, and the way to the point."""
-    x, y = state[X, j], state[Y, j]
+    x, y = state[law.X, j], state[law.Y, j]
     best, side, share, wx, wy = math.inf, 0, 0.0, 0.0, 0.0
     for k in range(0, POINTS, 2):
         at, dx, dy = nearest(
@@ -159,10 +144,10 @@ def points_on_plate(world, found, count, i, j, reach, friction):
     """Contacts of the three points of plate i with the halves of plate j."""
     state, laws, points = world
     for k in range(POINTS):
-        px, py = state[X, i] + points[i, k, 0], state[Y, i] + points[i, k, 1]
+        px, py = state[law.X, i] + points[i, k, 0], state[law.Y, i] + points[i, k, 1]
         side, share, dx, dy = point_on_plate(state, points, px, py, j)
         far = math.sqrt(dx * dx + dy * dy)
-        gap = far - laws[RADIUS, i] - laws[RADIUS, j]
+        gap = far - laws[law.RADIUS, i] - laws[law.RADIUS, j]
         if gap < reach and far > 0.0:
             other = (1 + j, between(points, j, side, share))
             count = add(
@@ -184,9 +169,9 @@ def with_wall(world, found, count, i, walls, w, reach):
     """Contacts of plate i with a wall: its points, and the wall's ends on its halves."""
     state, laws, points = world
     other = (WALLS + w, (0.0, 0.0, 0.0, 0.0))
-    friction, thick = walls[w, WALL_FRICTION], laws[RADIUS, i] + walls[w, WALL_RADIUS]
+    friction, thick = walls[w, WALL_FRICTION], laws[law.RADIUS, i] + walls[w, WALL_RADIUS]
     for k in range(POINTS):
-        px, py = state[X, i] + points[i, k, 0], state[Y, i] + points[i, k, 1]
+        px, py = state[law.X, i] + points[i, k, 0], state[law.Y, i] + points[i, k, 1]
         _, dx, dy = nearest(px, py, walls[w, START_X], walls[w, START_Y], walls[w, END_X], walls[w, END_Y])
         far = math.sqrt(dx * dx + dy * dy)
         if far - thick < reach and far > 0.0:
@@ -216,9 +201,12 @@ def with_wall(world, found, count, i, walls, w, reach):
 @inner_kernel
 def crossed(state, laws, i, gravity, dt):
     """How far (m) a point of a plate may go in a step, and a little more."""
-    a = laws[HALF, i]
-    speed = math.sqrt(state[VX, i] * state[VX, i] + state[VY, i] * state[VY, i]) + abs(state[SPIN, i]) * a
-    return 1.5 * dt * (speed + abs(state[BEND_RATE, i]) * a + abs(gravity) * dt) + RICHER
+    a = laws[law.HALF, i]
+    speed = (
+        math.sqrt(state[law.VX, i] * state[law.VX, i] + state[law.VY, i] * state[law.VY, i])
+        + abs(state[law.SPIN, i]) * a
+    )
+    return 1.5 * dt * (speed + abs(state[law.BEND_RATE, i]) * a + abs(gravity) * dt) + RICHER
 
 
 @lean_kernel
@@ -237,11 +225,11 @@ def find_contacts(world, found, walls, order, settings, dt):
         shape(state, laws, points, i)
     for i in range(state.shape[1]):
         far = crossed(state, laws, i, gravity, dt)
-        reach = laws[HALF, i] + laws[RADIUS, i] + far
-        x, y = state[X, i], state[Y, i]
+        reach = laws[law.HALF, i] + laws[law.RADIUS, i] + far
+        x, y = state[law.X, i], state[law.Y, i]
         if ground > 0.5 and y - reach < floor:
             for k in range(POINTS):
-                gap = y + points[i, k, 1] - floor - laws[RADIUS, i]
+                gap = y + points[i, k, 1] - floor - laws[law.RADIUS, i]
                 if gap < far:
                     count = add(
                         found,
@@ -277,18 +265,18 @@ def find_pairs(world, found, count, order, settings, dt):
     sort(state, order)
     widest = 0.0
     for i in range(n):
-        widest = max(widest, laws[HALF, i] + laws[RADIUS, i] + crossed(state, laws, i, gravity, dt))
+        widest = max(widest, laws[law.HALF, i] + laws[law.RADIUS, i] + crossed(state, laws, i, gravity, dt))
     for k in range(n):
         i = order[k]
         far = crossed(state, laws, i, gravity, dt)
-        own = laws[HALF, i] + laws[RADIUS, i]
+        own = laws[law.HALF, i] + laws[law.RADIUS, i]
         for m in range(k + 1, n):
             j = order[m]
-            dx, dy = state[X, j] - state[X, i], state[Y, j] - state[Y, i]
+            dx, dy = state[law.X, j] - state[law.X, i], state[law.Y, j] - state[law.Y, i]
             if dx > own + far + widest:
                 break
             away = far + crossed(state, laws, j, gravity, dt)
-            near = own + laws[HALF, j] + laws[RADIUS, j] + away
+            near = own + laws[law.HALF, j] + laws[law.RADIUS, j] + away
             if dx * dx + dy * dy < near * near:
                 count = points_on_plate(world, found, count, i, j, away, friction)
                 count = points_on_plate(world, found, count, j, i, away, friction)
@@ -300,9 +288,9 @@ def sort(state, order):
     """Plates from left to right, those at one place by number: an insertion sort of what is nearly sorted."""
     for k in range(1, len(order)):
         i = order[k]
-        x = state[X, i]
+        x = state[law.X, i]
         m = k - 1
-        while m >= 0 and (state[X, order[m]] > x or (state[X, order[m]] == x and order[m] > i)):
+        while m >= 0 and (state[law.X, order[m]] > x or (state[law.X, order[m]] == x and order[m] > i)):
             order[m + 1] = order[m]
             m -= 1
         order[m + 1] = i

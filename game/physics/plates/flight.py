@@ -18,52 +18,20 @@ import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.plates.law import (
-    BEND,
-    BEND_INERTIA,
-    BEND_RATE,
-    COLUMNS,
-    CURL,
-    DAMP,
-    DRAG,
-    DRAG_TURN,
-    GLIDE,
-    HALF,
-    HALF_BEND,
-    HEAVY,
-    INERTIA,
-    MASS_X,
-    MASS_Y,
-    MOST_BEND,
-    OFFSET,
-    SPIN,
-    STATE,
-    STIFF,
-    THETA,
-    TORQUE,
-    TORQUE_2,
-    TURN,
-    VX,
-    VY,
-    WEIGHT,
-    X,
-    Y,
-    cosine,
-    half_drag,
-    sine,
-)
+from game.physics.plates import law as la
+from game.physics.plates.law import cosine, half_drag, sine
 
 WX, WY, WX_X, WX_Y, WY_X, WY_Y, WX_T, WY_T = range(8)  # wind m/s, its gradient 1/s, its rate m/s²
 WIND = 8
 LANES = 16
-LAW = STATE  # rows of the buffer
-AIR = LAW + COLUMNS
+LAW = la.STATE  # rows of the buffer
+AIR = LAW + la.COLUMNS
 COS, SIN, FROM_X, FROM_Y, TIME, LENGTH, PER_X, PER_Y, PER_TURN, PER_BEND = (AIR + WIND + k for k in range(10))
 SLOPE = AIR + WIND + 10  # slopes of the stage before, in the order of the state
-COS_SLOPE, SIN_SLOPE = SLOPE + STATE, SLOPE + STATE + 1
-SUM = SLOPE + STATE + 2
-COS_SUM, SIN_SUM = SUM + STATE, SUM + STATE + 1
-ROWS = SUM + STATE + 2
+COS_SLOPE, SIN_SLOPE = SLOPE + la.STATE, SLOPE + la.STATE + 1
+SUM = SLOPE + la.STATE + 2
+COS_SUM, SIN_SUM = SUM + la.STATE, SUM + la.STATE + 1
+ROWS = SUM + la.STATE + 2
 METHODS = ("explicit-euler", "midpoint", "rk4")
 MIDPOINT, RK4 = 1.0, 2.0  # places in METHODS
 MOST_SUBSTEPS = 4096
@@ -75,13 +43,23 @@ CAMBER = 2.0 / math.pi  # circulation of a kinked wing beside C_T's, for each si
 def law_at(b, i):
     """The law's 16 numbers of the lane i, in the order of the columns."""
     return (
-        b[(LAW + HALF) * LANES + i], b[(LAW + MASS_X) * LANES + i], b[(LAW + MASS_Y) * LANES + i],
-        b[(LAW + INERTIA) * LANES + i], b[(LAW + WEIGHT) * LANES + i], b[(LAW + TURN) * LANES + i],
-        b[(LAW + GLIDE) * LANES + i], b[(LAW + DRAG) * LANES + i], b[(LAW + DRAG_TURN) * LANES + i],
-        b[(LAW + TORQUE) * LANES + i], b[(LAW + TORQUE_2) * LANES + i], b[(LAW + BEND_INERTIA) * LANES + i],
-        b[(LAW + STIFF) * LANES + i], b[(LAW + DAMP) * LANES + i], b[(LAW + CURL) * LANES + i],
-        b[(LAW + OFFSET) * LANES + i],
-    )  # fmt: skip
+        b[(LAW + la.HALF) * LANES + i],
+        b[(LAW + la.MASS_X) * LANES + i],
+        b[(LAW + la.MASS_Y) * LANES + i],
+        b[(LAW + la.INERTIA) * LANES + i],
+        b[(LAW + la.WEIGHT) * LANES + i],
+        b[(LAW + la.TURN) * LANES + i],
+        b[(LAW + la.GLIDE) * LANES + i],
+        b[(LAW + la.DRAG) * LANES + i],
+        b[(LAW + la.DRAG_TURN) * LANES + i],
+        b[(LAW + la.TORQUE) * LANES + i],
+        b[(LAW + la.TORQUE_2) * LANES + i],
+        b[(LAW + la.BEND_INERTIA) * LANES + i],
+        b[(LAW + la.STIFF) * LANES + i],
+        b[(LAW + la.DAMP) * LANES + i],
+        b[(LAW + la.CURL) * LANES + i],
+        b[(LAW + la.OFFSET) * LANES + i],
+    )
 
 
 @inner_kernel(forceinline=True)
@@ -106,9 +84,9 @@ def rates(motion, wind, fall, law, per, bent):
     slow = 1.0 / (math.sqrt(ux * ux + py * py) + 1e-300)
     lift = turn * spin - glide * (ux * py * slow + CAMBER * up * ux)
     # the halves: where their middles are, how these move with the bend, and how much each is on its own
-    apart = q * q / (q * q + HALF_BEND * HALF_BEND) if bent else 0.0
-    arm, rise = 0.5 * half * level, 0.5 * half * HEAVY * up
-    arm_q, rise_q = -0.5 * half * up, 0.5 * half * HEAVY * level
+    apart = q * q / (q * q + la.HALF_BEND * la.HALF_BEND) if bent else 0.0
+    arm, rise = 0.5 * half * level, 0.5 * half * la.HEAVY * up
+    arm_q, rise_q = -0.5 * half * up, 0.5 * half * la.HEAVY * level
     turned = apart * spin
     mx, my = ux - turned * rise, py + rate * rise_q
     swing, spread = turned * arm, rate * arm_q
@@ -141,16 +119,16 @@ def stage_of(b, i, part, weight, rules, bent):
     per = b[PER_X * LANES + i], b[PER_Y * LANES + i], b[PER_TURN * LANES + i], b[PER_BEND * LANES + i]
     h = part * b[LENGTH * LANES + i]
     x, y = (
-        b[X * LANES + i] + h * b[(SLOPE + X) * LANES + i],
-        b[Y * LANES + i] + h * b[(SLOPE + Y) * LANES + i],
+        b[la.X * LANES + i] + h * b[(SLOPE + la.X) * LANES + i],
+        b[la.Y * LANES + i] + h * b[(SLOPE + la.Y) * LANES + i],
     )
     vx, vy = (
-        b[VX * LANES + i] + h * b[(SLOPE + VX) * LANES + i],
-        b[VY * LANES + i] + h * b[(SLOPE + VY) * LANES + i],
+        b[la.VX * LANES + i] + h * b[(SLOPE + la.VX) * LANES + i],
+        b[la.VY * LANES + i] + h * b[(SLOPE + la.VY) * LANES + i],
     )
-    spin = b[SPIN * LANES + i] + h * b[(SLOPE + SPIN) * LANES + i]
-    q = b[BEND * LANES + i] + h * b[(SLOPE + BEND) * LANES + i]
-    rate = bends * (b[BEND_RATE * LANES + i] + h * b[(SLOPE + BEND_RATE) * LANES + i])
+    spin = b[la.SPIN * LANES + i] + h * b[(SLOPE + la.SPIN) * LANES + i]
+    q = b[la.BEND * LANES + i] + h * b[(SLOPE + la.BEND) * LANES + i]
+    rate = bends * (b[la.BEND_RATE * LANES + i] + h * b[(SLOPE + la.BEND_RATE) * LANES + i])
     c, s = (
         b[COS * LANES + i] + h * b[COS_SLOPE * LANES + i],
         b[SIN * LANES + i] + h * b[SIN_SLOPE * LANES + i],
@@ -163,19 +141,19 @@ def stage_of(b, i, part, weight, rules, bent):
     dwx, dwy = inertia * (xt + xx * vx + xy * vy), inertia * (yt + yx * vx + yy * vy)
     ax, ay, turning, opening = rates((c, s, vx, vy, spin, q, rate), (wx, wy, dwx, dwy), fall, law, per, bent)
     opening = opening * bends
-    b[(SLOPE + X) * LANES + i], b[(SLOPE + Y) * LANES + i] = vx, vy
-    b[(SLOPE + THETA) * LANES + i], b[(SLOPE + SPIN) * LANES + i] = spin, turning
-    b[(SLOPE + VX) * LANES + i], b[(SLOPE + VY) * LANES + i] = ax, ay
-    b[(SLOPE + BEND) * LANES + i], b[(SLOPE + BEND_RATE) * LANES + i] = rate, opening
+    b[(SLOPE + la.X) * LANES + i], b[(SLOPE + la.Y) * LANES + i] = vx, vy
+    b[(SLOPE + la.THETA) * LANES + i], b[(SLOPE + la.SPIN) * LANES + i] = spin, turning
+    b[(SLOPE + la.VX) * LANES + i], b[(SLOPE + la.VY) * LANES + i] = ax, ay
+    b[(SLOPE + la.BEND) * LANES + i], b[(SLOPE + la.BEND_RATE) * LANES + i] = rate, opening
     b[COS_SLOPE * LANES + i], b[SIN_SLOPE * LANES + i] = -spin * s, spin * c
-    b[(SUM + X) * LANES + i] += weight * vx
-    b[(SUM + Y) * LANES + i] += weight * vy
-    b[(SUM + THETA) * LANES + i] += weight * spin
-    b[(SUM + VX) * LANES + i] += weight * ax
-    b[(SUM + VY) * LANES + i] += weight * ay
-    b[(SUM + SPIN) * LANES + i] += weight * turning
-    b[(SUM + BEND) * LANES + i] += weight * rate
-    b[(SUM + BEND_RATE) * LANES + i] += weight * opening
+    b[(SUM + la.X) * LANES + i] += weight * vx
+    b[(SUM + la.Y) * LANES + i] += weight * vy
+    b[(SUM + la.THETA) * LANES + i] += weight * spin
+    b[(SUM + la.VX) * LANES + i] += weight * ax
+    b[(SUM + la.VY) * LANES + i] += weight * ay
+    b[(SUM + la.SPIN) * LANES + i] += weight * turning
+    b[(SUM + la.BEND) * LANES + i] += weight * rate
+    b[(SUM + la.BEND_RATE) * LANES + i] += weight * opening
     b[COS_SUM * LANES + i] += weight * -spin * s
     b[SIN_SUM * LANES + i] += weight * spin * c
 
@@ -202,29 +180,32 @@ def finish(b, rules):
         law = law_at(b, i)
         going = b[LENGTH * LANES + i] > 0.0
         sixth = b[LENGTH * LANES + i] / 6.0
-        c, s, y = b[COS * LANES + i], b[SIN * LANES + i], b[Y * LANES + i]
-        vx, vy, spin = b[VX * LANES + i], b[VY * LANES + i], b[SPIN * LANES + i]
-        q, rate = b[BEND * LANES + i], b[BEND_RATE * LANES + i]
+        c, s, y = b[COS * LANES + i], b[SIN * LANES + i], b[la.Y * LANES + i]
+        vx, vy, spin = b[la.VX * LANES + i], b[la.VY * LANES + i], b[la.SPIN * LANES + i]
+        q, rate = b[la.BEND * LANES + i], b[la.BEND_RATE * LANES + i]
         moving, lying = energy((c, s, vx, vy, spin, q, rate), y, fall, law)
         c, s = c + sixth * b[COS_SUM * LANES + i], s + sixth * b[SIN_SUM * LANES + i]
         length = 1.0 / math.sqrt(c * c + s * s) if going else 1.0
         c, s = c * length, s * length
-        y = y + sixth * b[(SUM + Y) * LANES + i]
-        vx, vy = vx + sixth * b[(SUM + VX) * LANES + i], vy + sixth * b[(SUM + VY) * LANES + i]
-        spin = spin + sixth * b[(SUM + SPIN) * LANES + i]
-        q, rate = q + sixth * b[(SUM + BEND) * LANES + i], rate + sixth * b[(SUM + BEND_RATE) * LANES + i]
-        rate = 0.0 if (q > MOST_BEND) | (q < -MOST_BEND) else rate
-        q = min(max(q, -MOST_BEND), MOST_BEND)
+        y = y + sixth * b[(SUM + la.Y) * LANES + i]
+        vx, vy = vx + sixth * b[(SUM + la.VX) * LANES + i], vy + sixth * b[(SUM + la.VY) * LANES + i]
+        spin = spin + sixth * b[(SUM + la.SPIN) * LANES + i]
+        q, rate = (
+            q + sixth * b[(SUM + la.BEND) * LANES + i],
+            rate + sixth * b[(SUM + la.BEND_RATE) * LANES + i],
+        )
+        rate = 0.0 if (q > la.MOST_BEND) | (q < -la.MOST_BEND) else rate
+        q = min(max(q, -la.MOST_BEND), la.MOST_BEND)
         now, low = energy((c, s, vx, vy, spin, q, rate), y, fall, law)
         spare = max(moving + lying - low, 0.0)
         ratio = math.sqrt(spare / (now + 1e-300))
         keep = ratio if (still > 0.5) & (now > spare) & going else 1.0
-        b[X * LANES + i] += sixth * b[(SUM + X) * LANES + i]
-        b[THETA * LANES + i] += sixth * b[(SUM + THETA) * LANES + i]
+        b[la.X * LANES + i] += sixth * b[(SUM + la.X) * LANES + i]
+        b[la.THETA * LANES + i] += sixth * b[(SUM + la.THETA) * LANES + i]
         b[TIME * LANES + i] += b[LENGTH * LANES + i]
-        b[COS * LANES + i], b[SIN * LANES + i], b[Y * LANES + i] = c, s, y
-        b[VX * LANES + i], b[VY * LANES + i], b[SPIN * LANES + i] = keep * vx, keep * vy, keep * spin
-        b[BEND * LANES + i], b[BEND_RATE * LANES + i] = q, keep * rate
+        b[COS * LANES + i], b[SIN * LANES + i], b[la.Y * LANES + i] = c, s, y
+        b[la.VX * LANES + i], b[la.VY * LANES + i], b[la.SPIN * LANES + i] = keep * vx, keep * vy, keep * spin
+        b[la.BEND * LANES + i], b[la.BEND_RATE * LANES + i] = q, keep * rate
 
 
 @inner_kernel
@@ -253,18 +234,21 @@ def substep(b, rules, bent):
 @inner_kernel(forceinline=True)
 def parts_of(b, i, fall, dt):
     """How many of the substeps that the lane i bears are in dt (s)."""
-    rx, ry = b[VX * LANES + i] - b[(AIR + WX) * LANES + i], b[VY * LANES + i] - b[(AIR + WY) * LANES + i]
-    light = b[(LAW + MASS_X) * LANES + i]
-    speed = math.sqrt(rx * rx + ry * ry) + math.sqrt(fall * b[(LAW + HALF) * LANES + i] * light) + 1e-9
-    spin = abs(b[SPIN * LANES + i])
-    heavy = b[(LAW + MASS_Y) * LANES + i]
-    pushes = (b[(LAW + DRAG) * LANES + i] + abs(b[(LAW + GLIDE) * LANES + i])) * speed
-    pushes += abs(b[(LAW + TURN) * LANES + i]) * spin
-    turning = b[(LAW + TORQUE) * LANES + i] + 2.0 * b[(LAW + TORQUE_2) * LANES + i] * spin
+    rx, ry = (
+        b[la.VX * LANES + i] - b[(AIR + WX) * LANES + i],
+        b[la.VY * LANES + i] - b[(AIR + WY) * LANES + i],
+    )
+    light = b[(LAW + la.MASS_X) * LANES + i]
+    speed = math.sqrt(rx * rx + ry * ry) + math.sqrt(fall * b[(LAW + la.HALF) * LANES + i] * light) + 1e-9
+    spin = abs(b[la.SPIN * LANES + i])
+    heavy = b[(LAW + la.MASS_Y) * LANES + i]
+    pushes = (b[(LAW + la.DRAG) * LANES + i] + abs(b[(LAW + la.GLIDE) * LANES + i])) * speed
+    pushes += abs(b[(LAW + la.TURN) * LANES + i]) * spin
+    turning = b[(LAW + la.TORQUE) * LANES + i] + 2.0 * b[(LAW + la.TORQUE_2) * LANES + i] * spin
     along = (2.0 * pushes + heavy * spin) / light
-    about = turning / b[(LAW + INERTIA) * LANES + i]
-    bending = b[(LAW + STIFF) * LANES + i] / b[(LAW + BEND_INERTIA) * LANES + i]
-    swing = math.sqrt(heavy * speed * speed / (light * b[(LAW + INERTIA) * LANES + i]))
+    about = turning / b[(LAW + la.INERTIA) * LANES + i]
+    bending = b[(LAW + la.STIFF) * LANES + i] / b[(LAW + la.BEND_INERTIA) * LANES + i]
+    swing = math.sqrt(heavy * speed * speed / (light * b[(LAW + la.INERTIA) * LANES + i]))
     fastest = max(max(along, about), max(math.sqrt(bending), swing))
     return fastest * dt / PART
 
@@ -274,7 +258,7 @@ def any_bent(b):
     """Whether a lane is bent or can be."""
     bent = False
     for i in range(LANES):
-        bent |= (b[BEND * LANES + i] != 0.0) | (b[BEND_RATE * LANES + i] != 0.0)
+        bent |= (b[la.BEND * LANES + i] != 0.0) | (b[la.BEND_RATE * LANES + i] != 0.0)
         bent |= b[PER_BEND * LANES + i] != 0.0
     return bent
 
@@ -298,16 +282,16 @@ def load(b, row, rows, first, many):
 def prepare(b, counts, fall, dt):
     """What a step needs of each lane, and how many substeps: in loops apart, for some come in vectors."""
     for i in range(LANES):
-        theta = b[THETA * LANES + i]
+        theta = b[la.THETA * LANES + i]
         b[COS * LANES + i], b[SIN * LANES + i] = elementary.cos(theta), elementary.sin(theta)
     for i in range(LANES):
-        b[FROM_X * LANES + i], b[FROM_Y * LANES + i] = b[X * LANES + i], b[Y * LANES + i]
+        b[FROM_X * LANES + i], b[FROM_Y * LANES + i] = b[la.X * LANES + i], b[la.Y * LANES + i]
         b[TIME * LANES + i] = 0.0
-        b[PER_X * LANES + i] = 1.0 / b[(LAW + MASS_X) * LANES + i]
-        b[PER_Y * LANES + i] = 1.0 / b[(LAW + MASS_Y) * LANES + i]
-        b[PER_TURN * LANES + i] = 1.0 / b[(LAW + INERTIA) * LANES + i]
-        gives = b[(LAW + STIFF) * LANES + i] > 0.0
-        b[PER_BEND * LANES + i] = 1.0 / b[(LAW + BEND_INERTIA) * LANES + i] if gives else 0.0
+        b[PER_X * LANES + i] = 1.0 / b[(LAW + la.MASS_X) * LANES + i]
+        b[PER_Y * LANES + i] = 1.0 / b[(LAW + la.MASS_Y) * LANES + i]
+        b[PER_TURN * LANES + i] = 1.0 / b[(LAW + la.INERTIA) * LANES + i]
+        gives = b[(LAW + la.STIFF) * LANES + i] > 0.0
+        b[PER_BEND * LANES + i] = 1.0 / b[(LAW + la.BEND_INERTIA) * LANES + i] if gives else 0.0
         b[LENGTH * LANES + i] = parts_of(b, i, fall, dt)
     for i in range(LANES):
         parts = b[LENGTH * LANES + i]
@@ -340,6 +324,6 @@ def fly(state, laws, air, buffer, counts, settings, dt):
                     if k >= counts[i]:
                         buffer[LENGTH * LANES + i] = 0.0
             substep(buffer, settings, bent)
-        for k in range(STATE):
+        for k in range(la.STATE):
             for i in range(many):
                 state[k, first + i] = buffer[k * LANES + i]

@@ -10,32 +10,7 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.plates.contacts import (
-    ARMS,
-    FRICTION,
-    GAP,
-    LEVERS,
-    NOBODY,
-    NORMAL_X,
-    NORMAL_Y,
-    PUSH,
-    RUB,
-    YIELDS,
-    YIELDS_ACROSS,
-)
-from game.physics.plates.law import (
-    BEND,
-    BEND_RATE,
-    HALF,
-    MOST_BEND,
-    SPIN,
-    STATE,
-    THETA,
-    VX,
-    VY,
-    X,
-    Y,
-)
+from game.physics.plates import contacts, law
 
 WARM = 3  # of a contact of the last step: its key, push and rub (N s)
 SLOP = 2e-4  # m that contacts may overlap
@@ -49,27 +24,30 @@ CREEP, CALMING = 0.01, 30.0  # m/s, 1/s: what creeps while it is touched comes t
 def speed_of(state, row, at, i, dx, dy):
     """Speed of a body at a contact in a direction."""
     return (
-        dx * state[VX, i] + dy * state[VY, i] + row[at] * state[SPIN, i] + row[at + 1] * state[BEND_RATE, i]
+        dx * state[law.VX, i]
+        + dy * state[law.VY, i]
+        + row[at] * state[law.SPIN, i]
+        + row[at + 1] * state[law.BEND_RATE, i]
     )
 
 
 @inner_kernel
 def give(state, row, at, i, impulse):
     """An impulse (N s) on a body."""
-    state[VX, i] += impulse * row[at + 2]
-    state[VY, i] += impulse * row[at + 3]
-    state[SPIN, i] += impulse * row[at + 4]
-    state[BEND_RATE, i] += impulse * row[at + 5]
+    state[law.VX, i] += impulse * row[at + 2]
+    state[law.VY, i] += impulse * row[at + 3]
+    state[law.SPIN, i] += impulse * row[at + 4]
+    state[law.BEND_RATE, i] += impulse * row[at + 5]
 
 
 @inner_kernel
 def push_both(state, rows, ids, k, push, rub):
     """Impulses (N s) along and across the normal of a contact."""
-    give(state, rows[k], ARMS, ids[k, 0], push)
-    give(state, rows[k], ARMS + 6, ids[k, 0], rub)
-    if ids[k, 1] != NOBODY:
-        give(state, rows[k], ARMS + LEVERS, ids[k, 1], push)
-        give(state, rows[k], ARMS + LEVERS + 6, ids[k, 1], rub)
+    give(state, rows[k], contacts.ARMS, ids[k, 0], push)
+    give(state, rows[k], contacts.ARMS + 6, ids[k, 0], rub)
+    if ids[k, 1] != contacts.NOBODY:
+        give(state, rows[k], contacts.ARMS + contacts.LEVERS, ids[k, 1], push)
+        give(state, rows[k], contacts.ARMS + contacts.LEVERS + 6, ids[k, 1], rub)
 
 
 @inner_kernel
@@ -89,8 +67,8 @@ def begin_warm(state, found, count, warm, table):
         at = (int(keys[k]) * SCATTER >> 7) & last
         while table[at] >= 0:
             if warm[table[at], 0] == keys[k]:
-                rows[k, PUSH], rows[k, RUB] = warm[table[at], 1], warm[table[at], 2]
-                push_both(state, rows, ids, k, rows[k, PUSH], rows[k, RUB])
+                rows[k, contacts.PUSH], rows[k, contacts.RUB] = warm[table[at], 1], warm[table[at], 2]
+                push_both(state, rows, ids, k, rows[k, contacts.PUSH], rows[k, contacts.RUB])
                 break
             at = (at + 1) & last
 
@@ -114,59 +92,61 @@ def solve_contacts(world, found, order, before, warm, table, touched, dt):
         for place in range(count):
             k = order[place if sweep % 2 == 0 else count - 1 - place]
             row, i, j = rows[k], ids[k, 0], ids[k, 1]
-            nx, ny = row[NORMAL_X], row[NORMAL_Y]
-            speed = speed_of(state, row, ARMS, i, nx, ny)
-            if j != NOBODY:
-                speed += speed_of(state, row, ARMS + LEVERS, j, -nx, -ny)
-            wanted = row[PUSH] - (speed + max(row[GAP], 0.0) / dt) / row[YIELDS]
+            nx, ny = row[contacts.NORMAL_X], row[contacts.NORMAL_Y]
+            speed = speed_of(state, row, contacts.ARMS, i, nx, ny)
+            if j != contacts.NOBODY:
+                speed += speed_of(state, row, contacts.ARMS + contacts.LEVERS, j, -nx, -ny)
+            wanted = row[contacts.PUSH] - (speed + max(row[contacts.GAP], 0.0) / dt) / row[contacts.YIELDS]
             push = max(wanted, 0.0)
-            change, row[PUSH] = push - row[PUSH], push
-            give(state, row, ARMS, i, change)
-            if j != NOBODY:
-                give(state, row, ARMS + LEVERS, j, change)
-            most = row[FRICTION] * row[PUSH]
-            speed = speed_of(state, row, ARMS + 6, i, -ny, nx)
-            if j != NOBODY:
-                speed += speed_of(state, row, ARMS + LEVERS + 6, j, ny, -nx)
-            rub = min(max(row[RUB] - speed / row[YIELDS_ACROSS], -most), most)
-            change, row[RUB] = rub - row[RUB], rub
-            give(state, row, ARMS + 6, i, change)
-            if j != NOBODY:
-                give(state, row, ARMS + LEVERS + 6, j, change)
+            change, row[contacts.PUSH] = push - row[contacts.PUSH], push
+            give(state, row, contacts.ARMS, i, change)
+            if j != contacts.NOBODY:
+                give(state, row, contacts.ARMS + contacts.LEVERS, j, change)
+            most = row[contacts.FRICTION] * row[contacts.PUSH]
+            speed = speed_of(state, row, contacts.ARMS + 6, i, -ny, nx)
+            if j != contacts.NOBODY:
+                speed += speed_of(state, row, contacts.ARMS + contacts.LEVERS + 6, j, ny, -nx)
+            rub = min(max(row[contacts.RUB] - speed / row[contacts.YIELDS_ACROSS], -most), most)
+            change, row[contacts.RUB] = rub - row[contacts.RUB], rub
+            give(state, row, contacts.ARMS + 6, i, change)
+            if j != contacts.NOBODY:
+                give(state, row, contacts.ARMS + contacts.LEVERS + 6, j, change)
     for k in range(count):
-        touched[ids[k, 0]] += rows[k, PUSH]
-        if ids[k, 1] != NOBODY:
-            touched[ids[k, 1]] += rows[k, PUSH]
+        touched[ids[k, 0]] += rows[k, contacts.PUSH]
+        if ids[k, 1] != contacts.NOBODY:
+            touched[ids[k, 1]] += rows[k, contacts.PUSH]
     for i in range(n):
         if touched[i] > 0.0:
             slow = (
-                math.sqrt(state[VX, i] * state[VX, i] + state[VY, i] * state[VY, i])
-                + abs(state[SPIN, i]) * laws[HALF, i]
+                math.sqrt(state[law.VX, i] * state[law.VX, i] + state[law.VY, i] * state[law.VY, i])
+                + abs(state[law.SPIN, i]) * laws[law.HALF, i]
             )
             if slow < CREEP:
                 calm = 1.0 / (1.0 + CALMING * dt)
-                state[VX, i] *= calm
-                state[VY, i] *= calm
-                state[SPIN, i] *= calm
-            state[X, i] = before[X, i] + dt * state[VX, i]
-            state[Y, i] = before[Y, i] + dt * state[VY, i]
-            state[THETA, i] = before[THETA, i] + dt * state[SPIN, i]
-            state[BEND, i] = min(max(before[BEND, i] + dt * state[BEND_RATE, i], -MOST_BEND), MOST_BEND)
+                state[law.VX, i] *= calm
+                state[law.VY, i] *= calm
+                state[law.SPIN, i] *= calm
+            state[law.X, i] = before[law.X, i] + dt * state[law.VX, i]
+            state[law.Y, i] = before[law.Y, i] + dt * state[law.VY, i]
+            state[law.THETA, i] = before[law.THETA, i] + dt * state[law.SPIN, i]
+            state[law.BEND, i] = min(
+                max(before[law.BEND, i] + dt * state[law.BEND_RATE, i], -law.MOST_BEND), law.MOST_BEND
+            )
     for k in range(count):
-        deep = -rows[k, GAP] - SLOP
+        deep = -rows[k, contacts.GAP] - SLOP
         if deep > 0.0:
             i, j = ids[k, 0], ids[k, 1]
-            part = MENDED * deep * (1.0 if j == NOBODY else 0.5)
-            state[X, i] += part * rows[k, NORMAL_X]
-            state[Y, i] += part * rows[k, NORMAL_Y]
-            if j != NOBODY:
-                state[X, j] -= part * rows[k, NORMAL_X]
-                state[Y, j] -= part * rows[k, NORMAL_Y]
+            part = MENDED * deep * (1.0 if j == contacts.NOBODY else 0.5)
+            state[law.X, i] += part * rows[k, contacts.NORMAL_X]
+            state[law.Y, i] += part * rows[k, contacts.NORMAL_Y]
+            if j != contacts.NOBODY:
+                state[law.X, j] -= part * rows[k, contacts.NORMAL_X]
+                state[law.Y, j] -= part * rows[k, contacts.NORMAL_Y]
 
 
 @lean_kernel
 def copy_state(state, before):
     """Keep a state (STATE, n)."""
-    for k in range(STATE):
+    for k in range(law.STATE):
         for i in range(state.shape[1]):
             before[k, i] = state[k, i]

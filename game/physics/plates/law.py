@@ -43,12 +43,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
 
-Floats = NDArray[np.float64]
 X, Y, THETA, VX, VY, SPIN, BEND, BEND_RATE = range(8)
 STATE = 8
 (HALF, MASS_X, MASS_Y, INERTIA, WEIGHT, TURN, GLIDE, DRAG, DRAG_TURN, TORQUE, TORQUE_2, BEND_INERTIA, STIFF,

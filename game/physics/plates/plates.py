@@ -7,15 +7,16 @@ from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.constraints.effects import CONTACTS
 from game.physics.effects import Effect, EffectSet
 from game.physics.fields import GRAVITY, GROUND, QUADRATIC_DRAG
 from game.physics.fields import WIND as WINDS
 from game.physics.kernels import elementary, elementwise
 from game.physics.plates import contacts as touching
-from game.physics.plates import impulses
+from game.physics.plates import impulses, law
 from game.physics.plates.checks import (
     LARGEST,
     PlateSettings,
@@ -31,40 +32,10 @@ from game.physics.plates.flight import (
     WIND,
     fly,
 )
-from game.physics.plates.law import (
-    BEND,
-    BEND_INERTIA,
-    BEND_RATE,
-    COLUMNS,
-    CURL,
-    DRAG,
-    DRAG_TURN,
-    GLIDE,
-    INERTIA,
-    MASS,
-    MASS_X,
-    MASS_Y,
-    MOST_BEND,
-    SPIN,
-    STATE,
-    STIFF,
-    THETA,
-    TORQUE,
-    TORQUE_2,
-    TURN,
-    VX,
-    VY,
-    WEIGHT,
-    Plate,
-    X,
-    Y,
-    checked_plate,
-    law_of,
-)
+from game.physics.plates.law import Plate, checked_plate, law_of
 from game.physics.plates.wind import GustyWind
 from game.physics.surfaces.sample_fields import Field
 
-Floats = NDArray[np.float64]
 MOST_PLATES = 4_096
 MOST_CONTACTS = 16  # for each plate
 FASTEST_SPIN = 1e5  # rad/s
@@ -114,8 +85,8 @@ class Plates:
         self.set_method(method)
         self.settings = checked_settings(settings)
         self.walls = checked_walls(walls)
-        self.rows: Floats = np.zeros((STATE, 0))
-        self.laws: Floats = np.zeros((COLUMNS, 0))
+        self.rows: Floats = np.zeros((law.STATE, 0))
+        self.laws: Floats = np.zeros((law.COLUMNS, 0))
         self.felt: Floats = np.zeros((2, 0))
         self.time = 0.0
         self._buffer, self._counts = np.zeros(ROWS * LANES), np.zeros(LANES, dtype=np.int64)
@@ -146,11 +117,11 @@ class Plates:
             raise ValueError(f"plates: expected at most {MOST_PLATES}")
         if not np.isfinite(places).all() or (len(places) and np.max(np.abs(places)) > LARGEST):
             raise ValueError(f"places: expected finite numbers within {LARGEST:g}")
-        rows, laws = np.zeros((STATE, len(plates))), np.zeros((COLUMNS, len(plates)))
+        rows, laws = np.zeros((law.STATE, len(plates))), np.zeros((law.COLUMNS, len(plates)))
         for k, plate in enumerate(plates):
             laws[:, k] = law_of(checked_plate(plate))
-        rows[X], rows[Y], rows[THETA] = places.T
-        rows[BEND] = laws[CURL]
+        rows[law.X], rows[law.Y], rows[law.THETA] = places.T
+        rows[law.BEND] = laws[law.CURL]
         self.rows = np.ascontiguousarray(np.concatenate([self.rows, rows], axis=1))
         self.laws = np.ascontiguousarray(np.concatenate([self.laws, laws], axis=1))
         self._make_room()
@@ -164,8 +135,8 @@ class Plates:
             raise ValueError(
                 f"velocity = {velocity!r}, spin = {spin!r}: faster than {LARGEST:g}, {FASTEST_SPIN:g}"
             )
-        self.rows[VX, number], self.rows[VY, number] = velocity
-        self.rows[SPIN, number] = spin
+        self.rows[law.VX, number], self.rows[law.VY, number] = velocity
+        self.rows[law.SPIN, number] = spin
 
     def set_method(self, method: str) -> None:
         """Another of METHODS from now on; ValueError for none of them."""
@@ -188,7 +159,10 @@ class Plates:
         n = len(self)
         self.air: Floats = np.zeros((WIND, n))
         self.touched: Floats = np.zeros(n)
-        self._before, self._points = np.zeros((STATE, n)), np.zeros((n, touching.POINTS, touching.PER_POINT))
+        self._before, self._points = (
+            np.zeros((law.STATE, n)),
+            np.zeros((n, touching.POINTS, touching.PER_POINT)),
+        )
         self._order = np.arange(n)
         most = MOST_CONTACTS * n
         self._rows, self._ids = np.zeros((most, touching.ROW)), np.zeros((most, 2), dtype=np.int64)
@@ -247,9 +221,9 @@ class Plates:
             return self.laws
         laws = self.laws.copy()
         if CIRCULATION not in self.effects:
-            laws[[TURN, GLIDE]] = 0.0
+            laws[[law.TURN, law.GLIDE]] = 0.0
         if QUADRATIC_DRAG not in self.effects:
-            laws[[DRAG, DRAG_TURN, TORQUE, TORQUE_2]] = 0.0
+            laws[[law.DRAG, law.DRAG_TURN, law.TORQUE, law.TORQUE_2]] = 0.0
         return laws
 
     def _feel(self) -> None:
@@ -274,12 +248,12 @@ class Plates:
         jump = self.air[:2] - self.felt
         if not np.any(jump):
             return
-        c, s = elementwise.cos(self.rows[THETA]), elementwise.sin(self.rows[THETA])
+        c, s = elementwise.cos(self.rows[law.THETA]), elementwise.sin(self.rows[law.THETA])
         along, across = c * jump[0] + s * jump[1], c * jump[1] - s * jump[0]
-        along *= 1.0 - self.laws[WEIGHT] / self.laws[MASS_X]
-        across *= 1.0 - self.laws[WEIGHT] / self.laws[MASS_Y]
-        self.rows[VX] += c * along - s * across
-        self.rows[VY] += s * along + c * across
+        along *= 1.0 - self.laws[law.WEIGHT] / self.laws[law.MASS_X]
+        across *= 1.0 - self.laws[law.WEIGHT] / self.laws[law.MASS_Y]
+        self.rows[law.VX] += c * along - s * across
+        self.rows[law.VY] += s * along + c * across
 
     # -- what is there ------------------------------------------------------------------------------
 
@@ -291,32 +265,34 @@ class Plates:
     @property
     def angles(self) -> Floats:
         """(n,) rad, turns counted."""
-        return self.rows[THETA].copy()
+        return self.rows[law.THETA].copy()
 
     @property
     def velocities(self) -> Floats:
         """(n, 2) m/s, a copy."""
-        return self.rows[VX : VY + 1].T.copy()
+        return self.rows[law.VX : law.VY + 1].T.copy()
 
     @property
     def spins(self) -> Floats:
         """(n,) rad/s, a copy."""
-        return self.rows[SPIN].copy()
+        return self.rows[law.SPIN].copy()
 
     def energy(self) -> Floats:
         """(n,) J/m: of motion through still air with what it takes along, of height, and of bend."""
         rows, laws = self.rows, self.laws
-        c, s = elementwise.cos(rows[THETA]), elementwise.sin(rows[THETA])
-        ux, uy = c * rows[VX] + s * rows[VY], c * rows[VY] - s * rows[VX]
+        c, s = elementwise.cos(rows[law.THETA]), elementwise.sin(rows[law.THETA])
+        ux, uy = c * rows[law.VX] + s * rows[law.VY], c * rows[law.VY] - s * rows[law.VX]
         gravity = self.settings.gravity if GRAVITY in self.effects else 0.0
         total = (
-            laws[MASS_X] * (ux * ux) + laws[MASS_Y] * (uy * uy) + laws[INERTIA] * (rows[SPIN] * rows[SPIN])
+            laws[law.MASS_X] * (ux * ux)
+            + laws[law.MASS_Y] * (uy * uy)
+            + laws[law.INERTIA] * (rows[law.SPIN] * rows[law.SPIN])
         )
         if BENDING in self.effects:
-            total = total + laws[BEND_INERTIA] * (rows[BEND_RATE] * rows[BEND_RATE])
+            total = total + laws[law.BEND_INERTIA] * (rows[law.BEND_RATE] * rows[law.BEND_RATE])
         # a bend that is fixed keeps what it holds
-        total = total + laws[STIFF] * elementary.square(rows[BEND] - laws[CURL])
-        return np.asarray(laws[MASS] * (0.5 * total + laws[WEIGHT] * gravity * rows[Y]))
+        total = total + laws[law.STIFF] * elementary.square(rows[law.BEND] - laws[law.CURL])
+        return np.asarray(laws[law.MASS] * (0.5 * total + laws[law.WEIGHT] * gravity * rows[law.Y]))
 
     def step_error(self, dt: float) -> float:
         """How far apart (m) one flight of dt (s) and two of half of it end, the worst plate; contacts left
@@ -341,7 +317,7 @@ class Plates:
         for name, row in zip(names, self.rows, strict=True):
             if not np.isfinite(row).all():
                 raise FloatingPointError(f"{name} of plate {int(np.argmin(np.isfinite(row)))} is not finite")
-        if len(self) and np.max(np.abs(self.rows[BEND])) > MOST_BEND + 1e-12:
+        if len(self) and np.max(np.abs(self.rows[law.BEND])) > law.MOST_BEND + 1e-12:
             raise FloatingPointError("a plate is bent beyond its stop")
 
     def state(self) -> PlateState:

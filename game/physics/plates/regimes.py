@@ -18,27 +18,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
 from game.physics.kernels import elementary, elementwise
+from game.physics.plates import law
 from game.physics.plates.flight import LANES, METHODS, ROWS, WIND, fly
-from game.physics.plates.law import (
-    COLUMNS,
-    SPIN,
-    STATE,
-    THETA,
-    TORQUE,
-    VX,
-    VY,
-    WEIGHT,
-    Plate,
-    X,
-    Y,
-    law_of,
-)
+from game.physics.plates.law import Plate, law_of
 
-Floats = NDArray[np.float64]
 REGIMES = ("flutter", "tumble", "chaos", "broadside", "glide")
 BORDERS = (1.2149, 1.48, 2.83)  # flutter | tumble | irregular | flutter about broadside
 THICKEST = 0.125  # beta up to which BORDERS hold
@@ -86,16 +73,16 @@ def drop(
     along their normal, tilted (rad), with a spin (U/a).
     """
     n = len(plates)
-    laws = np.zeros((COLUMNS, n))
+    laws = np.zeros((law.COLUMNS, n))
     for i, plate in enumerate(plates):
         # lengths a = 1, and the half chord at which U = 1
         laws[:, i] = law_of(plate._replace(half_chord=1.0, torque=0.0))
-        laws[TORQUE, i] = plate.torque
-        laws[WEIGHT, i] = 1.0  # the weight (I - beta) g in units of U²/a
-    state = np.zeros((STATE, n))
-    state[THETA], state[SPIN] = tilt, spin
-    state[VX], state[VY] = 0.01 * elementary.sin(tilt), -0.01 * elementary.cos(tilt)
-    out = np.zeros((int(time / (dt * every)) + 1, STATE, n))
+        laws[law.TORQUE, i] = plate.torque
+        laws[law.WEIGHT, i] = 1.0  # the weight (I - beta) g in units of U²/a
+    state = np.zeros((law.STATE, n))
+    state[law.THETA], state[law.SPIN] = tilt, spin
+    state[law.VX], state[law.VY] = 0.01 * elementary.sin(tilt), -0.01 * elementary.cos(tilt)
+    out = np.zeros((int(time / (dt * every)) + 1, law.STATE, n))
     trace(
         state, laws, np.zeros((WIND, n)), np.zeros(ROWS * LANES), np.zeros(LANES, dtype=np.int64),
         (1.0, 0.0, 0.0, 1.0, float(METHODS.index(method))), dt, every, out,
@@ -105,16 +92,16 @@ def drop(
 
 def course_of(states: Floats, times: Floats) -> Course:
     """The course of one plate over whole cycles: states (k, STATE) at times (k,), without its transient."""
-    theta = states[:, THETA]
+    theta = states[:, law.THETA]
     mean = float(theta[-1] - theta[0]) / float(times[-1] - times[0])
     half = len(theta) // 2
     parts = np.array([theta[half] - theta[0], theta[-1] - theta[half]])
     if abs(mean) > LEAST_SPIN and parts[0] * parts[1] > 0.0 and min(abs(parts)) > 0.7 * max(abs(parts)):
         return _cycle(states, times, crossings(elementwise.sin(0.5 * theta), times), "tumble")
-    stops = crossings(states[:, SPIN], times)
+    stops = crossings(states[:, law.SPIN], times)
     if len(stops) < 5:
         level = abs(elementary.sin(float(np.mean(theta)))) < 0.5
-        fell, went = states[0, Y] - states[-1, Y], abs(states[-1, X] - states[0, X])
+        fell, went = states[0, law.Y] - states[-1, law.Y], abs(states[-1, law.X] - states[0, law.X])
         return _cycle(states, times, times[[0, -1]], "broadside" if level and went < fell else "glide")
     last = len(stops) - 1 - (len(stops) - 1) % 2
     begins = stops[: last + 1 : 2]
@@ -122,7 +109,7 @@ def course_of(states: Floats, times: Floats) -> Course:
     steady = spread_of(np.diff(begins)) < UNSTEADY and spread_of(np.abs(np.diff(angles))[:last:2]) < UNSTEADY
     if not steady:
         return _cycle(states, times, begins, "chaos")
-    x, y = values_at(states[:, X], times, begins), values_at(states[:, Y], times, begins)
+    x, y = values_at(states[:, law.X], times, begins), values_at(states[:, law.Y], times, begins)
     far = abs(x[-1] - x[0]) > GLIDING * (y[0] - y[-1])
     return _cycle(states, times, begins, "glide" if far else "flutter")
 
@@ -138,13 +125,13 @@ def _cycle(states: Floats, times: Floats, begins: Floats, regime: str) -> Course
         begins = times[[0, -1]]
     took = float(begins[-1] - begins[0])
     period = took / (len(begins) - 1)
-    x, y, theta = (values_at(states[:, row], times, begins) for row in (X, Y, THETA))
+    x, y, theta = (values_at(states[:, row], times, begins) for row in (law.X, law.Y, law.THETA))
     fell, went, turned = float(y[0] - y[-1]), float(x[-1] - x[0]), float(theta[-1] - theta[0])
     angles, swing = 0.0, 0.0
-    stops = crossings(states[:, SPIN], times)
+    stops = crossings(states[:, law.SPIN], times)
     if len(stops) > 1:
-        angles = math.degrees(_half_way(states[:, THETA], times, stops))
-        swing = _half_way(states[:, X], times, stops)
+        angles = math.degrees(_half_way(states[:, law.THETA], times, stops))
+        swing = _half_way(states[:, law.X], times, stops)
     if len(stops) < 5 and regime != "tumble":
         period = math.nan
     slope = math.degrees(elementary.atan2(fell, abs(went)))

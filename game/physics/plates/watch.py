@@ -6,11 +6,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.physics.plates.law import SPIN, THETA, X, Y
+from game.arrays import Floats
+from game.physics.plates import law
 
-Floats = NDArray[np.float64]
 KEPT = 9  # events of each kind that are remembered of a plate
 TIME, AT_X, AT_Y, ANGLE = range(4)
 EVENT = 4
@@ -57,10 +56,16 @@ class Watch:
 
     def look(self, before: Floats, now: Floats, time: float, dt: float) -> None:
         """Between two states (STATE, n), the later at ``time``: note stops and whole turns."""
-        stopped = before[SPIN] * now[SPIN] < 0.0
+        stopped = before[law.SPIN] * now[law.SPIN] < 0.0
         for i in np.flatnonzero(stopped).tolist():
-            self._note(STOPS, i, before, now, (time, dt, before[SPIN, i] / (before[SPIN, i] - now[SPIN, i])))
-        turn = np.floor(before[THETA] / math.tau), np.floor(now[THETA] / math.tau)
+            self._note(
+                STOPS,
+                i,
+                before,
+                now,
+                (time, dt, before[law.SPIN, i] / (before[law.SPIN, i] - now[law.SPIN, i])),
+            )
+        turn = np.floor(before[law.THETA] / math.tau), np.floor(now[law.THETA] / math.tau)
         for i in np.flatnonzero(turn[0] != turn[1]).tolist():
             edge = max(turn[0][i], turn[1][i]) * math.tau
             self._note(
@@ -68,14 +73,14 @@ class Watch:
                 i,
                 before,
                 now,
-                (time, dt, (edge - before[THETA, i]) / (now[THETA, i] - before[THETA, i])),
+                (time, dt, (edge - before[law.THETA, i]) / (now[law.THETA, i] - before[law.THETA, i])),
             )
 
     def _note(self, kind: int, i: int, before: Floats, now: Floats, when: tuple[float, float, float]) -> None:
         time, dt, share = when
         at = before[:, i] + share * (now[:, i] - before[:, i])
         row = self.counts[kind, i] % KEPT
-        self.events[kind, i, row] = time - dt * (1.0 - share), at[X], at[Y], at[THETA]
+        self.events[kind, i, row] = time - dt * (1.0 - share), at[law.X], at[law.Y], at[law.THETA]
         self.counts[kind, i] += 1
 
     def _last(self, kind: int, i: int) -> Floats:

@@ -12,13 +12,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.plates.flight import WIND, WX, WX_T, WX_X, WX_Y, WY, WY_T, WY_X, WY_Y
+from game.physics.plates import flight
 
-Floats = NDArray[np.float64]
 AT_X, AT_Y, BEGINS, LASTS, GOES_X, GOES_Y, SIZE, BLOWS_X, BLOWS_Y, TURNS = range(10)
 GUST = 10
 MOST_GUSTS = 64
@@ -73,14 +73,14 @@ def one_gust(air, i, away, goes, size, blows, share, change):
     xx = e * (sy * ry * per - rx * per * (sx - p * ry * per))
     xy = -e * (ry * per * (sx - p * ry * per) + (sx * ry + p) * per)
     yx = e * ((p - sy * rx) * per - rx * per * (sy + p * rx * per))
-    air[WX, i] += share * wx
-    air[WY, i] += share * wy
-    air[WX_X, i] += share * xx
-    air[WX_Y, i] += share * xy
-    air[WY_X, i] += share * yx
-    air[WY_Y, i] -= share * xx
-    air[WX_T, i] += change * wx - share * (goes_x * xx + goes_y * xy)
-    air[WY_T, i] += change * wy - share * (goes_x * yx - goes_y * xx)
+    air[flight.WX, i] += share * wx
+    air[flight.WY, i] += share * wy
+    air[flight.WX_X, i] += share * xx
+    air[flight.WX_Y, i] += share * xy
+    air[flight.WY_X, i] += share * yx
+    air[flight.WY_Y, i] -= share * xx
+    air[flight.WX_T, i] += change * wx - share * (goes_x * xx + goes_y * xy)
+    air[flight.WY_T, i] += change * wy - share * (goes_x * yx - goes_y * xx)
 
 
 @lean_kernel
@@ -95,14 +95,14 @@ def sample_wind(places, gusts, count, shelters, even, time, air):
     speed, layer, floor, mirrors = even
     for i in range(places.shape[1]):
         x, y = places[0, i], places[1, i]
-        for k in range(WIND):
+        for k in range(flight.WIND):
             air[k, i] = 0.0
         if layer > 0.0:
             e = elementary.exp(-max(y - floor, 0.0) / layer)
-            air[WX, i] = speed * (1.0 - e)
-            air[WX_Y, i] = speed * e / layer if y > floor else 0.0
+            air[flight.WX, i] = speed * (1.0 - e)
+            air[flight.WX_Y, i] = speed * e / layer if y > floor else 0.0
         else:
-            air[WX, i] = speed
+            air[flight.WX, i] = speed
         for g in range(count):
             gust = gusts[g]
             since = time - gust[BEGINS]
@@ -124,10 +124,10 @@ def sample_wind(places, gusts, count, shelters, even, time, air):
             lean = shelters[k, SHELTER_SLANT] * below
             if below > 0.0 and shelters[k, SHELTER_LEFT] + lean < x < shelters[k, SHELTER_RIGHT] - lean:
                 left = elementary.exp(-below / shelters[k, SHELTER_REACH])
-                for row in range(WIND):
+                for row in range(flight.WIND):
                     air[row, i] *= left
-                air[WX_Y, i] += air[WX, i] / shelters[k, SHELTER_REACH]
-                air[WY_Y, i] += air[WY, i] / shelters[k, SHELTER_REACH]
+                air[flight.WX_Y, i] += air[flight.WX, i] / shelters[k, SHELTER_REACH]
+                air[flight.WY_Y, i] += air[flight.WY, i] / shelters[k, SHELTER_REACH]
 
 
 class GustyWind:
@@ -183,6 +183,6 @@ class GustyWind:
     def sample(self, points: ArrayLike, time: float = 0.0) -> Floats:
         """Wind (n, 2) m/s at points (n, 2) m."""
         places = np.ascontiguousarray(np.asarray(points, dtype=np.float64).reshape(-1, 2).T)
-        air = np.zeros((WIND, places.shape[1]))
+        air = np.zeros((flight.WIND, places.shape[1]))
         self.feel(places, time, air)
         return np.ascontiguousarray(air[:2].T)

@@ -7,37 +7,21 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from game.physics.effects import EffectSet
 from game.physics.fields import DRAG
 from game.physics.kernels import elementary, linear
+from game.physics.rigid import motion
 from game.physics.rigid.body_state import BodyState
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.mass import inverse_moments, mass_properties, principal_axes, sphere_positions
-from game.physics.rigid.motion import (
-    CONSTANTS,
-    FORCE,
-    INVERSE_MASS,
-    INVERSES,
-    LOADS,
-    METHODS,
-    MOMENTS,
-    STATE_SIZE,
-    TORQUE,
-    L,
-    P,
-    Q,
-    X,
-    advance,
-)
+from game.physics.rigid.motion import METHODS, advance
 from game.physics.rigid.quaternion import (
     quaternion_from_matrix,
 )
 from game.physics.rigid.settings import LARGEST, checked_setting, vector
 from game.physics.rigid.window import WALLS, keep_inside
-
-Array = NDArray[np.float64]
 
 
 class RigidBody(BodyState):
@@ -63,9 +47,9 @@ class RigidBody(BodyState):
         angular_velocity: ArrayLike = (0.0, 0.0, 0.0),
         **settings: Any,
     ):
-        self.states = np.zeros((1, STATE_SIZE))
-        self.constants = np.zeros((1, CONSTANTS))
-        self.loads = np.zeros((1, LOADS))
+        self.states = np.zeros((1, motion.STATE_SIZE))
+        self.constants = np.zeros((1, motion.CONSTANTS))
+        self.loads = np.zeros((1, motion.LOADS))
         self.offsets, self.radii = np.zeros((0, 3)), np.zeros(0)  # in the principal frame
         self.bounces = 0
         self.method, self.effects = METHODS[0], EffectSet([ROTATION, PUSHES])
@@ -101,9 +85,9 @@ class RigidBody(BodyState):
         moments, self.axes = principal_axes(inertia)
         self._frame = quaternion_from_matrix(self.axes)
         row = self.constants[0]
-        row[INVERSE_MASS] = 1.0 / mass
-        row[MOMENTS:INVERSES] = moments
-        row[INVERSES:] = inverse_moments(moments)
+        row[motion.INVERSE_MASS] = 1.0 / mass
+        row[motion.MOMENTS : motion.INVERSES] = moments
+        row[motion.INVERSES :] = inverse_moments(moments)
 
     def change_density(self, factor: float, keep: str = "momentum") -> None:
         """Make the body so many times as dense; keep "momentum" (the state as it is) or "velocity".
@@ -115,12 +99,18 @@ class RigidBody(BodyState):
         if keep not in ("momentum", "velocity"):
             raise ValueError(f"keep = {keep!r}: expected momentum or velocity")
         row = self.constants[0]
-        changed = np.concatenate((row[:1] / factor, row[MOMENTS:INVERSES] * factor, row[INVERSES:] / factor))
+        changed = np.concatenate(
+            (
+                row[:1] / factor,
+                row[motion.MOMENTS : motion.INVERSES] * factor,
+                row[motion.INVERSES :] / factor,
+            )
+        )
         if not np.isfinite(changed).all():
             raise ValueError(f"factor = {factor!r}: the inertia is no number any more")
         row[:] = changed
         if keep == "velocity":
-            self.states[0, P:] *= factor
+            self.states[0, motion.P :] *= factor
 
     def change(self, **settings: Any) -> None:
         """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense.
@@ -140,13 +130,15 @@ class RigidBody(BodyState):
     def apply_force(self, force: ArrayLike, point: ArrayLike | None = None) -> None:
         """Let a force (3,) N act during the next step at a point (3,) m of the world; None: at the centre."""
         force = vector("force", force)
-        self.loads[0, FORCE:TORQUE] += force
+        self.loads[0, motion.FORCE : motion.TORQUE] += force
         if point is not None:
-            self.loads[0, TORQUE:] += np.cross(vector("point", point) - self.states[0, X:Q], force)
+            self.loads[0, motion.TORQUE :] += np.cross(
+                vector("point", point) - self.states[0, motion.X : motion.Q], force
+            )
 
     def apply_torque(self, torque: ArrayLike) -> None:
         """Let a torque (3,) N m act during the next step."""
-        self.loads[0, TORQUE:] += vector("torque", torque)
+        self.loads[0, motion.TORQUE :] += vector("torque", torque)
 
     def copy(self) -> RigidBody:
         """Another body of the same state, settings and forces."""
@@ -162,9 +154,11 @@ class RigidBody(BodyState):
     def apply_impulse(self, impulse: ArrayLike, point: ArrayLike | None = None) -> None:
         """Change the momenta at once by an impulse (3,) N s at a point (3,) m of the world."""
         impulse = vector("impulse", impulse)
-        self.states[0, P:L] += impulse
+        self.states[0, motion.P : motion.L] += impulse
         if point is not None:
-            self.states[0, L:] += np.cross(vector("point", point) - self.states[0, X:Q], impulse)
+            self.states[0, motion.L :] += np.cross(
+                vector("point", point) - self.states[0, motion.X : motion.Q], impulse
+            )
 
     def step(self, dt: float, steps: int = 1) -> None:
         """Make steps of dt s, all under the forces applied since the last call, which are then forgotten.
@@ -196,12 +190,12 @@ class RigidBody(BodyState):
     @property
     def is_free(self) -> bool:
         """True while nothing turns the body, so that the exact solution holds."""
-        return not self.loads[0, TORQUE:].any() and not (DRAG in self.effects and self.damping)
+        return not self.loads[0, motion.TORQUE :].any() and not (DRAG in self.effects and self.damping)
 
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
         assert np.isfinite(self.states).all(), "finite"
-        q = self.states[0, Q:P]
+        q = self.states[0, motion.Q : motion.P]
         assert not self.normalizing or abs(math.sqrt(float(linear.product(q, q))) - 1.0) < 1e-14, "|q| is 1"
         moments = self.moments
         assert 0.0 <= moments[0] <= moments[1] <= moments[2], "moments ascend"

@@ -22,13 +22,13 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.kernels import elementary
 from game.physics.rigid.quaternion import multiply, normalize, quaternion_of, rotate_back
 
-Array = NDArray[np.float64]
 CLOSE = 1e-8  # relative gap of the two means, whose square is below rounding
 LEVELS = 40  # of the arithmetic-geometric mean; six do unless the motion is next to the separatrix
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
@@ -232,11 +232,11 @@ class FreeTop:
         self._moments = tuple(values[0].tolist())
         self._curve = polhode(tuple(values[1].tolist()), self._moments)
 
-    def spin(self, t: float) -> Array:
+    def spin(self, t: float) -> Floats:
         """Spin (3,) rad/s about the principal axes after t s."""
         return np.array(spin_on(self._curve, float(t)))
 
-    def orientation(self, q: ArrayLike, t: float) -> Array:
+    def orientation(self, q: ArrayLike, t: float) -> Floats:
         """Where the orientation q (4,), unit, of the principal frame has come to after t s."""
         start = normalize(tuple(np.array(q, dtype=np.float64).tolist()))
         back = (start[0], -start[1], -start[2], -start[3])

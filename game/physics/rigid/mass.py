@@ -10,15 +10,16 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from game.arrays import Floats
+
 THINNEST = 1e-12  # principal moments below this part of the largest count as none: nothing turns about them
 SWEEPS = 16  # of Jacobi's method; a 3 x 3 matrix takes five or six
 MAX_SPHERES = 100_000
 
 
-def sphere_masses(radii: ArrayLike, density: ArrayLike) -> tuple[Array, Array]:
+def sphere_masses(radii: ArrayLike, density: ArrayLike) -> tuple[Floats, Floats]:
     """Volumes (n,) m³ and masses (n,) kg of spheres of these radii (n,) m and density, kg/m³, one or (n,).
 
     ValueError unless all are above 0 and finite, the masses too.
@@ -33,7 +34,9 @@ def sphere_masses(radii: ArrayLike, density: ArrayLike) -> tuple[Array, Array]:
     return volumes, masses
 
 
-def mass_properties(positions: ArrayLike, radii: ArrayLike, density: ArrayLike) -> tuple[float, Array, Array]:
+def mass_properties(
+    positions: ArrayLike, radii: ArrayLike, density: ArrayLike
+) -> tuple[float, Floats, Floats]:
     """Mass (kg), centre of mass (3,) m and inertia tensor (3, 3) kg m² about it, of spheres.
 
     positions: (n, 3) m, or (n, 2) in the plane z = 0. radii: (n,) m. density: kg/m³, one number or (n,).
@@ -65,7 +68,7 @@ def mass_properties(positions: ArrayLike, radii: ArrayLike, density: ArrayLike) 
     return total, center, inertia
 
 
-def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
+def principal_axes(inertia: ArrayLike) -> tuple[Floats, Floats]:
     """Principal moments (3,), ascending, and axes (3, 3), the columns, a right-handed frame.
 
     Jacobi 1846: plane rotations until nothing is left off the diagonal; small moments keep all their
@@ -99,7 +102,7 @@ def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
     return np.maximum(moments[order], 0.0), axes
 
 
-def inverse_moments(moments: ArrayLike) -> Array:
+def inverse_moments(moments: ArrayLike) -> Floats:
     """1 / I of principal moments (3,); 0 for one that is next to nothing beside the largest (THINNEST).
 
     So a row of spheres next to points, whose tensor has no inverse, does not turn about its own line, rather
@@ -110,7 +113,7 @@ def inverse_moments(moments: ArrayLike) -> Array:
     return np.where(thin, 0.0, 1.0 / np.where(thin, 1.0, moments))
 
 
-def sphere_positions(positions: ArrayLike) -> Array:
+def sphere_positions(positions: ArrayLike) -> Floats:
     """(n, 3) finite numbers from (n, 3) or (n, 2), or ValueError."""
     places = np.array(positions, dtype=np.float64)
     if places.ndim != 2 or places.shape[1] not in (2, 3) or not 1 <= len(places) <= MAX_SPHERES:
@@ -122,7 +125,7 @@ def sphere_positions(positions: ArrayLike) -> Array:
     return places
 
 
-def _annul(a: Array, axes: Array, p: int, q: int) -> None:
+def _annul(a: Floats, axes: Floats, p: int, q: int) -> None:
     """Turn the plane (p, q) so that a[p, q] becomes 0 (Golub and Van Loan, 8.5.2)."""
     off = float(a[p, q])
     small = 1e-3 * np.finfo(np.float64).eps
@@ -145,7 +148,7 @@ def _annul(a: Array, axes: Array, p: int, q: int) -> None:
     axes[:, q] = s * columns[0] + c * columns[1]
 
 
-def _determinant(m: Array) -> float:
+def _determinant(m: Floats) -> float:
     return float(
         m[0, 0] * (m[1, 1] * m[2, 2] - m[1, 2] * m[2, 1])
         - m[0, 1] * (m[1, 0] * m[2, 2] - m[1, 2] * m[2, 0])
@@ -153,7 +156,7 @@ def _determinant(m: Array) -> float:
     )
 
 
-def _sum(terms: Array) -> float:
+def _sum(terms: Floats) -> float:
     """The sum, rounded once; inf or nan if a term is."""
     try:
         return math.fsum(terms.tolist())
@@ -161,7 +164,7 @@ def _sum(terms: Array) -> float:
         return math.inf
 
 
-def _checked(name: str, values: ArrayLike, count: int | None) -> Array:
+def _checked(name: str, values: ArrayLike, count: int | None) -> Floats:
     """Finite numbers above 0, as an array (n,), or ValueError."""
     array = np.array(values, dtype=np.float64).reshape(-1)
     if count is not None and array.size == 1:

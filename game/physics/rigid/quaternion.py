@@ -10,12 +10,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.kernels import elementary, linear
 
-Array = NDArray[np.float64]
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 SMALL_TURN = 1e-3  # rad, below which sin(a/2)/a is taken from its series, whose error is then 2e-22
 
@@ -119,7 +119,7 @@ def angle_between(p, q):
 # -- validation -------------------------------------------------------------------------------------
 
 
-def quaternion_normalized(q: ArrayLike) -> Array:
+def quaternion_normalized(q: ArrayLike) -> Floats:
     """(4,) of length 1. ValueError if q has no length (or one whose square is no number)."""
     given = _numbers("quaternion", q, 4)
     largest = max(map(abs, given))
@@ -129,23 +129,23 @@ def quaternion_normalized(q: ArrayLike) -> Array:
     return np.array(normalize(scaled))
 
 
-def quaternion_multiply(a: ArrayLike, b: ArrayLike) -> Array:
+def quaternion_multiply(a: ArrayLike, b: ArrayLike) -> Floats:
     """Hamilton's product a b (4,): for unit quaternions the turn b and after it a."""
     return np.array(multiply(_numbers("a", a, 4), _numbers("b", b, 4)))
 
 
-def quaternion_conjugate(q: ArrayLike) -> Array:
+def quaternion_conjugate(q: ArrayLike) -> Floats:
     """(w, -x, -y, -z): the opposite turn."""
     w, x, y, z = _numbers("quaternion", q, 4)
     return np.array((w, -x, -y, -z))
 
 
-def quaternion_rotate(q: ArrayLike, v: ArrayLike) -> Array:
+def quaternion_rotate(q: ArrayLike, v: ArrayLike) -> Floats:
     """The vector v (3,) turned by q (4,), which need not have length 1."""
     return np.array(rotate(_unit(q), _numbers("vector", v, 3)))
 
 
-def quaternion_from_axis_angle(axis: ArrayLike, angle: float) -> Array:
+def quaternion_from_axis_angle(axis: ArrayLike, angle: float) -> Floats:
     """The turn by `angle` rad about `axis` (3,) of any length but 0: ValueError for that."""
     x, y, z = _numbers("axis", axis, 3)
     largest = max(abs(x), abs(y), abs(z))
@@ -157,12 +157,12 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: float) -> Array:
     return np.array((elementary.cos(half), s * x, s * y, s * z))
 
 
-def quaternion_from_rotation_vector(vector: ArrayLike) -> Array:
+def quaternion_from_rotation_vector(vector: ArrayLike) -> Floats:
     """The turn about `vector` (3,) by its length, rad: the exponential map."""
     return np.array(exponentiate(_numbers("vector", vector, 3)))
 
 
-def quaternion_to_rotation_vector(q: ArrayLike) -> Array:
+def quaternion_to_rotation_vector(q: ArrayLike) -> Floats:
     """Axis times angle (3,), the angle 0 to pi: the logarithm, the short way round."""
     w, x, y, z = _unit(q)
     if w < 0.0:
@@ -172,12 +172,12 @@ def quaternion_to_rotation_vector(q: ArrayLike) -> Array:
     return factor * np.array((x, y, z))
 
 
-def quaternion_to_matrix(q: ArrayLike) -> Array:
+def quaternion_to_matrix(q: ArrayLike) -> Floats:
     """Rotation matrix (3, 3) of q (4,), which need not have length 1."""
     return np.array(matrix_of(_unit(q))).reshape(3, 3)
 
 
-def quaternion_from_matrix(matrix: ArrayLike) -> Array:
+def quaternion_from_matrix(matrix: ArrayLike) -> Floats:
     """Quaternion (4,), w >= 0, of a rotation matrix (3, 3); ValueError if it is none (to 1e-6)."""
     m = np.array(_numbers("matrix", matrix, 9)).reshape(3, 3)
     off = np.abs(linear.product(m, m.T) - np.eye(3)).max()

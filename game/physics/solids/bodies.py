@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.kernels import elementary, elementwise, linear
+from game.physics.solids.arrays import state
 from game.physics.solids.outlines import LARGEST
 from game.physics.solids.shapes import (
     Part,
@@ -18,10 +19,13 @@ from game.physics.solids.shapes import (
     outward_normals,
     parts_mass,
 )
-from game.physics.solids.state import DYNAMIC, FOUND, KEY_FRAMED, RESTLESS, SEGMENT, TOUCHING, USED, WAKING
 from game.physics.solids.store import SolidStore, arrays_of
 
-KINDS = {"fixed": USED, "dynamic": USED | DYNAMIC, "key-framed": USED | KEY_FRAMED}
+KINDS = {
+    "fixed": state.USED,
+    "dynamic": state.USED | state.DYNAMIC,
+    "key-framed": state.USED | state.KEY_FRAMED,
+}
 FASTEST = 1e6  # m/s, rad/s
 
 
@@ -66,7 +70,7 @@ class SolidBodies(SolidStore):
         body = self._bodies.take()
         rows = self.bodies
         c, s = elementary.cos(turn), elementary.sin(turn)
-        rows.flags[body] = KINDS[kind] | (RESTLESS if restless else 0)
+        rows.flags[body] = KINDS[kind] | (state.RESTLESS if restless else 0)
         rows.positions[body] = x + c * cx - s * cy, y + s * cx + c * cy
         rows.angles[body], rows.rotations[body] = turn, (c, s)
         rows.velocities[body], rows.spins[body] = (vx, vy), w
@@ -77,7 +81,7 @@ class SolidBodies(SolidStore):
             self._origins = np.concatenate([self._origins, np.zeros_like(self._origins)])
             self._masses = np.concatenate([self._masses, np.zeros_like(self._masses)])
         self._origins[body] = -cx, -cy
-        has_chain = any(part.kind == SEGMENT for part, _ in parts)
+        has_chain = any(part.kind == state.SEGMENT for part, _ in parts)
         self._masses[body] = (0.0, 0.0) if has_chain else (mass.mass, mass.inertia)
         for part, shape in parts:
             self._add_part(body, part, shape, cx, cy)
@@ -85,7 +89,7 @@ class SolidBodies(SolidStore):
         return body
 
     def _check_dynamic(self, parts: list[Part], mass: float, inertia: float) -> None:
-        if any(part.kind == SEGMENT for part in parts):
+        if any(part.kind == state.SEGMENT for part in parts):
             raise ValueError("shapes: a chain belongs to a fixed or key-framed body")
         if not (mass > 1e-200 and inertia > 1e-200 and math.isfinite(mass + inertia)):
             raise ValueError("shapes: too small or too large to have a mass and an inertia")
@@ -98,7 +102,7 @@ class SolidBodies(SolidStore):
         self.pool.corners[start : start + count] = corners
         self.pool.normals[start : start + count] = outward_normals(part.kind, corners)
         slot, rows = self._shapes.take(), self.shapes
-        own = corners[1:3] if part.kind == SEGMENT else corners
+        own = corners[1:3] if part.kind == state.SEGMENT else corners
         middle = 0.5 * (own.min(axis=0) + own.max(axis=0))
         rows = self.shapes
         rows.kinds[slot], rows.bodies[slot] = part.kind, body
@@ -118,8 +122,8 @@ class SolidBodies(SolidStore):
         """Take a body away, with its shapes. ValueError for an id that none has."""
         self._known(body)
         contacts = self.contacts
-        touching = contacts.bodies[contacts.marks[:, TOUCHING] == 1]
-        self.bodies.flags[touching[(touching == body).any(axis=1)].ravel()] |= WAKING
+        touching = contacts.bodies[contacts.marks[:, state.TOUCHING] == 1]
+        self.bodies.flags[touching[(touching == body).any(axis=1)].ravel()] |= state.WAKING
         gone = self.shapes_of(body)
         for slot in gone.tolist():
             self._runs.setdefault(int(self.shapes.counts[slot]), []).append(int(self.shapes.starts[slot]))
@@ -149,7 +153,7 @@ class SolidBodies(SolidStore):
         mass, inertia = self._masses[body]
         if kind == "dynamic" and not (mass > 0.0 and inertia > 0.0):
             raise ValueError(f"body {body}: its shapes have no mass, so it cannot be dynamic")
-        rows.flags[body] = KINDS[kind] | (rows.flags[body] & RESTLESS)
+        rows.flags[body] = KINDS[kind] | (rows.flags[body] & state.RESTLESS)
         dynamic = kind == "dynamic"
         rows.inverse_masses[body] = 1.0 / mass if dynamic else 0.0
         rows.inverse_inertias[body] = 1.0 / inertia if dynamic else 0.0
@@ -166,7 +170,9 @@ class SolidBodies(SolidStore):
         self.bodies.angles[body] = turn
         self.bodies.rotations[body] = elementary.cos(turn), elementary.sin(turn)
         contacts = self.contacts
-        contacts.marks[(contacts.bodies == body).any(axis=1), FOUND] = 0  # what overlaps now was put there
+        contacts.marks[(contacts.bodies == body).any(axis=1), state.FOUND] = (
+            0  # what overlaps now was put there
+        )
         self.wake(body)
 
     def set_velocity(self, body: int, velocity: ArrayLike, spin: float = 0.0) -> None:
@@ -174,7 +180,7 @@ class SolidBodies(SolidStore):
         otherwise.
         """
         self._known(body)
-        if not self.bodies.flags[body] & (DYNAMIC | KEY_FRAMED):
+        if not self.bodies.flags[body] & (state.DYNAMIC | state.KEY_FRAMED):
             raise ValueError(f"body {body}: it is fixed")
         self.bodies.velocities[body] = checked_pair("velocity", velocity, FASTEST)
         self.bodies.spins[body] = checked_number("spin", spin, -FASTEST, FASTEST)
@@ -207,14 +213,14 @@ class SolidBodies(SolidStore):
     def wake(self, body: int) -> None:
         """Wake a body and all that touch it, or each other, or are joined to it, at the next step."""
         self._known(body)
-        self.bodies.flags[body] |= WAKING
+        self.bodies.flags[body] |= state.WAKING
 
 
 def _core(part: Part) -> float:
     """Half the least width of a part, m."""
     if len(part.corners) == 1:
         return part.radius
-    if part.kind == SEGMENT:
+    if part.kind == state.SEGMENT:
         return 0.0
     normals = outward_normals(part.kind, part.corners)
     heights = (normals * part.corners).sum(axis=1)[:, None] - linear.product(normals, part.corners.T)

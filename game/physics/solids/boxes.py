@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
-from game.physics.solids.state import DYNAMIC, KEY_FRAMED, NONE, SEGMENT, USED
+from game.physics.solids.arrays import state
 
 ROOM = 0.1  # of a body's reach
 AHEAD = 2.0  # steps of its motion
@@ -30,7 +30,7 @@ def has_outgrown(bodies, numbers):
     """True if a body may leave its boxes in the next step."""
     found = bodies.found
     for i in range(bodies.flags.shape[0]):
-        if not bodies.flags[i] & (DYNAMIC | KEY_FRAMED):
+        if not bodies.flags[i] & (state.DYNAMIC | state.KEY_FRAMED):
             continue
         gone = abs(bodies.positions[i, 0] - found[i, 0]) + abs(bodies.positions[i, 1] - found[i, 1])
         gone += abs(bodies.angles[i] - found[i, 2]) * bodies.reaches[i]
@@ -43,11 +43,11 @@ def has_outgrown(bodies, numbers):
 def make_room(bodies, numbers):
     """Note where each body is, and how far it may go from there."""
     for i in range(bodies.flags.shape[0]):
-        if not bodies.flags[i] & USED:
+        if not bodies.flags[i] & state.USED:
             continue
         bodies.found[i, 0], bodies.found[i, 1] = bodies.positions[i, 0], bodies.positions[i, 1]
         bodies.found[i, 2], bodies.found[i, 3] = bodies.angles[i], 0.0
-        if bodies.flags[i] & (DYNAMIC | KEY_FRAMED):
+        if bodies.flags[i] & (state.DYNAMIC | state.KEY_FRAMED):
             bodies.found[i, 3] = ROOM * bodies.reaches[i] + AHEAD * motion_ahead(bodies, i, numbers)
 
 
@@ -55,7 +55,7 @@ def make_room(bodies, numbers):
 def make_boxes(bodies, shapes, pool, numbers):
     """Boxes of all shapes, as large as their bodies may go; and half the distance at which contacts begin."""
     for s in range(shapes.kinds.shape[0]):
-        if shapes.kinds[s] == NONE:
+        if shapes.kinds[s] == state.NONE:
             continue
         i = shapes.bodies[s]
         x, y, c, sine = (
@@ -66,7 +66,7 @@ def make_boxes(bodies, shapes, pool, numbers):
         )
         x0, y0, x1, y1 = math.inf, math.inf, -math.inf, -math.inf
         first, last = shapes.starts[s], shapes.starts[s] + shapes.counts[s]
-        if shapes.kinds[s] == SEGMENT:  # without ghosts
+        if shapes.kinds[s] == state.SEGMENT:  # without ghosts
             first, last = first + 1, last - 1
         for k in range(first, last):
             px, py = pool.corners[k, 0], pool.corners[k, 1]

@@ -13,47 +13,13 @@ import numpy as np
 
 from game.compiler.decorator import inner_kernel
 from game.physics.kernels.lanes import fetch
+from game.physics.solids.arrays import state
 from game.physics.solids.collide.discs import collide_polygon_disc, touch_points
 from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import collide_polygons
 from game.physics.solids.collide.segments import collide_segment_disc, collide_segment_polygon
 from game.physics.solids.islands import is_moving
 from game.physics.solids.rows import add_row, finish_batch, frames_of, limits_of, note_places, start_batches
-from game.physics.solids.state import (
-    ASLEEP,
-    DA,
-    DC,
-    DISC,
-    DS,
-    DX,
-    DY,
-    DYNAMIC,
-    FEATURE_0,
-    FEATURE_1,
-    FIRST_POINT,
-    FOUND,
-    GAP,
-    GIVEN,
-    IN_A_X,
-    IN_A_Y,
-    IN_B_X,
-    IN_B_Y,
-    LINE,
-    MANIFOLD_WIDTH,
-    NORMAL_IMPULSE,
-    NORMAL_X,
-    NORMAL_Y,
-    PLACE_ANGLE,
-    PLACE_X,
-    PLACE_Y,
-    POINT_WIDTH,
-    POINTS,
-    SEGMENT,
-    TANGENT_IMPULSE,
-    VX,
-    VY,
-    W,
-)
 
 FETCHED = 8  # pairs ahead, of which the memory is asked for
 
@@ -79,16 +45,16 @@ def find_manifold(shapes, pool, scratch, a, b, place, near, reach):
     first = Hull(pool.corners, pool.normals, start_a, np.int64(shapes.counts[a]), ra)
     second = Hull(scratch.corners, scratch.normals, np.int64(0), np.int64(shapes.counts[b]), rb)
     manifold, features = scratch.manifold, scratch.features
-    if shapes.kinds[b] == DISC:
+    if shapes.kinds[b] == state.DISC:
         x, y = scratch.corners[0, 0], scratch.corners[0, 1]
         features[0] = 0
-        if kind == DISC:
+        if kind == state.DISC:
             cx, cy = pool.corners[start_a, 0], pool.corners[start_a, 1]
             return touch_points(cx, cy, ra, x, y, rb, near, manifold)
-        if kind == SEGMENT:
+        if kind == state.SEGMENT:
             return collide_segment_disc(pool.corners, start_a, x, y, rb, reach, manifold, features)
         return collide_polygon_disc(first, x, y, rb, reach, manifold, features)
-    if kind == SEGMENT:
+    if kind == state.SEGMENT:
         return collide_segment_polygon(pool.corners, start_a, second, reach, manifold, features)
     return collide_polygons(first, second, reach, manifold, features)
 
@@ -99,40 +65,43 @@ def keep_manifold(contacts, p, points, place, angle, scratch, slop):
     manifold, features, marks, kept = scratch.manifold, scratch.features, contacts.marks, contacts.manifolds
     x, y, c, s = place
     n0, t0, n1, t1 = 0.0, 0.0, 0.0, 0.0
-    f0, f1, before = marks[p, FEATURE_0], marks[p, FEATURE_1], marks[p, POINTS]
+    f0, f1, before = marks[p, state.FEATURE_0], marks[p, state.FEATURE_1], marks[p, state.POINTS]
     if before > 0:
-        n0, t0 = kept[p, FIRST_POINT + NORMAL_IMPULSE], kept[p, FIRST_POINT + TANGENT_IMPULSE]
+        n0, t0 = (
+            kept[p, state.FIRST_POINT + state.NORMAL_IMPULSE],
+            kept[p, state.FIRST_POINT + state.TANGENT_IMPULSE],
+        )
     if before > 1:
-        second = FIRST_POINT + POINT_WIDTH
-        n1, t1 = kept[p, second + NORMAL_IMPULSE], kept[p, second + TANGENT_IMPULSE]
-    kept[p, NORMAL_X] = manifold[0] if points > 0 else 0.0  # else the memory holds that of another pair
-    kept[p, NORMAL_Y] = manifold[1] if points > 0 else 0.0
+        second = state.FIRST_POINT + state.POINT_WIDTH
+        n1, t1 = kept[p, second + state.NORMAL_IMPULSE], kept[p, second + state.TANGENT_IMPULSE]
+    kept[p, state.NORMAL_X] = manifold[0] if points > 0 else 0.0  # else the memory holds that of another pair
+    kept[p, state.NORMAL_Y] = manifold[1] if points > 0 else 0.0
     deepest = 0.0
     for k in range(points):
-        at = FIRST_POINT + k * POINT_WIDTH
+        at = state.FIRST_POINT + k * state.POINT_WIDTH
         px, py = manifold[2 + 3 * k], manifold[3 + 3 * k]
         deepest = min(deepest, manifold[4 + 3 * k])
-        kept[p, at + IN_A_X], kept[p, at + IN_A_Y] = px, py
-        kept[p, at + IN_B_X] = c * (px - x) + s * (py - y)
-        kept[p, at + IN_B_Y] = c * (py - y) - s * (px - x)
-        kept[p, at + GAP] = manifold[4 + 3 * k]
+        kept[p, at + state.IN_A_X], kept[p, at + state.IN_A_Y] = px, py
+        kept[p, at + state.IN_B_X] = c * (px - x) + s * (py - y)
+        kept[p, at + state.IN_B_Y] = c * (py - y) - s * (px - x)
+        kept[p, at + state.GAP] = manifold[4 + 3 * k]
         feature = features[k]
         jn, jt = 0.0, 0.0
         if before > 0 and feature == f0:
             jn, jt = n0, t0
         elif before > 1 and feature == f1:
             jn, jt = n1, t1
-        kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE] = jn, jt
-        marks[p, FEATURE_0 + k] = feature
+        kept[p, at + state.NORMAL_IMPULSE], kept[p, at + state.TANGENT_IMPULSE] = jn, jt
+        marks[p, state.FEATURE_0 + k] = feature
     if points == 0:
-        kept[p, FIRST_POINT + GAP] = manifold[8]
-    if marks[p, FOUND] == 0 and deepest < -slop:
-        marks[p, GIVEN] = 1
+        kept[p, state.FIRST_POINT + state.GAP] = manifold[8]
+    if marks[p, state.FOUND] == 0 and deepest < -slop:
+        marks[p, state.GIVEN] = 1
     elif deepest > -slop:
-        marks[p, GIVEN] = 0
-    marks[p, POINTS] = points
-    marks[p, FOUND] = 1
-    kept[p, PLACE_X], kept[p, PLACE_Y], kept[p, PLACE_ANGLE] = x, y, angle
+        marks[p, state.GIVEN] = 0
+    marks[p, state.POINTS] = points
+    marks[p, state.FOUND] = 1
+    kept[p, state.PLACE_X], kept[p, state.PLACE_Y], kept[p, state.PLACE_ANGLE] = x, y, angle
 
 
 @inner_kernel(inline="always")
@@ -142,27 +111,27 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
     a, b = np.uint64(contacts.shapes[p, 0]), np.uint64(contacts.shapes[p, 1])
     i, j = np.uint64(contacts.bodies[p, 0]), np.uint64(contacts.bodies[p, 1])
     motion = scratch.motion
-    dx, dy = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
-    ca, sa = motion[i, DC], motion[i, DS]
+    dx, dy = motion[j, state.DX] - motion[i, state.DX], motion[j, state.DY] - motion[i, state.DY]
+    ca, sa = motion[i, state.DC], motion[i, state.DS]
     x, y = ca * dx + sa * dy, ca * dy - sa * dx
-    angle = motion[j, DA] - motion[i, DA]
+    angle = motion[j, state.DA] - motion[i, state.DA]
     size = min(shapes.sizes[a], shapes.sizes[b])
     near = min(numbers.near, 0.25 * size)
-    vx, vy = motion[j, VX] - motion[i, VX], motion[j, VY] - motion[i, VY]
-    speed = math.sqrt(vx * vx + vy * vy) + abs(motion[i, W]) * bodies.reaches[i]
-    speed += abs(motion[j, W]) * bodies.reaches[j]
+    vx, vy = motion[j, state.VX] - motion[i, state.VX], motion[j, state.VY] - motion[i, state.VY]
+    speed = math.sqrt(vx * vx + vy * vy) + abs(motion[i, state.W]) * bodies.reaches[i]
+    speed += abs(motion[j, state.W]) * bodies.reaches[j]
     reach = near + min(1.5 * numbers.dt * speed, 0.5 * size)
-    kept, points = contacts.manifolds, contacts.marks[p, POINTS]
-    moved = abs(x - kept[p, PLACE_X]) + abs(y - kept[p, PLACE_Y])
-    moved += abs(angle - kept[p, PLACE_ANGLE]) * bodies.reaches[j]
-    keep = contacts.marks[p, FOUND] == 1
+    kept, points = contacts.manifolds, contacts.marks[p, state.POINTS]
+    moved = abs(x - kept[p, state.PLACE_X]) + abs(y - kept[p, state.PLACE_Y])
+    moved += abs(angle - kept[p, state.PLACE_ANGLE]) * bodies.reaches[j]
+    keep = contacts.marks[p, state.FOUND] == 1
     if points == 0:
-        keep = keep and moved < kept[p, FIRST_POINT + GAP] - reach
+        keep = keep and moved < kept[p, state.FIRST_POINT + state.GAP] - reach
     else:
-        keep = keep and shapes.kinds[b] != DISC and moved <= numbers.recycle * near
+        keep = keep and shapes.kinds[b] != state.DISC and moved <= numbers.recycle * near
         keep = keep and speed * numbers.dt < near
     if not keep:
-        cb, sb = motion[j, DC], motion[j, DS]
+        cb, sb = motion[j, state.DC], motion[j, state.DS]
         place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
         points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
         keep_manifold(contacts, p, points, place, angle, scratch, numbers.slop)
@@ -173,7 +142,10 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
 def is_computed(bodies, i, j):
     """True if one of two bodies is dynamic and awake, or sleeps while the other one is led against it."""
     flags = bodies.flags
-    if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC or flags[j] & (DYNAMIC | ASLEEP) == DYNAMIC:
+    if (
+        flags[i] & (state.DYNAMIC | state.ASLEEP) == state.DYNAMIC
+        or flags[j] & (state.DYNAMIC | state.ASLEEP) == state.DYNAMIC
+    ):
         return True
     return is_moving(bodies, i) or is_moving(bodies, j)
 
@@ -182,7 +154,7 @@ def is_computed(bodies, i, j):
 def fetch_manifold(kept, p, lines):
     """Let the first lines of memory of a manifold come, that will be asked for before long."""
     for line in range(lines):
-        fetch(kept, p * MANIFOLD_WIDTH + line * LINE)
+        fetch(kept, p * state.MANIFOLD_WIDTH + line * state.LINE)
 
 
 @inner_kernel

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.physics.solids.arrays.state import DYNAMIC, Bodies
 from game.physics.solids.settings import Numbers
-from game.physics.solids.state import DYNAMIC, Bodies
 
 
 class Energy(NamedTuple):

@@ -9,21 +9,8 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
-from game.physics.solids.joints.layout import BROKEN, MOUSE, NO_JOINT
-from game.physics.solids.state import (
-    ASLEEP,
-    DA,
-    DX,
-    DY,
-    DYNAMIC,
-    END_A,
-    END_B,
-    END_PAIR,
-    KEY_FRAMED,
-    RESTLESS,
-    TOUCHING,
-    WAKING,
-)
+from game.physics.solids.arrays import state
+from game.physics.solids.arrays.layout import BROKEN, MOUSE, NO_JOINT
 
 
 @inner_kernel
@@ -53,20 +40,20 @@ def find_islands(bodies, contacts, joints, parents):
         parents[i] = i
     for p in range(contacts.count[0]):
         i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
-        if contacts.marks[p, TOUCHING] == 1 and flags[i] & flags[j] & DYNAMIC:
+        if contacts.marks[p, state.TOUCHING] == 1 and flags[i] & flags[j] & state.DYNAMIC:
             unite(parents, i, j)
     for k in range(joints.kinds.shape[0]):
         if joints.kinds[k] == NO_JOINT or joints.flags[k] & BROKEN or joints.kinds[k] == MOUSE:
             continue
         i, j = joints.bodies[k, 0], joints.bodies[k, 1]
-        if flags[i] & flags[j] & DYNAMIC:
+        if flags[i] & flags[j] & state.DYNAMIC:
             unite(parents, i, j)
 
 
 @inner_kernel
 def is_moving(bodies, i):
     """True for a key-framed body that has a velocity or spin."""
-    if not bodies.flags[i] & KEY_FRAMED:
+    if not bodies.flags[i] & state.KEY_FRAMED:
         return False
     return bodies.velocities[i, 0] != 0.0 or bodies.velocities[i, 1] != 0.0 or bodies.spins[i] != 0.0
 
@@ -76,26 +63,26 @@ def wake_islands(bodies, contacts, joints, scratch):
     """Wake all islands of which a body is marked WAKING, and what rests on such a body that nothing moves."""
     flags, parents, marked = bodies.flags, scratch.parents, False
     for i in range(flags.shape[0]):
-        marked = marked or flags[i] & WAKING != 0
+        marked = marked or flags[i] & state.WAKING != 0
     if not marked:
         return
     for p in range(contacts.count[0]):
         i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
-        if contacts.marks[p, TOUCHING] == 1:
-            if flags[i] & (WAKING | DYNAMIC) == WAKING:
-                flags[j] |= WAKING
-            if flags[j] & (WAKING | DYNAMIC) == WAKING:
-                flags[i] |= WAKING
+        if contacts.marks[p, state.TOUCHING] == 1:
+            if flags[i] & (state.WAKING | state.DYNAMIC) == state.WAKING:
+                flags[j] |= state.WAKING
+            if flags[j] & (state.WAKING | state.DYNAMIC) == state.WAKING:
+                flags[i] |= state.WAKING
     find_islands(bodies, contacts, joints, parents)
     for i in range(flags.shape[0]):
-        if flags[i] & WAKING and flags[i] & DYNAMIC:
-            flags[root_of(parents, i)] |= WAKING
+        if flags[i] & state.WAKING and flags[i] & state.DYNAMIC:
+            flags[root_of(parents, i)] |= state.WAKING
     for i in range(flags.shape[0]):
-        if flags[i] & DYNAMIC and flags[root_of(parents, i)] & WAKING:
-            flags[i] &= ~ASLEEP
+        if flags[i] & state.DYNAMIC and flags[root_of(parents, i)] & state.WAKING:
+            flags[i] &= ~state.ASLEEP
             bodies.quiet[i] = 0.0
     for i in range(flags.shape[0]):
-        flags[i] &= ~WAKING
+        flags[i] &= ~state.WAKING
 
 
 @inner_kernel
@@ -103,16 +90,18 @@ def mark_touched(bodies, contacts, rows):
     """Mark what sleeps and was touched in this step; true if there is any."""
     flags, any_asleep, any_marked = bodies.flags, 0, False
     for i in range(flags.shape[0]):
-        any_asleep |= flags[i] & ASLEEP
+        any_asleep |= flags[i] & state.ASLEEP
     if not any_asleep:
         return False
     for c in range(rows.count[0]):
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
-        if (flags[a] | flags[b]) & ASLEEP and contacts.marks[rows.ends[c, END_PAIR], TOUCHING] == 1:
-            if flags[a] & ASLEEP:
-                flags[a] |= WAKING
-            if flags[b] & ASLEEP:
-                flags[b] |= WAKING
+        a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
+        if (flags[a] | flags[b]) & state.ASLEEP and contacts.marks[
+            rows.ends[c, state.END_PAIR], state.TOUCHING
+        ] == 1:
+            if flags[a] & state.ASLEEP:
+                flags[a] |= state.WAKING
+            if flags[b] & state.ASLEEP:
+                flags[b] |= state.WAKING
             any_marked = True
     return any_marked
 
@@ -125,21 +114,23 @@ def count_quiet(bodies, rows, motion, numbers):
     """
     flags, quiet, over = bodies.flags, bodies.quiet, 1.0 / numbers.dt
     for i in range(flags.shape[0]):
-        if flags[i] & (DYNAMIC | ASLEEP) != DYNAMIC:
+        if flags[i] & (state.DYNAMIC | state.ASLEEP) != state.DYNAMIC:
             continue
         vx, vy = bodies.velocities[i, 0], bodies.velocities[i, 1]
         speed = math.sqrt(vx * vx + vy * vy) + abs(bodies.spins[i]) * bodies.reaches[i]
-        gone = abs(motion[i, DX]) + abs(motion[i, DY]) + abs(motion[i, DA]) * bodies.reaches[i]
+        gone = (
+            abs(motion[i, state.DX]) + abs(motion[i, state.DY]) + abs(motion[i, state.DA]) * bodies.reaches[i]
+        )
         speed = max(speed, over * gone)
-        quiet[i] = 0.0 if speed > numbers.calm or flags[i] & RESTLESS else quiet[i] + numbers.dt
+        quiet[i] = 0.0 if speed > numbers.calm or flags[i] & state.RESTLESS else quiet[i] + numbers.dt
     for c in range(rows.count[0]):  # what lies on something that moves does not sleep
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
         if is_moving(bodies, a):
             quiet[b] = 0.0
         if is_moving(bodies, b):
             quiet[a] = 0.0
     for i in range(flags.shape[0]):
-        if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC and quiet[i] >= numbers.patience:
+        if flags[i] & (state.DYNAMIC | state.ASLEEP) == state.DYNAMIC and quiet[i] >= numbers.patience:
             return True
     return False
 
@@ -157,11 +148,14 @@ def send_to_sleep(bodies, rows, contacts, joints, scratch, numbers):
             if joints.kinds[k] == MOUSE or is_moving(bodies, a) or is_moving(bodies, b):
                 quiet[a], quiet[b] = 0.0, 0.0
     for i in range(flags.shape[0]):
-        if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC and quiet[i] < numbers.patience:
-            flags[root_of(parents, i)] |= WAKING  # for now: this island stays awake
+        if flags[i] & (state.DYNAMIC | state.ASLEEP) == state.DYNAMIC and quiet[i] < numbers.patience:
+            flags[root_of(parents, i)] |= state.WAKING  # for now: this island stays awake
     for i in range(flags.shape[0]):
-        if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC and not flags[root_of(parents, i)] & WAKING:
-            flags[i] |= ASLEEP
+        if (
+            flags[i] & (state.DYNAMIC | state.ASLEEP) == state.DYNAMIC
+            and not flags[root_of(parents, i)] & state.WAKING
+        ):
+            flags[i] |= state.ASLEEP
             bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i] = 0.0, 0.0, 0.0
     for i in range(flags.shape[0]):
-        flags[i] &= ~WAKING
+        flags[i] &= ~state.WAKING

@@ -6,29 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.kernels.lanes import LANES
-from game.physics.solids.joints.layout import IMPULSES, JOINT_ROW, LINES, NO_JOINT, PARAMETERS, Joints
-from game.physics.solids.joints.plan import empty_plan
-from game.physics.solids.state import (
-    BATCH_WIDTH,
-    DRIFTS_WIDTH,
-    LINE,
-    MANIFOLD_WIDTH,
-    MARKS_WIDTH,
-    MOST_CORNERS,
-    MOTION_WIDTH,
-    NONE,
-    POINTS_WIDTH,
-    RARE_WIDTH,
-    ROW_WIDTH,
-    WORKS_WIDTH,
-    Batches,
-    Bodies,
-    Contacts,
-    Pool,
-    Rows,
-    Scratch,
-    Shapes,
-)
+from game.physics.solids.arrays import layout, state
+from game.physics.solids.arrays.layout import Joints
+from game.physics.solids.arrays.plan import empty_plan
+from game.physics.solids.arrays.state import Batches, Bodies, Contacts, Pool, Rows, Scratch, Shapes
 from game.physics.solids.tables import Column, Table
 
 MOST_BODIES, MOST_SHAPES, MOST_POOL, MOST_JOINTS = 20_000, 200_000, 2_000_000, 100_000
@@ -44,18 +25,32 @@ BODY_COLUMNS = {
     "found": Column(width=4),
 }  # fmt: skip
 SHAPE_COLUMNS = {
-    "kinds": Column(_INT, empty=NONE), "bodies": Column(_INT), "starts": Column(_INT), "counts": Column(_INT),
-    "radii": Column(), "frictions": Column(), "restitutions": Column(), "densities": Column(),
-    "categories": Column(np.int64), "masks": Column(np.int64), "sizes": Column(), "boxes": Column(width=4),
-}  # fmt: skip
+    "kinds": Column(_INT, empty=state.NONE),
+    "bodies": Column(_INT),
+    "starts": Column(_INT),
+    "counts": Column(_INT),
+    "radii": Column(),
+    "frictions": Column(),
+    "restitutions": Column(),
+    "densities": Column(),
+    "categories": Column(np.int64),
+    "masks": Column(np.int64),
+    "sizes": Column(),
+    "boxes": Column(width=4),
+}
 POOL_COLUMNS = {"corners": Column(width=2), "normals": Column(width=2)}
 JOINT_COLUMNS = {
-    "kinds": Column(_INT, empty=NO_JOINT), "flags": Column(_INT), "bodies": Column(_INT, 2),
-    "anchors": Column(width=4), "parameters": Column(width=PARAMETERS), "impulses": Column(width=IMPULSES),
-    "stiffnesses": Column(width=IMPULSES), "starts": Column(width=IMPULSES),
-    "rows": Column(width=JOINT_ROW, empty=-1.0),
-    "lines": Column(width=LINES),
-}  # fmt: skip
+    "kinds": Column(_INT, empty=layout.NO_JOINT),
+    "flags": Column(_INT),
+    "bodies": Column(_INT, 2),
+    "anchors": Column(width=4),
+    "parameters": Column(width=layout.PARAMETERS),
+    "impulses": Column(width=layout.IMPULSES),
+    "stiffnesses": Column(width=layout.IMPULSES),
+    "starts": Column(width=layout.IMPULSES),
+    "rows": Column(width=layout.JOINT_ROW, empty=-1.0),
+    "lines": Column(width=layout.LINES),
+}
 
 
 def body_table() -> Table[Bodies]:
@@ -85,8 +80,8 @@ def contacts_of(capacity: int) -> Contacts:
         np.zeros(capacity, dtype=_INT),
         np.zeros((capacity, 2), dtype=_INT),
         np.zeros((capacity, 2), dtype=_INT),
-        np.zeros((capacity, MARKS_WIDTH), dtype=_INT),
-        aligned_zeros(capacity, MANIFOLD_WIDTH),
+        np.zeros((capacity, state.MARKS_WIDTH), dtype=_INT),
+        aligned_zeros(capacity, state.MANIFOLD_WIDTH),
     )
 
 
@@ -95,15 +90,15 @@ def rows_of(capacity: int) -> Rows:
     return Rows(
         np.zeros(2, dtype=np.int64),
         np.zeros((capacity, 4), dtype=_INT),
-        np.zeros((capacity, ROW_WIDTH)),
-        np.zeros((capacity, RARE_WIDTH)),
+        np.zeros((capacity, state.ROW_WIDTH)),
+        np.zeros((capacity, state.RARE_WIDTH)),
     )
 
 
 def aligned_zeros(rows: int, columns: int) -> NDArray[np.float64]:
     """(rows, columns) zeros that begin where a line of the processor's memory does."""
-    numbers = np.zeros(rows * columns + LINE)
-    first = -(numbers.ctypes.data // numbers.itemsize) % LINE
+    numbers = np.zeros(rows * columns + state.LINE)
+    first = -(numbers.ctypes.data // numbers.itemsize) % state.LINE
     return numbers[first : first + rows * columns].reshape(rows, columns)
 
 
@@ -111,7 +106,7 @@ def batches_of(bodies: int, pairs: int) -> Batches:
     """Room for batches of one row each, none there: memory that is not touched costs nothing."""
     return Batches(
         np.zeros(1, dtype=np.int64),
-        aligned_zeros(pairs, BATCH_WIDTH * LANES).reshape(pairs, BATCH_WIDTH, LANES),
+        aligned_zeros(pairs, state.BATCH_WIDTH * LANES).reshape(pairs, state.BATCH_WIDTH, LANES),
         np.zeros((pairs, 2, LANES), dtype=_INT),
         np.zeros((pairs, LANES), dtype=_INT),
         np.zeros((pairs, LANES), dtype=_INT),
@@ -125,11 +120,11 @@ def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch
     """Memory for kernels that see so many slots and pairs."""
     buckets = 1 << max(4, (2 * shapes).bit_length())
     return Scratch(
-        motion=aligned_zeros(bodies, MOTION_WIDTH),
+        motion=aligned_zeros(bodies, state.MOTION_WIDTH),
         accelerations=np.zeros((bodies, 3)),
         air=np.zeros((bodies, 3)),
-        corners=np.zeros((MOST_CORNERS, 2)),
-        normals=np.zeros((MOST_CORNERS, 2)),
+        corners=np.zeros((state.MOST_CORNERS, 2)),
+        normals=np.zeros((state.MOST_CORNERS, 2)),
         manifold=np.zeros(9),
         features=np.zeros(2, dtype=np.int64),
         heads=np.zeros(buckets + 1, dtype=_INT),
@@ -144,16 +139,16 @@ def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch
         meetings=np.zeros(bodies, dtype=_INT),
         speeds=np.zeros((bodies, 6)),
         going=np.zeros((bodies, 3)),
-        works=np.zeros((bodies, WORKS_WIDTH)),
-        drifts=np.zeros((bodies, DRIFTS_WIDTH)),
+        works=np.zeros((bodies, state.WORKS_WIDTH)),
+        drifts=np.zeros((bodies, state.DRIFTS_WIDTH)),
         excused=np.zeros(bodies, dtype=_INT),
         fractions=np.ones(bodies),
         plan=empty_plan(),
         stiffness=np.zeros(bodies),
-        before=np.zeros((bodies, MOTION_WIDTH)),
+        before=np.zeros((bodies, state.MOTION_WIDTH)),
         starts=np.zeros(bodies + 1, dtype=_INT),
         touching=np.zeros(2 * (pairs + joints), dtype=_INT),
-        points=np.zeros((pairs, POINTS_WIDTH)),
+        points=np.zeros((pairs, state.POINTS_WIDTH)),
         batches=batches_of(bodies, pairs),
         begun=np.zeros((EVENTS, 2), dtype=_INT),
         begun_places=np.zeros((EVENTS, 5)),

@@ -7,12 +7,12 @@ Mehlhorn 1983: at most four times the least number of parts).
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
-from game.physics.solids.state import MOST_CORNERS
+from game.physics.solids.arrays.state import MOST_CORNERS
 
-Floats = NDArray[np.float64]
 LARGEST = 1e6  # m
 MERGED = 1e-9  # of the extent: closer corners are one
 STRAIGHT = 1e-12  # of the squared extent: a corner that turns less is none

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
-from game.physics.solids.state import DYNAMIC, NONE
+from game.physics.solids.arrays.state import DYNAMIC, NONE
 
 LEVELS = 48
 MOST_COLOURS = 23  # what finds none free shares the last

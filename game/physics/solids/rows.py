@@ -30,65 +30,16 @@ from game.physics.kernels.lanes import (
     store_quads,
     zeros,
 )
-from game.physics.solids.state import (
-    APPROACH_0,
-    APPROACH_1,
-    BATCH_GAP,
-    BATCH_MOST,
-    BATCH_POINTS,
-    BATCH_RARE,
-    BATCH_WIDTH,
-    COUPLING,
-    CROSS_A,
-    CROSS_B,
-    DA,
-    DC,
-    DOT_A,
-    DOT_B,
-    DS,
-    DX,
-    DY,
-    END_A,
-    END_B,
-    END_PAIR,
-    END_POINTS,
-    IMPACT,
-    JN,
-    JT,
-    MANIFOLD_WIDTH,
-    MASS_T,
-    MOST_0,
-    MOST_1,
-    MOTION_WIDTH,
-    POINTS,
-    RESTITUTION,
-    ROUND_A,
-    ROUND_B,
-    ROW_HARD,
-    ROW_IIA,
-    ROW_IIB,
-    ROW_IMA,
-    ROW_IMB,
-    ROW_MU,
-    ROW_NX,
-    ROW_NY,
-    ROW_POINT,
-    ROW_POINT_WIDTH,
-    ROW_WIDTH,
-    SEP,
-    STIFF_N,
-    VX,
-    VY,
-    W,
-)
+from game.physics.solids.arrays import state
+from game.physics.solids.arrays.state import BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_RARE
 
-SIZE = BATCH_WIDTH * LANES  # numbers of a batch
+SIZE = state.BATCH_WIDTH * LANES  # numbers of a batch
 # bits of Batches.kinds: it has a row of one point; one whose impulses are no guess; one that is not at rest
 SINGLE, CHILLED, VIOLENT = 1, 2, 4
 COLD = 30.0  # m/s², what closes faster than that in a step hits, it does not rest
 RESTLESS = 10.0  # m/s², what parts or closes faster than that in a step is not at rest
 MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
-FIRST, SECOND = ROW_POINT, ROW_POINT + ROW_POINT_WIDTH
+FIRST, SECOND = state.ROW_POINT, state.ROW_POINT + state.ROW_POINT_WIDTH
 
 
 @inner_kernel
@@ -114,16 +65,16 @@ def add_row(bodies, shapes, contacts, p, rows, batches, motion, numbers):
         k = np.uint64(batches.count[0])
     lately[i], lately[j] = k, k
     c, lane = np.uint64(rows.count[0]), np.uint64(batches.filled[k])
-    points, values = contacts.marks[p, POINTS], batches.values
+    points, values = contacts.marks[p, state.POINTS], batches.values
     rows.count[0] += 1
     batches.filled[k] += 1
-    rows.ends[c, END_A], rows.ends[c, END_B] = i, j
-    rows.ends[c, END_POINTS], rows.ends[c, END_PAIR] = points, p
+    rows.ends[c, state.END_A], rows.ends[c, state.END_B] = i, j
+    rows.ends[c, state.END_POINTS], rows.ends[c, state.END_PAIR] = points, p
     batches.rows[k, lane], batches.pairs[k, lane] = c, p
-    batches.ends[k, END_A, lane], batches.ends[k, END_B, lane] = i, j
-    values[k, ROW_MU, lane] = numbers.friction * math.sqrt(shapes.frictions[a] * shapes.frictions[b])
-    values[k, ROUND_A, lane], values[k, ROUND_B, lane] = -shapes.radii[a], shapes.radii[b]
-    values[k, BATCH_RARE + RESTITUTION, lane] = max(shapes.restitutions[a], shapes.restitutions[b])
+    batches.ends[k, state.END_A, lane], batches.ends[k, state.END_B, lane] = i, j
+    values[k, state.ROW_MU, lane] = numbers.friction * math.sqrt(shapes.frictions[a] * shapes.frictions[b])
+    values[k, state.ROUND_A, lane], values[k, state.ROUND_B, lane] = -shapes.radii[a], shapes.radii[b]
+    values[k, BATCH_RARE + state.RESTITUTION, lane] = max(shapes.restitutions[a], shapes.restitutions[b])
     values[k, BATCH_POINTS, lane] = points
     if points == 1:
         batches.kinds[k] |= SINGLE
@@ -142,10 +93,10 @@ def frames_of(bodies, motion):
 def note_places(bodies, motion):
     """Velocities and places of all bodies to motion, until a step begins: each in one line of memory."""
     for i in range(motion.shape[0]):
-        motion[i, VX], motion[i, VY] = bodies.velocities[i, 0], bodies.velocities[i, 1]
-        motion[i, W], motion[i, DA] = bodies.spins[i], bodies.angles[i]
-        motion[i, DX], motion[i, DY] = bodies.positions[i, 0], bodies.positions[i, 1]
-        motion[i, DC], motion[i, DS] = bodies.rotations[i, 0], bodies.rotations[i, 1]
+        motion[i, state.VX], motion[i, state.VY] = bodies.velocities[i, 0], bodies.velocities[i, 1]
+        motion[i, state.W], motion[i, state.DA] = bodies.spins[i], bodies.angles[i]
+        motion[i, state.DX], motion[i, state.DY] = bodies.positions[i, 0], bodies.positions[i, 1]
+        motion[i, state.DC], motion[i, state.DS] = bodies.rotations[i, 0], bodies.rotations[i, 1]
 
 
 @inner_kernel(inline="always")
@@ -167,13 +118,19 @@ def finish_batch(frames, kept, batches, limits):
         return
     for lane in range(batches.filled[k], LANES):
         batches.rows[k, lane], batches.pairs[k, lane] = batches.rows[k, 0], batches.pairs[k, 0]
-        for column in (ROW_MU, ROUND_A, ROUND_B, BATCH_RARE + RESTITUTION, BATCH_POINTS):
+        for column in (
+            state.ROW_MU,
+            state.ROUND_A,
+            state.ROUND_B,
+            BATCH_RARE + state.RESTITUTION,
+            BATCH_POINTS,
+        ):
             values[k, column, lane] = values[k, column, 0]
-        for end in (END_A, END_B):
+        for end in (state.END_A, state.END_B):
             batches.ends[k, end, lane] = batches.ends[k, end, 0]
     write_batch(frames, kept, batches, k, limits)
     for lane in range(batches.filled[k], LANES):
-        for column in (ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB):
+        for column in (state.ROW_IMA, state.ROW_IIA, state.ROW_IMB, state.ROW_IIB):
             values[k, column, lane] = 0.0
     batches.count[0] = k + 1
     if k + 1 < batches.filled.shape[0]:
@@ -185,14 +142,14 @@ def copy_rows(rows, batches):
     """What is in batches to rows, for solvers and measures that go row by row."""
     values = batches.values
     for k in range(batches.count[0]):
-        for quad in range((ROW_WIDTH + QUAD - 1) // QUAD):
-            column = min(quad * QUAD, ROW_WIDTH - QUAD)
+        for quad in range((state.ROW_WIDTH + QUAD - 1) // QUAD):
+            column = min(quad * QUAD, state.ROW_WIDTH - QUAD)
             at = k * SIZE + column * LANES
             four = (
                 load(values, at), load(values, at + LANES), load(values, at + 2 * LANES),
                 load(values, at + 3 * LANES),
             )  # fmt: skip
-            store_quads(rows.rows, ROW_WIDTH, batches.rows, k * LANES, column, four)
+            store_quads(rows.rows, state.ROW_WIDTH, batches.rows, k * LANES, column, four)
     copy_rare(rows, batches)
     rows.count[1] = 1
 
@@ -204,9 +161,12 @@ def copy_rare(rows, batches):
     for k in range(batches.count[0]):
         for lane in range(batches.filled[k]):
             c = np.uint64(batches.rows[k, lane])
-            for column in range(MOST_0):
+            for column in range(state.MOST_0):
                 rare[c, column] = values[k, BATCH_RARE + column, lane]
-            rare[c, MOST_0], rare[c, MOST_1] = values[k, BATCH_MOST, lane], values[k, BATCH_MOST + 1, lane]
+            rare[c, state.MOST_0], rare[c, state.MOST_1] = (
+                values[k, BATCH_MOST, lane],
+                values[k, BATCH_MOST + 1, lane],
+            )
 
 
 @inner_kernel
@@ -238,15 +198,15 @@ def write_point(values, at, point, frames, masses, place):
     open_half = 0.5 * larger(gap, 0.0)  # what is still apart will meet surface to surface
     dot_a, dot_b = mx * nx + my * ny - open_half, ex * nx + ey * ny + open_half
     at = at + point * LANES
-    store(values, at + CROSS_A * LANES, cross_a)
-    store(values, at + CROSS_B * LANES, cross_b)
-    store(values, at + DOT_A * LANES, dot_a)
-    store(values, at + DOT_B * LANES, dot_b)
-    store(values, at + SEP * LANES, gap)
-    store(values, at + STIFF_N * LANES, both + iia * cross_a * cross_a + iib * cross_b * cross_b)
-    store(values, at + MASS_T * LANES, 1.0 / (both + iia * dot_a * dot_a + iib * dot_b * dot_b))
-    store(values, at + JN * LANES, jn)
-    store(values, at + JT * LANES, jt)
+    store(values, at + state.CROSS_A * LANES, cross_a)
+    store(values, at + state.CROSS_B * LANES, cross_b)
+    store(values, at + state.DOT_A * LANES, dot_a)
+    store(values, at + state.DOT_B * LANES, dot_b)
+    store(values, at + state.SEP * LANES, gap)
+    store(values, at + state.STIFF_N * LANES, both + iia * cross_a * cross_a + iib * cross_b * cross_b)
+    store(values, at + state.MASS_T * LANES, 1.0 / (both + iia * dot_a * dot_a + iib * dot_b * dot_b))
+    store(values, at + state.JN * LANES, jn)
+    store(values, at + state.JT * LANES, jt)
     return gap, vx * nx + vy * ny + wb * cross_b - wa * cross_a
 
 
@@ -256,25 +216,25 @@ def write_batch(frames, kept, batches, k, limits):
     motion, inverse_masses, inverse_inertias = frames
     values, ends, pairs = batches.values, batches.ends, batches.pairs
     at, one, a, b = k * SIZE, k * LANES, 2 * k * LANES, (2 * k + 1) * LANES
-    lx, ly, pax, pay = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 0)
-    pbx, pby, found1, jn1 = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 4)
-    jt1, qax, qay, qbx = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 8)
-    qby, found2, jn2, jt2 = load_quads(kept, MANIFOLD_WIDTH, pairs, one, 12)
-    vxa, vya, wa, xa = load_quads(motion, MOTION_WIDTH, ends, a, VX)
-    vxb, vyb, wb, xb = load_quads(motion, MOTION_WIDTH, ends, b, VX)
-    ya, ca, sa, _ = load_quads(motion, MOTION_WIDTH, ends, a, DY)
-    yb, cb, sb, _ = load_quads(motion, MOTION_WIDTH, ends, b, DY)
+    lx, ly, pax, pay = load_quads(kept, state.MANIFOLD_WIDTH, pairs, one, 0)
+    pbx, pby, found1, jn1 = load_quads(kept, state.MANIFOLD_WIDTH, pairs, one, 4)
+    jt1, qax, qay, qbx = load_quads(kept, state.MANIFOLD_WIDTH, pairs, one, 8)
+    qby, found2, jn2, jt2 = load_quads(kept, state.MANIFOLD_WIDTH, pairs, one, 12)
+    vxa, vya, wa, xa = load_quads(motion, state.MOTION_WIDTH, ends, a, state.VX)
+    vxb, vyb, wb, xb = load_quads(motion, state.MOTION_WIDTH, ends, b, state.VX)
+    ya, ca, sa, _ = load_quads(motion, state.MOTION_WIDTH, ends, a, state.DY)
+    yb, cb, sb, _ = load_quads(motion, state.MOTION_WIDTH, ends, b, state.DY)
     nx, ny = ca * lx - sa * ly, sa * lx + ca * ly
     dx, dy, vx, vy = xb - xa, yb - ya, vxb - vxa, vyb - vya
     ima, imb = gather(inverse_masses, 1, ends, a, 0), gather(inverse_masses, 1, ends, b, 0)
     iia, iib = gather(inverse_inertias, 1, ends, a, 0), gather(inverse_inertias, 1, ends, b, 0)
-    store(values, at + ROW_NX * LANES, nx)
-    store(values, at + ROW_NY * LANES, ny)
-    store(values, at + ROW_HARD * LANES, choose(either(ima <= 0.0, imb <= 0.0), 1.0, zeros()))
-    store(values, at + ROW_IMA * LANES, ima)
-    store(values, at + ROW_IMB * LANES, imb)
-    store(values, at + ROW_IIA * LANES, iia)
-    store(values, at + ROW_IIB * LANES, iib)
+    store(values, at + state.ROW_NX * LANES, nx)
+    store(values, at + state.ROW_NY * LANES, ny)
+    store(values, at + state.ROW_HARD * LANES, choose(either(ima <= 0.0, imb <= 0.0), 1.0, zeros()))
+    store(values, at + state.ROW_IMA * LANES, ima)
+    store(values, at + state.ROW_IMB * LANES, imb)
+    store(values, at + state.ROW_IIA * LANES, iia)
+    store(values, at + state.ROW_IIB * LANES, iib)
     given, masses = (ca, sa, cb, sb, dx, dy, nx, ny, vx, vy, wa, wb), (ima + imb, iia, iib)
     gap1, opens1 = write_point(values, at, FIRST, given, masses, (pax, pay, pbx, pby, found1, jn1, jt1))
     gap2, opens2 = write_point(values, at, SECOND, given, masses, (qax, qay, qbx, qby, found2, jn2, jt2))
@@ -288,12 +248,12 @@ def write_batch(frames, kept, batches, k, limits):
         stir2 = choose(single, stir, stir2)
         clear_second(values, at, single)
     cold = either(most2 < limits[0], limits[1] * lowest2 < limits[2])
-    store(values, at + (BATCH_RARE + APPROACH_0) * LANES, opens1)
-    store(values, at + (BATCH_RARE + APPROACH_1) * LANES, opens2)
-    store(values, at + (BATCH_RARE + IMPACT) * LANES, choose(cold, 1.0, zeros()))
+    store(values, at + (BATCH_RARE + state.APPROACH_0) * LANES, opens1)
+    store(values, at + (BATCH_RARE + state.APPROACH_1) * LANES, opens2)
+    store(values, at + (BATCH_RARE + state.IMPACT) * LANES, choose(cold, 1.0, zeros()))
     couple(values, at, ima + imb, iia, iib)
     for point in range(2):
-        sep = at + (FIRST + SEP + point * ROW_POINT_WIDTH) * LANES
+        sep = at + (FIRST + state.SEP + point * state.ROW_POINT_WIDTH) * LANES
         store(values, at + (BATCH_GAP + point) * LANES, load(values, sep))
         store(values, at + (BATCH_MOST + point) * LANES, zeros())
     if any_of(cold):
@@ -305,10 +265,19 @@ def write_batch(frames, kept, batches, k, limits):
 @inner_kernel
 def clear_second(values, at, single):
     """Make the second points of rows that have none such as change nothing."""
-    for column in (CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, MASS_T, JN, JT):
+    for column in (
+        state.CROSS_A,
+        state.CROSS_B,
+        state.DOT_A,
+        state.DOT_B,
+        state.SEP,
+        state.MASS_T,
+        state.JN,
+        state.JT,
+    ):
         place = at + (SECOND + column) * LANES
         store(values, place, choose(single, zeros(), load(values, place)))
-    place = at + (SECOND + STIFF_N) * LANES
+    place = at + (SECOND + state.STIFF_N) * LANES
     store(values, place, choose(single, 1.0, load(values, place)))
 
 
@@ -316,9 +285,11 @@ def clear_second(values, at, single):
 def couple(values, at, both, iia, iib):
     """Entry of K of both points. both: inverse masses together."""
     first, second = at + FIRST * LANES, at + SECOND * LANES
-    crosses = iia * load(values, first + CROSS_A * LANES) * load(values, second + CROSS_A * LANES)
-    crosses = crosses + iib * load(values, first + CROSS_B * LANES) * load(values, second + CROSS_B * LANES)
-    k1, k2 = load(values, first + STIFF_N * LANES), load(values, second + STIFF_N * LANES)
+    crosses = iia * load(values, first + state.CROSS_A * LANES) * load(values, second + state.CROSS_A * LANES)
+    crosses = crosses + iib * load(values, first + state.CROSS_B * LANES) * load(
+        values, second + state.CROSS_B * LANES
+    )
+    k1, k2 = load(values, first + state.STIFF_N * LANES), load(values, second + state.STIFF_N * LANES)
     # two points that nearly coincide would make K singular: a little less coupling, the same solution
     most = MOST_COUPLING * root(k1 * k2)
-    store(values, at + COUPLING * LANES, smaller(most, larger(-most, both + crosses)))
+    store(values, at + state.COUPLING * LANES, smaller(most, larger(-most, both + crosses)))

@@ -9,9 +9,11 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
+from game.physics.solids.arrays.state import DISC, POLYGON, SEGMENT
 from game.physics.solids.mass import Mass, joined, rounded_mass
 from game.physics.solids.outlines import (
     LARGEST,
@@ -20,9 +22,6 @@ from game.physics.solids.outlines import (
     convex_parts,
     without_doubles,
 )
-from game.physics.solids.state import DISC, POLYGON, SEGMENT
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,56 +14,17 @@ import numpy as np
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
+from game.physics.solids.arrays import layout, state
+from game.physics.solids.arrays.state import BATCH_MOST, BATCH_POINTS, BATCH_RARE
 from game.physics.solids.boxes import has_outgrown, make_boxes, make_room
 from game.physics.solids.contacts import fetch_manifold, update_contacts
 from game.physics.solids.effects import CONTACTS_BIT, CONTINUOUS_BIT, SLEEP_BIT
 from game.physics.solids.islands import mark_touched, send_to_sleep, wake_islands
-from game.physics.solids.joints.layout import (
-    BREAK_FORCE,
-    BREAK_TORQUE,
-    BROKEN,
-    JUST_BROKEN,
-    NO_JOINT,
-    SUBSTEP,
-)
 from game.physics.solids.joints.lines import joint_load
 from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
 from game.physics.solids.rows import FIRST, SECOND, copy_rows
 from game.physics.solids.solvers.governor import hold_step
 from game.physics.solids.solvers.motion import start_motion
-from game.physics.solids.state import (
-    APPROACH_0,
-    APPROACH_1,
-    ASLEEP,
-    BATCH_MOST,
-    BATCH_POINTS,
-    BATCH_RARE,
-    CROSS_A,
-    DA,
-    DOT_A,
-    DX,
-    DY,
-    DYNAMIC,
-    END_A,
-    END_B,
-    FIRST_POINT,
-    JN,
-    JT,
-    KEY_FRAMED,
-    MOST_0,
-    MOST_1,
-    NORMAL_IMPULSE,
-    POINT_WIDTH,
-    ROW_NX,
-    ROW_NY,
-    ROW_POINT_WIDTH,
-    SEP,
-    TANGENT_IMPULSE,
-    TOUCHING,
-    VX,
-    VY,
-    W,
-)
 from game.physics.solids.sweep import stop_fast_bodies
 
 BEGUN, SNAPPED, WRONG, STOPPED = range(4)  # of Scratch.events
@@ -112,18 +73,18 @@ def place_bodies(bodies, scratch):
     """
     motion, wrong = scratch.motion, NOTHING_WRONG
     for i in range(bodies.flags.shape[0]):
-        if not bodies.flags[i] & (DYNAMIC | KEY_FRAMED) or bodies.flags[i] & ASLEEP:
+        if not bodies.flags[i] & (state.DYNAMIC | state.KEY_FRAMED) or bodies.flags[i] & state.ASLEEP:
             continue
-        bodies.positions[i, 0] += motion[i, DX]
-        bodies.positions[i, 1] += motion[i, DY]
-        if motion[i, DA] != 0.0:
-            bodies.angles[i] += motion[i, DA]
+        bodies.positions[i, 0] += motion[i, state.DX]
+        bodies.positions[i, 1] += motion[i, state.DY]
+        if motion[i, state.DA] != 0.0:
+            bodies.angles[i] += motion[i, state.DA]
             bodies.rotations[i, 0] = elementary.cos(bodies.angles[i])
             bodies.rotations[i, 1] = elementary.sin(bodies.angles[i])
-        bodies.velocities[i, 0], bodies.velocities[i, 1] = motion[i, VX], motion[i, VY]
-        bodies.spins[i] = motion[i, W]
+        bodies.velocities[i, 0], bodies.velocities[i, 1] = motion[i, state.VX], motion[i, state.VY]
+        bodies.spins[i] = motion[i, state.W]
         total = bodies.positions[i, 0] + bodies.positions[i, 1] + bodies.angles[i]
-        fastest = max(abs(motion[i, VX]), abs(motion[i, VY]), abs(motion[i, W]))
+        fastest = max(abs(motion[i, state.VX]), abs(motion[i, state.VY]), abs(motion[i, state.W]))
         if not (math.isfinite(total + fastest) and fastest <= RUNAWAY) and wrong == NOTHING_WRONG:
             wrong = i
     return wrong
@@ -138,8 +99,8 @@ def first_touch(rows, batches, k, lane, most, latest):
     """
     earliest, values, c = latest, batches.values, np.uint64(batches.rows[k, lane])
     for n in range(2):
-        speed = -values[k, BATCH_RARE + APPROACH_0 + n, lane]
-        at = FIRST + n * ROW_POINT_WIDTH + SEP
+        speed = -values[k, BATCH_RARE + state.APPROACH_0 + n, lane]
+        at = FIRST + n * state.ROW_POINT_WIDTH + state.SEP
         gap = rows.rows[c, at] if rows.count[1] else values[k, at, lane]  # a solver may leave some overlap
         if most[n] > 0.0:
             earliest = min(earliest, gap / speed if speed > 0.0 and gap > 0.0 else 0.0)
@@ -157,16 +118,20 @@ def note_beginning(bodies, contacts, rows, scratch, k, lane, most, latest):
     if number >= scratch.begun.shape[0]:
         return
     batches, values = scratch.batches, scratch.batches.values
-    pair, a, b = batches.pairs[k, lane], batches.ends[k, END_A, lane], batches.ends[k, END_B, lane]
+    pair, a, b = (
+        batches.pairs[k, lane],
+        batches.ends[k, state.END_A, lane],
+        batches.ends[k, state.END_B, lane],
+    )
     scratch.begun[number, 0], scratch.begun[number, 1] = contacts.shapes[pair, 0], contacts.shapes[pair, 1]
     second = most[1] > most[0]
-    at, x, y = SECOND if second else FIRST, values[k, ROW_NX, lane], values[k, ROW_NY, lane]
+    at, x, y = SECOND if second else FIRST, values[k, state.ROW_NX, lane], values[k, state.ROW_NY, lane]
     # of the lever: r = (r . n) n + (r x n) (ny, -nx)
-    dot, cross = values[k, at + DOT_A, lane], values[k, at + CROSS_A, lane]
+    dot, cross = values[k, at + state.DOT_A, lane], values[k, at + state.CROSS_A, lane]
     scratch.begun_places[number, 0] = bodies.positions[a, 0] + dot * x + cross * y
     scratch.begun_places[number, 1] = bodies.positions[a, 1] + dot * y - cross * x
     scratch.begun_places[number, 2] = most[0] + most[1]
-    approach = APPROACH_1 if second else APPROACH_0
+    approach = state.APPROACH_1 if second else state.APPROACH_0
     scratch.begun_places[number, 3] = -values[k, BATCH_RARE + approach, lane]
     first = first_touch(rows, batches, k, lane, most, latest)
     scratch.begun_places[number, 4] = first - max(bodies.late[a], bodies.late[b])
@@ -178,13 +143,21 @@ def impulses_of(rows, batches, c, k, lane):
     row, rare, values = rows.rows, rows.rare, batches.values
     if rows.count[1]:
         return (
-            row[c, FIRST + JN], row[c, FIRST + JT], row[c, SECOND + JN], row[c, SECOND + JT],
-            rare[c, MOST_0], rare[c, MOST_1],
-        )  # fmt: skip
+            row[c, FIRST + state.JN],
+            row[c, FIRST + state.JT],
+            row[c, SECOND + state.JN],
+            row[c, SECOND + state.JT],
+            rare[c, state.MOST_0],
+            rare[c, state.MOST_1],
+        )
     return (
-        values[k, FIRST + JN, lane], values[k, FIRST + JT, lane], values[k, SECOND + JN, lane],
-        values[k, SECOND + JT, lane], values[k, BATCH_MOST, lane], values[k, BATCH_MOST + 1, lane],
-    )  # fmt: skip
+        values[k, FIRST + state.JN, lane],
+        values[k, FIRST + state.JT, lane],
+        values[k, SECOND + state.JN, lane],
+        values[k, SECOND + state.JT, lane],
+        values[k, BATCH_MOST, lane],
+        values[k, BATCH_MOST + 1, lane],
+    )
 
 
 @inner_kernel
@@ -197,17 +170,17 @@ def keep_impulses(bodies, contacts, rows, scratch, numbers):
             fetch_manifold(kept, batches.pairs[min(k + 1, last), lane], 2)
             c, pair = np.uint64(batches.rows[k, lane]), np.uint64(batches.pairs[k, lane])
             n1, t1, n2, t2, most1, most2 = impulses_of(rows, batches, c, k, lane)
-            kept[pair, FIRST_POINT + NORMAL_IMPULSE] = n1
-            kept[pair, FIRST_POINT + TANGENT_IMPULSE] = t1
+            kept[pair, state.FIRST_POINT + state.NORMAL_IMPULSE] = n1
+            kept[pair, state.FIRST_POINT + state.TANGENT_IMPULSE] = t1
             if batches.values[k, BATCH_POINTS, lane] == 2.0:
-                kept[pair, FIRST_POINT + POINT_WIDTH + NORMAL_IMPULSE] = n2
-                kept[pair, FIRST_POINT + POINT_WIDTH + TANGENT_IMPULSE] = t2
+                kept[pair, state.FIRST_POINT + state.POINT_WIDTH + state.NORMAL_IMPULSE] = n2
+                kept[pair, state.FIRST_POINT + state.POINT_WIDTH + state.TANGENT_IMPULSE] = t2
             else:
                 most2 = 0.0
             touching = 1 if most1 + most2 > 0.0 else 0
-            if marks[pair, TOUCHING] == touching:
+            if marks[pair, state.TOUCHING] == touching:
                 continue
-            marks[pair, TOUCHING] = touching
+            marks[pair, state.TOUCHING] = touching
             if touching:
                 note_beginning(
                     bodies, contacts, rows, scratch, k, lane, (most1, most2), numbers.dt + numbers.h
@@ -218,13 +191,20 @@ def keep_impulses(bodies, contacts, rows, scratch, numbers):
 def break_joints(joints, scratch, numbers):
     """Mark joints that carried more than their breaking load in the last substep."""
     for k in range(joints.kinds.shape[0]):
-        joints.flags[k] &= ~JUST_BROKEN
-        if joints.kinds[k] == NO_JOINT or joints.flags[k] & BROKEN or joints.rows[k, SUBSTEP] < 0.0:
+        joints.flags[k] &= ~layout.JUST_BROKEN
+        if (
+            joints.kinds[k] == layout.NO_JOINT
+            or joints.flags[k] & layout.BROKEN
+            or joints.rows[k, layout.SUBSTEP] < 0.0
+        ):
             continue
         force, torque = joint_load(joints, k)
-        most = numbers.h * joints.parameters[k, BREAK_FORCE], numbers.h * joints.parameters[k, BREAK_TORQUE]
+        most = (
+            numbers.h * joints.parameters[k, layout.BREAK_FORCE],
+            numbers.h * joints.parameters[k, layout.BREAK_TORQUE],
+        )
         if force > most[0] or torque > most[1]:
-            joints.flags[k] |= BROKEN | JUST_BROKEN
+            joints.flags[k] |= layout.BROKEN | layout.JUST_BROKEN
             scratch.events[SNAPPED] += 1
 
 

@@ -7,22 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise, linear
 from game.physics.solids import memory
-from game.physics.solids.joints.layout import NO_JOINT, Joints
-from game.physics.solids.state import (
-    DYNAMIC,
-    MANIFOLD_NUMBERS,
-    NONE,
-    SEGMENT,
-    USED,
-    Bodies,
-    Contacts,
-    Pool,
-    Shapes,
-)
-
-Floats = NDArray[np.float64]
+from game.physics.solids.arrays import state as st
+from game.physics.solids.arrays.layout import NO_JOINT, Joints
+from game.physics.solids.arrays.state import Bodies, Contacts, Pool, Shapes
 
 
 class SolidState(NamedTuple):
@@ -95,12 +85,12 @@ class SolidStore:
 
     def ids(self) -> NDArray[np.int64]:
         """Of all bodies, ascending."""
-        return np.flatnonzero(self.bodies.flags & USED)
+        return np.flatnonzero(self.bodies.flags & st.USED)
 
     def shapes_of(self, body: int) -> NDArray[np.int64]:
         """Ids of a body's shapes."""
         self._known(body)
-        return np.flatnonzero((self.shapes.bodies == body) & (self.shapes.kinds != NONE))
+        return np.flatnonzero((self.shapes.bodies == body) & (self.shapes.kinds != st.NONE))
 
     def origin(self, body: int) -> tuple[float, float]:
         """Where the origin of the body's shapes is now, m."""
@@ -115,7 +105,7 @@ class SolidStore:
         self._known_shape(shape)
         start, count = int(self.shapes.starts[shape]), int(self.shapes.counts[shape])
         local = self.pool.corners[start : start + count]
-        if self.shapes.kinds[shape] == SEGMENT:
+        if self.shapes.kinds[shape] == st.SEGMENT:
             local = local[1:3]
         body = int(self.shapes.bodies[shape])
         c, s = self.bodies.rotations[body].tolist()
@@ -136,7 +126,7 @@ class SolidStore:
         """Copies of all that later steps depend on."""
         tables: list[Any] = [table.copy() for table in self._tables()]
         contacts = self.contacts
-        contacts = contacts._replace(manifolds=contacts.manifolds[:, :MANIFOLD_NUMBERS])
+        contacts = contacts._replace(manifolds=contacts.manifolds[:, : st.MANIFOLD_NUMBERS])
         contacts = Contacts(*(array.copy() for array in arrays_of(contacts)))
         runs = tuple((start, count) for count, starts in self._runs.items() for start in starts)
         return SolidState(
@@ -171,14 +161,14 @@ class SolidStore:
 
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
-        rows, used = self.bodies, self.bodies.flags & USED != 0
+        rows, used = self.bodies, self.bodies.flags & st.USED != 0
         for name, array in rows._asdict().items():
             assert np.isfinite(array).all(), f"{name} are finite"
         lengths = elementwise.hypot(rows.rotations[used, 0], rows.rotations[used, 1])
         assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-9, "rotations have length 1"
-        still = rows.flags & DYNAMIC == 0
+        still = rows.flags & st.DYNAMIC == 0
         assert not rows.inverse_masses[still].any(), "what is not dynamic has no inverse mass"
-        assert (rows.flags[self.shapes.bodies[self.shapes.kinds != NONE]] & USED != 0).all(), (
+        assert (rows.flags[self.shapes.bodies[self.shapes.kinds != st.NONE]] & st.USED != 0).all(), (
             "shapes have bodies"
         )
 
@@ -187,11 +177,11 @@ class SolidStore:
         self._stale, self._fitting = True, False
 
     def _known(self, body: int) -> None:
-        if not (0 <= body < self._bodies.top and self._bodies.rows.flags[body] & USED):
+        if not (0 <= body < self._bodies.top and self._bodies.rows.flags[body] & st.USED):
             raise ValueError(f"body {body!r}: there is none of this number")
 
     def _known_shape(self, shape: int) -> None:
-        if not (0 <= shape < self._shapes.top and self._shapes.rows.kinds[shape] != NONE):
+        if not (0 <= shape < self._shapes.top and self._shapes.rows.kinds[shape] != st.NONE):
             raise ValueError(f"shape {shape!r}: there is none of this number")
 
     def _known_joint(self, joint: int) -> None:

@@ -14,10 +14,10 @@ import numpy as np
 
 from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
+from game.physics.solids.arrays import state
 from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import widest_gap
 from game.physics.solids.contacts import bring_shape
-from game.physics.solids.state import DA, DISC, DX, DY, DYNAMIC, SEGMENT, VX, VY, W
 
 MOST_ADVANCES = 64
 LOOKS, MOST_LOOKS = 16, 4096  # at the way of two that touch, at least and at most
@@ -31,12 +31,17 @@ THIN = 0.5  # of both cores together: how far two may approach in a step and be 
 @inner_kernel
 def pose_at(bodies, motion, i, t):
     """Place, cosine and sine of a body at the fraction t of the step."""
-    turned = motion[i, DA] * t
+    turned = motion[i, state.DA] * t
     c, s = bodies.rotations[i, 0], bodies.rotations[i, 1]
     if turned != 0.0:
         dc, ds = elementary.cos(turned), elementary.sin(turned)
         c, s = c * dc - s * ds, s * dc + c * ds
-    return bodies.positions[i, 0] + t * motion[i, DX], bodies.positions[i, 1] + t * motion[i, DY], c, s
+    return (
+        bodies.positions[i, 0] + t * motion[i, state.DX],
+        bodies.positions[i, 1] + t * motion[i, state.DY],
+        c,
+        s,
+    )
 
 
 @inner_kernel
@@ -52,7 +57,7 @@ def gap_at(shapes, pool, scratch, a, b, place_a, place_b):
     )
     bring_shape(shapes, pool, scratch, b, (x, y, c, s))
     start, kind, rounding = np.int64(shapes.starts[a]), shapes.kinds[a], shapes.radii[a] + shapes.radii[b]
-    if kind == DISC:
+    if kind == state.DISC:
         px, py = (
             scratch.corners[0, 0] - pool.corners[start, 0],
             scratch.corners[0, 1] - pool.corners[start, 1],
@@ -60,7 +65,7 @@ def gap_at(shapes, pool, scratch, a, b, place_a, place_b):
         return math.sqrt(px * px + py * py) - rounding
     count_a, count_b = np.int64(shapes.counts[a]), np.int64(shapes.counts[b])
     second = Hull(scratch.corners, scratch.normals, np.int64(0), count_b, shapes.radii[b])
-    if kind == SEGMENT:
+    if kind == state.SEGMENT:
         face = Hull(pool.corners, pool.normals, start + 1, np.int64(1), 0.0)
         core = Hull(pool.corners, pool.normals, start + 1, np.int64(2), 0.0)
         best, _ = widest_gap(face, second)
@@ -68,7 +73,7 @@ def gap_at(shapes, pool, scratch, a, b, place_a, place_b):
     else:
         core = Hull(pool.corners, pool.normals, start, count_a, shapes.radii[a])
         best, _ = widest_gap(core, second)
-    if shapes.kinds[b] == DISC:
+    if shapes.kinds[b] == state.DISC:
         return best - rounding
     other, _ = widest_gap(second, core)
     return max(best, other) - rounding
@@ -95,9 +100,9 @@ def meeting_time(bodies, shapes, pool, scratch, pair, target, deep):
     """
     a, b = pair
     motion, i, j = scratch.motion, shapes.bodies[a], shapes.bodies[b]
-    x, y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+    x, y = motion[j, state.DX] - motion[i, state.DX], motion[j, state.DY] - motion[i, state.DY]
     fastest = math.sqrt(x * x + y * y)
-    fastest += abs(motion[i, DA]) * bodies.reaches[i] + abs(motion[j, DA]) * bodies.reaches[j]
+    fastest += abs(motion[i, state.DA]) * bodies.reaches[i] + abs(motion[j, state.DA]) * bodies.reaches[j]
     t = 0.0
     for _ in range(MOST_ADVANCES):
         gap = gap_at(
@@ -145,7 +150,9 @@ def first_deep(bodies, shapes, pool, scratch, pair, deep, target, fastest):
 def all_slow(bodies, motion):
     """True if no body goes far enough to be stopped, whatever it meets: then no pair need be looked at."""
     for i in range(motion.shape[0]):
-        gone = abs(motion[i, DX]) + abs(motion[i, DY]) + abs(motion[i, DA]) * bodies.reaches[i]
+        gone = (
+            abs(motion[i, state.DX]) + abs(motion[i, state.DY]) + abs(motion[i, state.DA]) * bodies.reaches[i]
+        )
         if not gone <= SLOW * THIN * bodies.cores[i]:
             return False
     return True
@@ -160,9 +167,12 @@ def stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers):
         count = 0
     for p in range(count):
         i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
-        x, y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
+        x, y = motion[j, state.DX] - motion[i, state.DX], motion[j, state.DY] - motion[i, state.DY]
         approach = (
-            abs(x) + abs(y) + abs(motion[i, DA]) * bodies.reaches[i] + abs(motion[j, DA]) * bodies.reaches[j]
+            abs(x)
+            + abs(y)
+            + abs(motion[i, state.DA]) * bodies.reaches[i]
+            + abs(motion[j, state.DA]) * bodies.reaches[j]
         )
         cores = bodies.cores[i] + bodies.cores[j]
         if approach <= THIN * cores:
@@ -173,7 +183,7 @@ def stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers):
         t = meeting_time(bodies, shapes, pool, scratch, (a, b), target, cores)
         if t < 1.0:
             for k in (i, j):
-                if bodies.flags[k] & DYNAMIC:
+                if bodies.flags[k] & state.DYNAMIC:
                     fractions[k] = min(fractions[k], t)
     return cut_motion(bodies, scratch, fractions, numbers.dt)
 
@@ -187,16 +197,16 @@ def cut_motion(bodies, scratch, fractions, dt):
         bodies.late[i] = (1.0 - t) * dt
         if t < 1.0:
             stopped += 1
-            before = motion[i, VX], motion[i, VY], motion[i, W]
-            gone = motion[i, DX], motion[i, DY], motion[i, DA]
-            motion[i, DX] *= t
-            motion[i, DY] *= t
-            motion[i, DA] *= t
+            before = motion[i, state.VX], motion[i, state.VY], motion[i, state.W]
+            gone = motion[i, state.DX], motion[i, state.DY], motion[i, state.DA]
+            motion[i, state.DX] *= t
+            motion[i, state.DY] *= t
+            motion[i, state.DA] *= t
             for k in range(3):
                 scratch.going[i, k] *= t
-            motion[i, VX] -= (1.0 - t) * dt * pulls[i, 0]
-            motion[i, VY] -= (1.0 - t) * dt * pulls[i, 1]
-            motion[i, W] -= (1.0 - t) * dt * pulls[i, 2]
+            motion[i, state.VX] -= (1.0 - t) * dt * pulls[i, 0]
+            motion[i, state.VY] -= (1.0 - t) * dt * pulls[i, 1]
+            motion[i, state.W] -= (1.0 - t) * dt * pulls[i, 2]
             if bodies.inverse_masses[i] > 0.0:
                 slow_down(bodies, motion, pulls, i, before, gone)
     return stopped
@@ -211,13 +221,18 @@ def slow_down(bodies, motion, pulls, i, before, gone):
     """
     m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
     x, y, w = before
-    gained = m * ((motion[i, VX] - x) * (motion[i, VX] + x) + (motion[i, VY] - y) * (motion[i, VY] + y))
-    gained = 0.5 * (gained + inertia * (motion[i, W] - w) * (motion[i, W] + w))
-    gained -= m * (pulls[i, 0] * (motion[i, DX] - gone[0]) + pulls[i, 1] * (motion[i, DY] - gone[1]))
-    gained -= inertia * pulls[i, 2] * (motion[i, DA] - gone[2])
+    gained = m * (
+        (motion[i, state.VX] - x) * (motion[i, state.VX] + x)
+        + (motion[i, state.VY] - y) * (motion[i, state.VY] + y)
+    )
+    gained = 0.5 * (gained + inertia * (motion[i, state.W] - w) * (motion[i, state.W] + w))
+    gained -= m * (
+        pulls[i, 0] * (motion[i, state.DX] - gone[0]) + pulls[i, 1] * (motion[i, state.DY] - gone[1])
+    )
+    gained -= inertia * pulls[i, 2] * (motion[i, state.DA] - gone[2])
     if gained <= 0.0:
         return
-    x, y, w = motion[i, VX], motion[i, VY], motion[i, W]
+    x, y, w = motion[i, state.VX], motion[i, state.VY], motion[i, state.W]
     now = 0.5 * (m * (x * x + y * y) + inertia * w * w)
     keep = math.sqrt(max(0.0, 1.0 - gained / now)) if now > 0.0 else 0.0
-    motion[i, VX], motion[i, VY], motion[i, W] = keep * x, keep * y, keep * w
+    motion[i, state.VX], motion[i, state.VY], motion[i, state.W] = keep * x, keep * y, keep * w

@@ -10,57 +10,33 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
 from game.compiler.entrances import Entrances
 from game.physics.kernels import elementary
 from game.physics.kernels.limits import LimitError
-from game.physics.solids import memory
+from game.physics.solids import memory, stepping
+from game.physics.solids.arrays import layout
+from game.physics.solids.arrays.layout import JOINT_NAMES
+from game.physics.solids.arrays.plan import plan_joints
+from game.physics.solids.arrays.state import (
+    DYNAMIC,
+    KEY_FRAMED,
+    WAKING,
+)
 from game.physics.solids.bodies import FASTEST, SolidBodies
 from game.physics.solids.effects import WIND_BIT
 from game.physics.solids.energy import Energy, energy_of
-from game.physics.solids.joints.layout import (
-    ANGLE,
-    AXIS_X,
-    AXIS_Y,
-    BROKEN,
-    COLLIDING,
-    DRIVEN,
-    JOINT_NAMES,
-    JUST_BROKEN,
-    LENGTH,
-    MOST,
-    NO_JOINT,
-    SPEED,
-    TARGET_X,
-    TARGET_Y,
-)
 from game.physics.solids.joints.lines import load_of
 from game.physics.solids.joints.options import JointOptions
-from game.physics.solids.joints.plan import plan_joints
 from game.physics.solids.settings import GOVERNED, SolidSettings
 from game.physics.solids.shapes import (
     checked_number,
     checked_pair,
 )
 from game.physics.solids.solvers import LIMITED, SOLVERS, UNJOINED
-from game.physics.solids.state import (
-    DYNAMIC,
-    KEY_FRAMED,
-    WAKING,
-)
-from game.physics.solids.stepping import (
-    BEGUN,
-    NOTHING_WRONG,
-    RUNAWAY,
-    SNAPPED,
-    WRONG,
-    begin_step,
-    fill_rows,
-    finish_step,
-    renew_pairs,
-)
+from game.physics.solids.stepping import begin_step, fill_rows, finish_step, renew_pairs
 from game.physics.solids.store import arrays_of
 
-Floats = NDArray[np.float64]
 TRIED_S = 1.0 / 60.0  # of the step that tries a solver
 
 
@@ -179,11 +155,11 @@ class SolidWorld(SolidBodies):
             raise
         rows.anchors[slot] = *self.local(body_a, a), *self.local(body_b, b)
         own = rows.parameters[slot]
-        own[ANGLE] = self.bodies.angles[body_b] - self.bodies.angles[body_a]
-        own[LENGTH] = elementary.dist(a, b) if given.length is None else given.length
+        own[layout.ANGLE] = self.bodies.angles[body_b] - self.bodies.angles[body_a]
+        own[layout.LENGTH] = elementary.dist(a, b) if given.length is None else given.length
         (c, s), (x, y) = self.bodies.rotations[body_a].tolist(), given.direction()
-        own[AXIS_X], own[AXIS_Y] = c * x + s * y, c * y - s * x
-        own[TARGET_X], own[TARGET_Y] = b
+        own[layout.AXIS_X], own[layout.AXIS_Y] = c * x + s * y, c * y - s * x
+        own[layout.TARGET_X], own[layout.TARGET_Y] = b
         self.wake(body_a)
         self.wake(body_b)
         self._exclude()
@@ -200,23 +176,23 @@ class SolidWorld(SolidBodies):
     def drive(self, joint: int, speed: float, most: float | None = None) -> None:
         """Another speed (m/s, rad/s) of a joint that is driven, and most force or torque. ValueError."""
         self._known_joint(joint)
-        if not self.joints.flags[joint] & DRIVEN:
+        if not self.joints.flags[joint] & layout.DRIVEN:
             raise ValueError(f"joint {joint}: it has no drive")
         own = self.joints.parameters[joint]
-        own[SPEED] = checked_number("speed", speed, -FASTEST, FASTEST)
+        own[layout.SPEED] = checked_number("speed", speed, -FASTEST, FASTEST)
         if most is not None:
-            own[MOST] = checked_number("most", most, 0.0, math.inf)
+            own[layout.MOST] = checked_number("most", most, 0.0, math.inf)
         for body in self.joints.bodies[joint].tolist():
             self.wake(body)
 
     def joints_broken(self) -> NDArray[np.int64]:
         """Ids of the joints that broke in the last step."""
-        return np.flatnonzero(self.joints.flags & JUST_BROKEN)
+        return np.flatnonzero(self.joints.flags & layout.JUST_BROKEN)
 
     def remove_body(self, body: int) -> None:
         """Take a body away, with its shapes and joints. ValueError for an id that none has."""
         self._known(body)
-        own = (self.joints.bodies == body).any(axis=1) & (self.joints.kinds != NO_JOINT)
+        own = (self.joints.bodies == body).any(axis=1) & (self.joints.kinds != layout.NO_JOINT)
         for joint in np.flatnonzero(own).tolist():
             self.remove_joint(joint)
         super().remove_body(body)
@@ -225,7 +201,7 @@ class SolidWorld(SolidBodies):
         """Where a mouse pulls to, m. ValueError."""
         self._known_joint(joint)
         own = self.joints.parameters[joint]
-        own[TARGET_X], own[TARGET_Y] = checked_pair("target", target)
+        own[layout.TARGET_X], own[layout.TARGET_Y] = checked_pair("target", target)
         self.wake(int(self.joints.bodies[joint, 1]))
 
     def joint_load(self, joint: int) -> tuple[float, float]:
@@ -238,7 +214,7 @@ class SolidWorld(SolidBodies):
     def _exclude(self) -> None:
         """Pairs of bodies that joints keep from touching, as sorted keys."""
         rows = self.joints
-        shy = (rows.kinds != NO_JOINT) & (rows.flags & (COLLIDING | BROKEN) == 0)
+        shy = (rows.kinds != layout.NO_JOINT) & (rows.flags & (layout.COLLIDING | layout.BROKEN) == 0)
         low, high = rows.bodies[shy].min(axis=1), rows.bodies[shy].max(axis=1)
         self._excluded = np.unique(low.astype(np.int64) << 32 | high)
         self._stale, self._fitting = True, False
@@ -272,10 +248,10 @@ class SolidWorld(SolidBodies):
         call(finish_step, *parts, self._contacts, self._rows, joints, self._scratch, numbers)
         self.time += dt
         self.steps += 1
-        if self._scratch.events[SNAPPED]:
+        if self._scratch.events[stepping.SNAPPED]:
             self._exclude()
-        if self._scratch.events[WRONG] != NOTHING_WRONG:
-            raise self._wrong(int(self._scratch.events[WRONG]))
+        if self._scratch.events[stepping.WRONG] != stepping.NOTHING_WRONG:
+            raise self._wrong(int(self._scratch.events[stepping.WRONG]))
 
     def _wrong(self, body: int) -> ArithmeticError:
         """What a step has made of a body: a quantity that is not finite, or a speed that runs away."""
@@ -284,7 +260,7 @@ class SolidWorld(SolidBodies):
             if not np.isfinite(getattr(rows, name)[body]).all():
                 return NotFiniteError(f"body {body}: {name} not finite after step {self.steps}")
         (x, y), spin = np.abs(rows.velocities[body]).tolist(), abs(float(rows.spins[body]))
-        found = f"{max(x, y):.3g} m/s" if max(x, y) > RUNAWAY else f"{spin:.3g} rad/s"
+        found = f"{max(x, y):.3g} m/s" if max(x, y) > stepping.RUNAWAY else f"{spin:.3g} rad/s"
         return RunawayError(
             f"body {body}: {found} after step {self.steps}: the solver {self._settings.solver} runs away"
         )
@@ -338,5 +314,5 @@ class SolidWorld(SolidBodies):
         """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s from
         the step's beginning (e, 5).
         """
-        count = min(int(self._scratch.events[BEGUN]), memory.EVENTS)
+        count = min(int(self._scratch.events[stepping.BEGUN]), memory.EVENTS)
         return self._scratch.begun[:count].copy(), self._scratch.begun_places[:count].copy()

@@ -17,8 +17,8 @@ from typing import NamedTuple
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
+from game.physics.spacetime import refine
 from game.physics.spacetime.exact import place_of
-from game.physics.spacetime.refine import LEVEL, LOWER, NORMAL_X, PLACE_X, UNTESTED
 
 X, Y, ANGLE, VX, VY, SPIN = range(6)
 FIELDS = 6
@@ -153,9 +153,9 @@ def _give(makes, i, nx, ny, rx, ry):
 @lean_kernel
 def bounce_pair(fields, makes, i, j, answer, restitution):
     """A smooth impact of i and j along the answer's normal (from i to j); whether they were closing in."""
-    nx, ny = answer[NORMAL_X], answer[NORMAL_X + 1]
-    ax, ay = answer[PLACE_X] - fields[X, i], answer[PLACE_X + 1] - fields[Y, i]
-    bx, by = answer[PLACE_X] - fields[X, j], answer[PLACE_X + 1] - fields[Y, j]
+    nx, ny = answer[refine.NORMAL_X], answer[refine.NORMAL_X + 1]
+    ax, ay = answer[refine.PLACE_X] - fields[X, i], answer[refine.PLACE_X + 1] - fields[Y, i]
+    bx, by = answer[refine.PLACE_X] - fields[X, j], answer[refine.PLACE_X + 1] - fields[Y, j]
     ux = fields[VX, j] - fields[SPIN, j] * by - fields[VX, i] + fields[SPIN, i] * ay
     uy = fields[VY, j] + fields[SPIN, j] * bx - fields[VY, i] - fields[SPIN, i] * ax
     speed = ux * nx + uy * ny
@@ -198,7 +198,7 @@ def respond(fields, makes, pairs, answers, laws, kicked):
     bounces = 0
     for p in range(pairs.shape[0]):
         i, j = pairs[p, 0], pairs[p, 1]
-        if answers[p, LEVEL] == UNTESTED or answers[p, LOWER] > 0.0:
+        if answers[p, refine.LEVEL] == refine.UNTESTED or answers[p, refine.LOWER] > 0.0:
             continue
         before = fields[VX, i]
         before_y = fields[VY, i]
@@ -214,8 +214,8 @@ def renew_times(fields, makes, pairs, answers, times, kicked, bound, now):
     """When pairs that were tested, or that have a body with a new velocity, may next touch, s."""
     for p in range(pairs.shape[0]):
         i, j = pairs[p, 0], pairs[p, 1]
-        if answers[p, LEVEL] != UNTESTED:
-            times[i, j] = now + pair_time(fields, makes, i, j, answers[p, LOWER], bound)
+        if answers[p, refine.LEVEL] != refine.UNTESTED:
+            times[i, j] = now + pair_time(fields, makes, i, j, answers[p, refine.LOWER], bound)
     n = times.shape[0]
     for i in range(n):
         for j in range(i + 1, n):
@@ -224,6 +224,6 @@ def renew_times(fields, makes, pairs, answers, times, kicked, bound, now):
             apart, overdue = 0.0, False
             for p in range(pairs.shape[0]):
                 if pairs[p, 0] == i and pairs[p, 1] == j:
-                    apart, overdue = answers[p, LOWER], answers[p, LEVEL] == UNTESTED
+                    apart, overdue = answers[p, refine.LOWER], answers[p, refine.LEVEL] == refine.UNTESTED
             if not overdue:
                 times[i, j] = now + pair_time(fields, makes, i, j, apart, bound)

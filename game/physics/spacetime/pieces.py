@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
 from game.physics.kernels import elementary
 
-Floats = NDArray[np.float64]
 Point = tuple[float, float]
 Piece = list[Point]  # a convex polygon, counter-clockwise
 ROUNDING = 1e-12

@@ -14,8 +14,8 @@ import numpy as np
 
 from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.physics.kernels import elementary
+from game.physics.spacetime import tree
 from game.physics.spacetime.exact import polygon_distance
-from game.physics.spacetime.tree import CHILD, CHILDREN, CORNERS, CX, FIRST, INNER, RADIUS, WX
 
 LOWER, UPPER, NORMAL_X, NORMAL_Y, PLACE_X, PLACE_Y, LEVEL, WEIGHT, ESTIMATE = range(9)  # of an answer
 ANSWERS = 9
@@ -36,19 +36,19 @@ def _middle(nodes, n, pose, column):
 @inner_kernel
 def _compare(forest, pose_a, pose_b, a, b):
     """Signed gap of the circles of two nodes, and the distance of their discs within the bodies, m."""
-    ax, ay = _middle(forest.nodes, a, pose_a, CX)
-    bx, by = _middle(forest.nodes, b, pose_b, CX)
+    ax, ay = _middle(forest.nodes, a, pose_a, tree.CX)
+    bx, by = _middle(forest.nodes, b, pose_b, tree.CX)
     gap = (
         math.sqrt(elementary.square(bx - ax) + elementary.square(by - ay))
-        - forest.nodes[a, RADIUS]
-        - forest.nodes[b, RADIUS]
+        - forest.nodes[a, tree.RADIUS]
+        - forest.nodes[b, tree.RADIUS]
     )
-    ax, ay = _middle(forest.nodes, a, pose_a, WX)
-    bx, by = _middle(forest.nodes, b, pose_b, WX)
+    ax, ay = _middle(forest.nodes, a, pose_a, tree.WX)
+    bx, by = _middle(forest.nodes, b, pose_b, tree.WX)
     discs = (
         math.sqrt(elementary.square(bx - ax) + elementary.square(by - ay))
-        - forest.nodes[a, INNER]
-        - forest.nodes[b, INNER]
+        - forest.nodes[a, tree.INNER]
+        - forest.nodes[b, tree.INNER]
     )
     return gap, max(discs, 0.0)
 
@@ -64,11 +64,13 @@ def _keep(left, gaps, count, p, a, b, gap):
 def _choose(forest, a, b):
     """Tests that refining two nodes takes, and which is replaced, if any."""
     links, nodes = forest.links, forest.nodes
-    if links[a, CHILDREN] == 0 and links[b, CHILDREN] == 0:
-        return links[a, CORNERS] * links[b, CORNERS], LEAVES
-    if links[a, CHILDREN] == 0 or (links[b, CHILDREN] > 0 and nodes[b, RADIUS] > nodes[a, RADIUS]):
-        return links[b, CHILDREN], SECOND_NODE
-    return links[a, CHILDREN], FIRST_NODE
+    if links[a, tree.CHILDREN] == 0 and links[b, tree.CHILDREN] == 0:
+        return links[a, tree.CORNERS] * links[b, tree.CORNERS], LEAVES
+    if links[a, tree.CHILDREN] == 0 or (
+        links[b, tree.CHILDREN] > 0 and nodes[b, tree.RADIUS] > nodes[a, tree.RADIUS]
+    ):
+        return links[b, tree.CHILDREN], SECOND_NODE
+    return links[a, tree.CHILDREN], FIRST_NODE
 
 
 @inner_kernel
@@ -98,7 +100,13 @@ def _compare_leaves(forest, pose_a, pose_b, a, b, out):
     """Put the exact distance of two leaves into an answer; True if they meet."""
     links = forest.links
     found = polygon_distance(
-        forest.corners, links[a, FIRST], links[a, CORNERS], pose_a, links[b, FIRST], links[b, CORNERS], pose_b
+        forest.corners,
+        links[a, tree.FIRST],
+        links[a, tree.CORNERS],
+        pose_a,
+        links[b, tree.FIRST],
+        links[b, tree.CORNERS],
+        pose_b,
     )
     out[UPPER], out[LOWER] = min(out[UPPER], found), min(out[LOWER], found)
     out[ESTIMATE] = 1.0
@@ -113,9 +121,9 @@ def _compare_children(forest, placed, node, kind, reach, out, left, gaps, count)
     """
     p, a, b = node
     links = forest.links
-    for child in range(links[b, CHILDREN] if kind == SECOND_NODE else links[a, CHILDREN]):
-        a_now = links[a, CHILD] + child if kind == FIRST_NODE else a
-        b_now = links[b, CHILD] + child if kind == SECOND_NODE else b
+    for child in range(links[b, tree.CHILDREN] if kind == SECOND_NODE else links[a, tree.CHILDREN]):
+        a_now = links[a, tree.CHILD] + child if kind == FIRST_NODE else a
+        b_now = links[b, tree.CHILD] + child if kind == SECOND_NODE else b
         gap, discs = _compare(forest, placed[0], placed[1], a_now, b_now)
         out[UPPER] = min(out[UPPER], discs)
         if gap > reach:
@@ -135,13 +143,13 @@ def _settle(forest, poses, pairs, left, gaps, count, answers):
         out[LOWER] = min(out[LOWER], max(gaps[i], 0.0))
         if gaps[i] > 0.0:
             continue
-        ax, ay = _middle(nodes, a, poses[pairs[p, 0]], CX)
-        bx, by = _middle(nodes, b, poses[pairs[p, 1]], CX)
+        ax, ay = _middle(nodes, a, poses[pairs[p, 0]], tree.CX)
+        bx, by = _middle(nodes, b, poses[pairs[p, 1]], tree.CX)
         dx, dy = bx - ax, by - ay
         far = math.sqrt(dx * dx + dy * dy)
-        weight = max(nodes[a, RADIUS] + nodes[b, RADIUS] - far, 0.0)
+        weight = max(nodes[a, tree.RADIUS] + nodes[b, tree.RADIUS] - far, 0.0)
         if far > 0.0:
-            share = (nodes[a, RADIUS] - 0.5 * weight) / far
+            share = (nodes[a, tree.RADIUS] - 0.5 * weight) / far
             out[NORMAL_X] += weight * dx / far
             out[NORMAL_Y] += weight * dy / far
             out[PLACE_X] += weight * (ax + share * dx)

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise, linear
 
-Floats = NDArray[np.float64]
 KINDS = ("star", "comb", "letter", "coast")
 _E = ((0, 0), (4, 0), (4, 1), (1.2, 1), (1.2, 2.5), (3.4, 2.5), (3.4, 3.5), (1.2, 3.5), (1.2, 5), (4, 5),
       (4, 6), (0, 6))  # fmt: skip

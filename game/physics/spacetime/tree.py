@@ -16,14 +16,12 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.kernels import elementwise
 from game.physics.spacetime.pieces import Piece, area_of, cut, least_circle, triangulate
 from game.physics.spacetime.shapes import area_and_centre, outline_of
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
 CX, CY, RADIUS, WX, WY, INNER = range(6)  # columns of nodes: circle about the part, disc within the body
 CHILD, CHILDREN, DEPTH, FIRST, CORNERS = range(5)  # columns of links; children of a leaf: 0
 LEAF = 0.15  # of the body's radius: no larger circle is a leaf

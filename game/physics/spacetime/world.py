@@ -6,21 +6,19 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.constraints.effects import CONTACTS
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.kernels import elementary, elementwise, linear
+from game.physics.spacetime import motion
+from game.physics.spacetime import refine as r
 from game.physics.spacetime.effects import SPACE_TIME, TIMED
 from game.physics.spacetime.exact import exact_distance
 from game.physics.spacetime.motion import (
-    FIELDS,
-    SIZE,
     Grip,
     Laws,
-    X,
-    Y,
     bounce_walls,
     due_pairs,
     move,
@@ -28,12 +26,10 @@ from game.physics.spacetime.motion import (
     renew_times,
     respond,
 )
-from game.physics.spacetime.refine import ANSWERS, CAPACITY, ESTIMATE, LEVEL, LOWER, UNTESTED, UPPER, refine
+from game.physics.spacetime.refine import refine
 from game.physics.spacetime.shapes import area_and_centre, second_moment
 from game.physics.spacetime.tree import plant, tree_of
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
 MOST_BODIES = 48
 DENSITY = 1.0  # kg/m²
 NEAR_STEPS = 8.0  # a pair's distance is wanted as far as it closes in so many steps
@@ -101,12 +97,12 @@ class TimedWorld:
         self.times: Floats = np.zeros((n, n))
         self.kicked = np.zeros(n, dtype=np.bool_)
         self.pairs: Longs = np.zeros((max(n * (n - 1) // 2, 1), 2), dtype=np.int64)
-        self.answers: Floats = np.zeros((len(self.pairs), ANSWERS))
-        self.left: Longs = np.zeros((2, CAPACITY, 4), dtype=np.int64)
-        self.gaps: Floats = np.zeros((2, CAPACITY))
+        self.answers: Floats = np.zeros((len(self.pairs), r.ANSWERS))
+        self.left: Longs = np.zeros((2, r.CAPACITY, 4), dtype=np.int64)
+        self.gaps: Floats = np.zeros((2, r.CAPACITY))
         self.tests = self.due = self.untested = self.bounces = 0
         self.doubt = 0.0
-        assert self.fields.shape == (FIELDS, n)
+        assert self.fields.shape == (motion.FIELDS, n)
         self.place_all()
 
     @property
@@ -151,10 +147,13 @@ class TimedWorld:
         self.tests, _ = refine(
             self.forest, self.poses, pairs, self.reach_of(pairs, dt), budget, self.left, self.gaps, answers
         )
-        known = answers[:, LEVEL] != UNTESTED
+        known = answers[:, r.LEVEL] != r.UNTESTED
         self.untested = self.due - int(np.count_nonzero(known))
-        self.doubt = float(np.max((answers[:, UPPER] - answers[:, LOWER])[known & (answers[:, LOWER] <= 0.0)],
-                                  initial=0.0))  # fmt: skip
+        self.doubt = float(
+            np.max(
+                (answers[:, r.UPPER] - answers[:, r.LOWER])[known & (answers[:, r.LOWER] <= 0.0)], initial=0.0
+            )
+        )
         if bits & TIMED.bit(CONTACTS):
             self.bounces += respond(self.fields, self.makes, pairs, answers, laws, self.kicked)
         bounce_walls(self.fields, self.makes, self.poses, self.outlines, self.spans, laws, self.kicked)
@@ -165,7 +164,8 @@ class TimedWorld:
     def reach_of(self, pairs: Longs, dt: float) -> Floats:
         """How far off (m) a pair may be for its distance to matter: what it closes in some steps."""
         speed = (
-            elementwise.hypot(self.fields[3], self.fields[4]) + np.abs(self.fields[5]) * self.makes[:, SIZE]
+            elementwise.hypot(self.fields[3], self.fields[4])
+            + np.abs(self.fields[5]) * self.makes[:, motion.SIZE]
         )
         ahead = NEAR_STEPS * dt
         return np.asarray((speed[pairs[:, 0]] + speed[pairs[:, 1]] + self.laws.bound * ahead) * ahead)
@@ -174,15 +174,15 @@ class TimedWorld:
 
     def ask(self, i: int, j: int, budget: int) -> tuple[Answer, Longs]:
         """The distance of two bodies as far as a budget of tests goes, and the pairs of nodes left."""
-        answers, left, gaps = np.zeros((1, ANSWERS)), np.zeros_like(self.left), np.zeros_like(self.gaps)
+        answers, left, gaps = np.zeros((1, r.ANSWERS)), np.zeros_like(self.left), np.zeros_like(self.gaps)
         pairs, reach = np.array([[i, j]]), np.full(1, 1e300)
         tests, count = refine(self.forest, self.poses, pairs, reach, budget, left, gaps, answers)
         found = Answer(
-            float(answers[0, LOWER]),
-            float(answers[0, UPPER]),
-            int(answers[0, LEVEL]),
+            float(answers[0, r.LOWER]),
+            float(answers[0, r.UPPER]),
+            int(answers[0, r.LEVEL]),
             int(tests),
-            float(answers[0, ESTIMATE]),
+            float(answers[0, r.ESTIMATE]),
         )
         return found, left[0, :count]
 
@@ -191,7 +191,7 @@ class TimedWorld:
         pairs = np.zeros_like(self.pairs)
         count = due_pairs(self.times, self.now + dt, pairs)
         pairs = pairs[:count]
-        left, gaps, answers = np.zeros_like(self.left), np.zeros_like(self.gaps), np.zeros((count, ANSWERS))
+        left, gaps, answers = np.zeros_like(self.left), np.zeros_like(self.gaps), np.zeros((count, r.ANSWERS))
         _, kept = refine(
             self.forest, self.poses, pairs, self.reach_of(pairs, dt), budget, left, gaps, answers
         )
@@ -220,8 +220,10 @@ class TimedWorld:
         """Pairs whose outlines meet although their next possible time of contact is still to come."""
         found = 0
         for ahead, i, j in self.queue():
-            far = elementary.hypot(*(self.fields[X : Y + 1, i] - self.fields[X : Y + 1, j]).tolist())
-            if ahead > 0.0 and far < self.makes[i, SIZE] + self.makes[j, SIZE]:
+            far = elementary.hypot(
+                *(self.fields[motion.X : motion.Y + 1, i] - self.fields[motion.X : motion.Y + 1, j]).tolist()
+            )
+            if ahead > 0.0 and far < self.makes[i, motion.SIZE] + self.makes[j, motion.SIZE]:
                 found += self.exact(i, j) == 0.0
         return found
 

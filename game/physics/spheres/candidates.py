@@ -9,15 +9,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.broadphase import BroadPhase
 from game.physics.spheres.composition import Composition
 from game.physics.spheres.contacts import boxes_of, farthest_moved, near_pairs
 from game.physics.spheres.time_of_impact import swept_pairs
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 SKIN = 0.2  # of the smallest radius
 NOWHERE = 1e9  # m; where no sphere has been, so that pairs are found at the next step
 
@@ -33,10 +31,10 @@ class Candidates:
         self.composition = composition
         self.broad_phase = broad_phase
         self.skin = SKIN * float(composition.radii.min())
-        self.pairs: Ints = np.zeros((0, 2), dtype=np.int64)
+        self.pairs: Longs = np.zeros((0, 2), dtype=np.int64)
         self.found_at = np.full((s, 3), NOWHERE)
         self.tests = 0  # of pairs, since whoever counts them set this to 0
-        self._buffer: Ints = np.zeros((max(64, 4 * s), 2), dtype=np.int64)
+        self._buffer: Longs = np.zeros((max(64, 4 * s), 2), dtype=np.int64)
         self._boxes: Any = None
 
     def find(self, places: Floats) -> None:
@@ -51,7 +49,7 @@ class Candidates:
             self.tests += len(radii)
         np.copyto(self.found_at, places)
 
-    def that_could_meet(self, places: Floats, work: Floats, h: float) -> Ints:
+    def that_could_meet(self, places: Floats, work: Floats, h: float) -> Longs:
         """Pairs (p, 2) that could meet within h (s), of spheres at places (s, 3) m.
 
         work: (n + 1, WORK_COLUMNS) velocities of the bodies, as `gather_velocities` writes them.
@@ -65,12 +63,12 @@ class Candidates:
         self.found_at.fill(NOWHERE)
         return self._among_boxes(lower, upper)
 
-    def take(self, pairs: Ints, found_at: Floats) -> None:
+    def take(self, pairs: Longs, found_at: Floats) -> None:
         """Take over copies of pairs (p, 2) and of where spheres were when these were found (s, 3) m."""
         self.pairs = pairs.copy()
         np.copyto(self.found_at, found_at)
 
-    def _among_boxes(self, lower: Floats, upper: Floats) -> Ints:
+    def _among_boxes(self, lower: Floats, upper: Floats) -> Longs:
         """Pairs of boxes (s, 2) m that overlap, by the broad phase."""
         assert self.broad_phase is not None
         if self._boxes is None:
@@ -79,7 +77,7 @@ class Candidates:
             self.broad_phase.update_boxes(self._boxes, lower, upper)
         return self.broad_phase.pairs()
 
-    def _among_all(self, places: Floats, work: Floats | None, h: float) -> Ints:
+    def _among_all(self, places: Floats, work: Floats | None, h: float) -> Longs:
         """Pairs that are nearly in contact, or that could meet within h (s) if there is work; each tested."""
         radii = self.composition.radii
         self.tests += len(radii) * (len(radii) - 1) // 2

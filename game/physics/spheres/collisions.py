@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
 from game.physics.broadphase import BroadPhase
+from game.physics.spheres import steps
 from game.physics.spheres.candidates import Candidates
 from game.physics.spheres.contact_buffers import ContactBuffers
 from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES, PUSHES, SPHERES, STRINGS
@@ -41,21 +43,9 @@ from game.physics.spheres.spheres import (
     place_spheres,
 )
 from game.physics.spheres.state import CollisionState, entries_in_order
-from game.physics.spheres.steps import (
-    BOUNCES,
-    CLOCK,
-    COUNTERS,
-    LAST_H,
-    MADE,
-    ROUNDS,
-    BodyMotion,
-    general_part,
-    move_by_velocity,
-)
+from game.physics.spheres.steps import BodyMotion, general_part, move_by_velocity
 from game.physics.spheres.time_of_impact import divide_at_impacts, first_impact
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by collision
 
 
@@ -89,7 +79,7 @@ class CollidingSpheres:
         self.smallest = float(bodies.composition.radii.min())
         self.pulls = np.zeros((n, 6))
         self.ring = np.zeros((LEDGER_ROWS, LEDGER_COLUMNS))
-        self.counters = np.zeros(COUNTERS)
+        self.counters = np.zeros(steps.COUNTERS)
         self._work = np.zeros((n + 1, WORK_COLUMNS))
         self._flat = np.zeros((n + 1, FLAT_COLUMNS))
         self._shifts = np.zeros((n + 1, 4))
@@ -146,7 +136,7 @@ class CollidingSpheres:
 
     def _numbers_of(self, h: float, nominal: float) -> Numbers:
         """For kernels, a part of h (s) of a substep of nominal length: mostly those of the part before."""
-        asked = (self.settings, h, nominal, float(self.counters[LAST_H]))
+        asked = (self.settings, h, nominal, float(self.counters[steps.LAST_H]))
         if asked != self._asked:
             self._asked, self._numbers = asked, self.settings.numbers(*asked[1:], self.smallest)
         return self._numbers
@@ -254,22 +244,22 @@ class CollidingSpheres:
     @property
     def time(self) -> float:
         """s since the start."""
-        return float(self.counters[CLOCK])
+        return float(self.counters[steps.CLOCK])
 
     @property
     def collisions(self) -> int:
         """Collisions so far."""
-        return int(self.counters[MADE])
+        return int(self.counters[steps.MADE])
 
     @property
     def rounds(self) -> int:
         """Rounds of collisions in the last part of the last step."""
-        return int(self.counters[ROUNDS])
+        return int(self.counters[steps.ROUNDS])
 
     @property
     def bounces(self) -> int:
         """Collisions in the last part of the last step."""
-        return int(self.counters[BOUNCES])
+        return int(self.counters[steps.BOUNCES])
 
     def ledger(self) -> Floats:
         """Last collisions (k, LEDGER_COLUMNS), oldest first; see ledger.py for the columns."""

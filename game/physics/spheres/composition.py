@@ -8,10 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.kernels import linear
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 MAX_SPHERES = 1_000_000
 LARGEST = 1e6  # m and m/s: far enough for any window, near enough for squares
 SOLID = 0.4  # of m r², inertia of a solid ball about its centre
@@ -26,9 +25,9 @@ class Composition(NamedTuple):
     inverse_inertias: Floats  # (n, 6) 1/(kg m²) in the body's frame: xx yy zz xy xz yz
     round_bodies: NDArray[np.uint8]  # (n,) 1 where inertia is the same about all axes
     radii: Floats  # (s,) m
-    owners: Ints  # (s,) body of each sphere
+    owners: Longs  # (s,) body of each sphere
     offsets: Floats  # (s, 3) m from the body's centre, in its frame
-    kinds: Ints  # (s,) material
+    kinds: Longs  # (s,) material
 
 
 def symmetric(six: ArrayLike) -> Floats:
@@ -37,7 +36,7 @@ def symmetric(six: ArrayLike) -> Floats:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-def join_spheres(places: Floats, weights: Floats, owners: Ints, n: int) -> tuple[Floats, Floats]:
+def join_spheres(places: Floats, weights: Floats, owners: Longs, n: int) -> tuple[Floats, Floats]:
     """Mass (n,) kg and centre of mass (n, 3) m of each body of spheres at places (s, 3) m, weights (s,) kg.
 
     ValueError if a sphere that is joined to others is infinitely heavy.
@@ -57,7 +56,7 @@ def join_spheres(places: Floats, weights: Floats, owners: Ints, n: int) -> tuple
 
 
 def invert_inertias(
-    inertias: Any, offsets: Floats, radii: Floats, weights: Floats, owners: Ints, mass: Floats
+    inertias: Any, offsets: Floats, radii: Floats, weights: Floats, owners: Longs, mass: Floats
 ) -> tuple[Floats, NDArray[np.uint8]]:
     """Inverse inertia (n, 6) 1/(kg m²) in the bodies' frames, and (n,) which are the same about all axes.
 
@@ -96,7 +95,7 @@ def invert_inertias(
     return six, even.astype(np.uint8)
 
 
-def _inertias_by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners: Ints, n: int) -> Floats:
+def _inertias_by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners: Longs, n: int) -> Floats:
     """Inertia tensors (n, 3, 3) of joined solid spheres by the offset theorem (Huygens and Steiner)."""
     tensors = np.zeros((n, 3, 3))
     for s, i in enumerate(owners.tolist()):
@@ -107,7 +106,7 @@ def _inertias_by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners
     return tensors
 
 
-def checked_owners(owners: ArrayLike, s: int) -> Ints:
+def checked_owners(owners: ArrayLike, s: int) -> Longs:
     """(s,) a body for each sphere, numbered without gaps, or ValueError."""
     who = whole_numbers("owners", owners).reshape(-1)
     if who.shape != (s,) or not np.array_equal(np.unique(who), np.arange(who.max(initial=-1) + 1)):
@@ -115,7 +114,7 @@ def checked_owners(owners: ArrayLike, s: int) -> Ints:
     return who
 
 
-def checked_kinds(kinds: ArrayLike, s: int) -> Ints:
+def checked_kinds(kinds: ArrayLike, s: int) -> Longs:
     """(s,) materials from one number or (s,), or ValueError."""
     given = whole_numbers("kinds", kinds)
     if given.shape not in ((), (1,), (s,)) or (given < 0).any():
@@ -123,7 +122,7 @@ def checked_kinds(kinds: ArrayLike, s: int) -> Ints:
     return np.array(np.broadcast_to(given, (s,)))
 
 
-def whole_numbers(name: str, values: ArrayLike) -> Ints:
+def whole_numbers(name: str, values: ArrayLike) -> Longs:
     """Whole numbers as an array of the same shape, or ValueError: none is rounded."""
     given = np.array(values)
     whole = given.astype(np.int64) if given.dtype.kind in "iuf" and np.isfinite(given).all() else None

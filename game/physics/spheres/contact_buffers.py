@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.spheres.composition import Composition
 from game.physics.spheres.contact_rows import ROW_COLUMNS
 from game.physics.spheres.contacts import Contacts, PastContacts, find_contacts
 from game.physics.spheres.planar_impulses import PLANAR_COLUMNS
 from game.physics.spheres.settings import Surroundings
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 
 class ContactBuffers:
@@ -64,7 +61,7 @@ class ContactBuffers:
         self,
         places: Floats,
         composition: Composition,
-        pairs: Ints,
+        pairs: Longs,
         surroundings: Surroundings,
         mask: int,
         margin: float,
@@ -85,7 +82,7 @@ class ContactBuffers:
         self.past = PastContacts(done.keys[:m], done.impulses[:m])
         self.contacts, self._others = self._others, done
 
-    def take(self, keys: Ints, impulses: Floats) -> None:
+    def take(self, keys: Longs, impulses: Floats) -> None:
         """Take over copies of keys (m,) and impulses (m, 4) of a last step."""
         if len(keys) > self.capacity:
             self._make(2 * len(keys))

@@ -12,22 +12,8 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
-from game.physics.spheres.contacts import FIRST, GAP, NX, NY, NZ, SECOND
-from game.physics.spheres.spheres import (
-    IXX,
-    IXY,
-    IXZ,
-    IYY,
-    IYZ,
-    IZZ,
-    VX,
-    VY,
-    VZ,
-    WEIGHT,
-    WX,
-    WY,
-    WZ,
-)  # fmt: skip
+from game.physics.spheres import contacts as c
+from game.physics.spheres import spheres  # fmt: skip
 
 # columns of a row: least separating speed to reach, effective mass, softness, friction, restitution, impulse
 # along the normal, of friction (3), arms (3 each), arms x normal (3 each), impulse of collisions (4),
@@ -47,30 +33,30 @@ STRING = -2  # in place of a second sphere
 def angular_weight(work, i, x, y, z):
     """t · (I⁻¹ t) of body i, 1/kg."""
     return (
-        work[i, IXX] * x * x
-        + work[i, IYY] * y * y
-        + work[i, IZZ] * z * z
-        + 2.0 * (work[i, IXY] * x * y + work[i, IXZ] * x * z + work[i, IYZ] * y * z)
+        work[i, spheres.IXX] * x * x
+        + work[i, spheres.IYY] * y * y
+        + work[i, spheres.IZZ] * z * z
+        + 2.0 * (work[i, spheres.IXY] * x * y + work[i, spheres.IXZ] * x * z + work[i, spheres.IYZ] * y * z)
     )
 
 
 @inner_kernel
 def turn_body(work, i, x, y, z):
     """An angular impulse (kg m²/s) on body i."""
-    work[i, WX] += work[i, IXX] * x + work[i, IXY] * y + work[i, IXZ] * z
-    work[i, WY] += work[i, IXY] * x + work[i, IYY] * y + work[i, IYZ] * z
-    work[i, WZ] += work[i, IXZ] * x + work[i, IYZ] * y + work[i, IZZ] * z
+    work[i, spheres.WX] += work[i, spheres.IXX] * x + work[i, spheres.IXY] * y + work[i, spheres.IXZ] * z
+    work[i, spheres.WY] += work[i, spheres.IXY] * x + work[i, spheres.IYY] * y + work[i, spheres.IYZ] * z
+    work[i, spheres.WZ] += work[i, spheres.IXZ] * x + work[i, spheres.IYZ] * y + work[i, spheres.IZZ] * z
 
 
 @inner_kernel
 def push_bodies(work, row, a, b, jx, jy, jz):
     """An impulse (kg m/s) on b at its arm, and the opposite on a."""
-    work[a, VX] -= work[a, WEIGHT] * jx
-    work[a, VY] -= work[a, WEIGHT] * jy
-    work[a, VZ] -= work[a, WEIGHT] * jz
-    work[b, VX] += work[b, WEIGHT] * jx
-    work[b, VY] += work[b, WEIGHT] * jy
-    work[b, VZ] += work[b, WEIGHT] * jz
+    work[a, spheres.VX] -= work[a, spheres.WEIGHT] * jx
+    work[a, spheres.VY] -= work[a, spheres.WEIGHT] * jy
+    work[a, spheres.VZ] -= work[a, spheres.WEIGHT] * jz
+    work[b, spheres.VX] += work[b, spheres.WEIGHT] * jx
+    work[b, spheres.VY] += work[b, spheres.WEIGHT] * jy
+    work[b, spheres.VZ] += work[b, spheres.WEIGHT] * jz
     turn_body(
         work, a, row[RAZ] * jy - row[RAY] * jz, row[RAX] * jz - row[RAZ] * jx, row[RAY] * jx - row[RAX] * jy
     )
@@ -82,14 +68,14 @@ def push_bodies(work, row, a, b, jx, jy, jz):
 @inner_kernel
 def push_along(work, row, contact, a, b, j):
     """An impulse j along the normal. A ball alone is not turned by it, not even by rounding."""
-    nx, ny, nz = contact[NX], contact[NY], contact[NZ]
-    ja, jb = work[a, WEIGHT] * j, work[b, WEIGHT] * j
-    work[a, VX] -= ja * nx
-    work[a, VY] -= ja * ny
-    work[a, VZ] -= ja * nz
-    work[b, VX] += jb * nx
-    work[b, VY] += jb * ny
-    work[b, VZ] += jb * nz
+    nx, ny, nz = contact[c.NX], contact[c.NY], contact[c.NZ]
+    ja, jb = work[a, spheres.WEIGHT] * j, work[b, spheres.WEIGHT] * j
+    work[a, spheres.VX] -= ja * nx
+    work[a, spheres.VY] -= ja * ny
+    work[a, spheres.VZ] -= ja * nz
+    work[b, spheres.VX] += jb * nx
+    work[b, spheres.VY] += jb * ny
+    work[b, spheres.VZ] += jb * nz
     turn_body(work, a, -j * row[TAX], -j * row[TAY], -j * row[TAZ])
     turn_body(work, b, j * row[TBX], j * row[TBY], j * row[TBZ])
 
@@ -97,12 +83,12 @@ def push_along(work, row, contact, a, b, j):
 @inner_kernel
 def relative_velocity(work, row, a, b):
     """Velocity of b's contact point against a's."""
-    ax = work[a, VX] + work[a, WY] * row[RAZ] - work[a, WZ] * row[RAY]
-    ay = work[a, VY] + work[a, WZ] * row[RAX] - work[a, WX] * row[RAZ]
-    az = work[a, VZ] + work[a, WX] * row[RAY] - work[a, WY] * row[RAX]
-    bx = work[b, VX] + work[b, WY] * row[RBZ] - work[b, WZ] * row[RBY]
-    by = work[b, VY] + work[b, WZ] * row[RBX] - work[b, WX] * row[RBZ]
-    bz = work[b, VZ] + work[b, WX] * row[RBY] - work[b, WY] * row[RBX]
+    ax = work[a, spheres.VX] + work[a, spheres.WY] * row[RAZ] - work[a, spheres.WZ] * row[RAY]
+    ay = work[a, spheres.VY] + work[a, spheres.WZ] * row[RAX] - work[a, spheres.WX] * row[RAZ]
+    az = work[a, spheres.VZ] + work[a, spheres.WX] * row[RAY] - work[a, spheres.WY] * row[RAX]
+    bx = work[b, spheres.VX] + work[b, spheres.WY] * row[RBZ] - work[b, spheres.WZ] * row[RBY]
+    by = work[b, spheres.VY] + work[b, spheres.WZ] * row[RBX] - work[b, spheres.WX] * row[RBZ]
+    bz = work[b, spheres.VZ] + work[b, spheres.WX] * row[RBY] - work[b, spheres.WY] * row[RBX]
     return bx - ax, by - ay, bz - az
 
 
@@ -110,11 +96,11 @@ def relative_velocity(work, row, a, b):
 def normal_speed(work, row, contact, a, b):
     """How fast the contact points separate along the normal, m/s."""
     return (
-        (work[b, VX] - work[a, VX]) * contact[NX]
-        + (work[b, VY] - work[a, VY]) * contact[NY]
-        + (work[b, VZ] - work[a, VZ]) * contact[NZ]
-        + work[b, WX] * row[TBX] + work[b, WY] * row[TBY] + work[b, WZ] * row[TBZ]
-        - work[a, WX] * row[TAX] - work[a, WY] * row[TAY] - work[a, WZ] * row[TAZ]
+        (work[b, spheres.VX] - work[a, spheres.VX]) * contact[c.NX]
+        + (work[b, spheres.VY] - work[a, spheres.VY]) * contact[c.NY]
+        + (work[b, spheres.VZ] - work[a, spheres.VZ]) * contact[c.NZ]
+        + work[b, spheres.WX] * row[TBX] + work[b, spheres.WY] * row[TBY] + work[b, spheres.WZ] * row[TBZ]
+        - work[a, spheres.WX] * row[TAX] - work[a, spheres.WY] * row[TAY] - work[a, spheres.WZ] * row[TAZ]
     )  # fmt: skip
 
 
@@ -122,14 +108,14 @@ def normal_speed(work, row, contact, a, b):
 def slip_of(work, row, contact, a, b):
     """Slip of the contact points (3 numbers, m/s), its size, and the mass that it meets."""
     ux, uy, uz = relative_velocity(work, row, a, b)
-    speed = ux * contact[NX] + uy * contact[NY] + uz * contact[NZ]
-    ux -= speed * contact[NX]
-    uy -= speed * contact[NY]
-    uz -= speed * contact[NZ]
+    speed = ux * contact[c.NX] + uy * contact[c.NY] + uz * contact[c.NZ]
+    ux -= speed * contact[c.NX]
+    uy -= speed * contact[c.NY]
+    uz -= speed * contact[c.NZ]
     square = ux * ux + uy * uy + uz * uz
     if not square > 1e-300:
         return 0.0, 0.0, 0.0, 0.0, 0.0
-    weight = square * (work[a, WEIGHT] + work[b, WEIGHT])
+    weight = square * (work[a, spheres.WEIGHT] + work[b, spheres.WEIGHT])
     weight += angular_weight(
         work, a, row[RAY] * uz - row[RAZ] * uy, row[RAZ] * ux - row[RAX] * uz, row[RAX] * uy - row[RAY] * ux
     )
@@ -161,11 +147,11 @@ def is_apart(offsets, s):
 def measure_row(state, world, places, work, contacts, m, row, numbers):
     """Fill in the arms, effective mass and material of contact m."""
     composition, tables, contact = world.composition, world.tables, contacts.normals[m]
-    s, other = contacts.spheres[m, FIRST], contacts.spheres[m, SECOND]
-    a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+    s, other = contacts.spheres[m, c.FIRST], contacts.spheres[m, c.SECOND]
+    a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
     # overlap is shared in proportion to the radii, so that both arms end at one point
     reach_a, reach_b = composition.radii[s], composition.radii[other] if other >= 0 else 0.0
-    scale = 1.0 + min(contact[GAP], 0.0) / (reach_a + reach_b)
+    scale = 1.0 + min(contact[c.GAP], 0.0) / (reach_a + reach_b)
     for axis in range(3):
         row[RAX + axis] = contact[axis] * scale * reach_a + (places[s, axis] - state.positions[a, axis])
         row[RBX + axis] = 0.0
@@ -176,8 +162,8 @@ def measure_row(state, world, places, work, contacts, m, row, numbers):
             row[RBX + axis] = (places[other, axis] - state.positions[b, axis]) - contact[
                 axis
             ] * scale * reach_b
-    weight = work[a, WEIGHT] + work[b, WEIGHT]
-    nx, ny, nz = contact[NX], contact[NY], contact[NZ]
+    weight = work[a, spheres.WEIGHT] + work[b, spheres.WEIGHT]
+    nx, ny, nz = contact[c.NX], contact[c.NY], contact[c.NZ]
     if is_apart(composition.offsets, s):
         row[TAX] = row[RAY] * nz - row[RAZ] * ny
         row[TAY] = row[RAZ] * nx - row[RAX] * nz
@@ -206,19 +192,19 @@ def prepare_rows(state, world, places, work, contacts, count, rows, numbers):
     fastest = 0.0
     for m in range(count):
         contact, row = contacts.normals[m], rows[m]
-        a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+        a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
         measure_row(state, world, places, work, contacts, m, row, numbers)
         speed = normal_speed(work, row, contact, a, b)
-        touching = contact[GAP] <= TOUCHING * world.composition.radii[contacts.spheres[m, FIRST]]
+        touching = contact[c.GAP] <= TOUCHING * world.composition.radii[contacts.spheres[m, c.FIRST]]
         least = rest_speed(row[REBOUND], numbers)
         row[SOFT] = 0.0
         row[HIT] = row[HITX] = row[HITY] = row[HITZ] = 0.0
         row[JN] = held[m, 0] * numbers.carry
         x, y, z = held[m, 1], held[m, 2], held[m, 3]
-        along = x * contact[NX] + y * contact[NY] + z * contact[NZ]  # as far as the normal has turned
-        row[JTX] = (x - along * contact[NX]) * numbers.carry
-        row[JTY] = (y - along * contact[NY]) * numbers.carry
-        row[JTZ] = (z - along * contact[NZ]) * numbers.carry
+        along = x * contact[c.NX] + y * contact[c.NY] + z * contact[c.NZ]  # as far as the normal has turned
+        row[JTX] = (x - along * contact[c.NX]) * numbers.carry
+        row[JTY] = (y - along * contact[c.NY]) * numbers.carry
+        row[JTZ] = (z - along * contact[c.NZ]) * numbers.carry
         if speed < -least and touching:
             fastest = max(fastest, -speed)
         set_bias(contact, row, numbers)
@@ -228,7 +214,7 @@ def prepare_rows(state, world, places, work, contacts, count, rows, numbers):
 @inner_kernel
 def set_bias(contact, row, numbers):
     """The separating speed that a contact is to have at least; with softness, the mass it is solved with."""
-    gap = contact[GAP]
+    gap = contact[c.GAP]
     if gap > 0.0:
         row[BIAS] = -gap / numbers.h
     else:

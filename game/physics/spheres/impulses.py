@@ -10,29 +10,16 @@ Arrays as in contact_rows.
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel
-from game.physics.spheres import ledger
-from game.physics.spheres.contact_rows import (
-    HIT,
-    HITX,
-    HITY,
-    HITZ,
-    MASS,
-    MU,
-    RAX,
-    RAY,
-    RAZ,
-    REBOUND,
-    SOFT,
-    STILL,
-    TOUCHING,
+from game.physics.spheres import contact_rows, ledger
+from game.physics.spheres import contacts as c
+from game.physics.spheres.contact_rows import (  # fmt: skip
     normal_speed,
     push_along,
     push_bodies,
     relative_velocity,
     rest_speed,
     slip_of,
-)  # fmt: skip
-from game.physics.spheres.contacts import FIRST, GAP, NX, NY, NZ, SECOND
+)
 from game.physics.spheres.ledger import weigh_pair
 from game.physics.spheres.spheres import WEIGHT
 
@@ -41,15 +28,15 @@ from game.physics.spheres.spheres import WEIGHT
 def collide(work, row, contact, a, b, j):
     """An impulse j along the normal with its friction, added to what the row has of collisions."""
     push_along(work, row, contact, a, b, j)
-    row[HIT] += j
-    if row[MU] > 0.0:
+    row[contact_rows.HIT] += j
+    if row[contact_rows.MU] > 0.0:
         ux, uy, uz, slip, mass = slip_of(work, row, contact, a, b)
         if slip > 0.0:
-            part = -min(mass, row[MU] * j / slip)
+            part = -min(mass, row[contact_rows.MU] * j / slip)
             push_bodies(work, row, a, b, part * ux, part * uy, part * uz)
-            row[HITX] += part * ux
-            row[HITY] += part * uy
-            row[HITZ] += part * uz
+            row[contact_rows.HITX] += part * ux
+            row[contact_rows.HITY] += part * uy
+            row[contact_rows.HITZ] += part * uz
 
 
 @inner_kernel
@@ -57,26 +44,31 @@ def collide_and_enter(work, positions, contacts, m, row, j, speed, log):
     """An impulse j at contact m, which separates at ``speed`` (m/s) before; entered into the ledger."""
     ring, counters, sums = log
     contact, who = contacts.normals[m], contacts.spheres[m]
-    a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+    a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
     entry = ring[int(counters[2]) % ring.shape[0]]
     weigh_pair(work, positions, a, b, sums[0])
     ux, uy, uz = relative_velocity(work, row, a, b)
-    hit, x, y, z = row[HIT], row[HITX], row[HITY], row[HITZ]
+    hit, x, y, z = (
+        row[contact_rows.HIT],
+        row[contact_rows.HITX],
+        row[contact_rows.HITY],
+        row[contact_rows.HITZ],
+    )
     collide(work, row, contact, a, b, j)
-    jx = (row[HIT] - hit) * contact[NX] + row[HITX] - x
-    jy = (row[HIT] - hit) * contact[NY] + row[HITY] - y
-    jz = (row[HIT] - hit) * contact[NZ] + row[HITZ] - z
+    jx = (row[contact_rows.HIT] - hit) * contact[c.NX] + row[contact_rows.HITX] - x
+    jy = (row[contact_rows.HIT] - hit) * contact[c.NY] + row[contact_rows.HITY] - y
+    jz = (row[contact_rows.HIT] - hit) * contact[c.NZ] + row[contact_rows.HITZ] - z
     wx, wy, wz = relative_velocity(work, row, a, b)
     weigh_pair(work, positions, a, b, sums[1])
     entry[ledger.TIME] = counters[0]
-    entry[ledger.ONE], entry[ledger.OTHER] = who[FIRST], max(who[SECOND], -1)
-    entry[ledger.X] = positions[a, 0] + row[RAX]
-    entry[ledger.Y] = positions[a, 1] + row[RAY]
-    entry[ledger.Z] = positions[a, 2] + row[RAZ]
+    entry[ledger.ONE], entry[ledger.OTHER] = who[c.FIRST], max(who[c.SECOND], -1)
+    entry[ledger.X] = positions[a, 0] + row[contact_rows.RAX]
+    entry[ledger.Y] = positions[a, 1] + row[contact_rows.RAY]
+    entry[ledger.Z] = positions[a, 2] + row[contact_rows.RAZ]
     entry[ledger.JX], entry[ledger.JY], entry[ledger.JZ] = jx, jy, jz
     entry[ledger.BEFORE] = speed
-    entry[ledger.AFTER] = wx * contact[NX] + wy * contact[NY] + wz * contact[NZ]
-    entry[ledger.REBOUND] = row[REBOUND]
+    entry[ledger.AFTER] = wx * contact[c.NX] + wy * contact[c.NY] + wz * contact[c.NZ]
+    entry[ledger.REBOUND] = row[contact_rows.REBOUND]
     entry[ledger.EXPECTED] = 0.5 * (jx * (ux + wx) + jy * (uy + wy) + jz * (uz + wz))
     ledger.enter(entry, sums, ledger.taken_by_fixed(work[a, WEIGHT], work[b, WEIGHT]))
     counters[2] += 1.0
@@ -93,14 +85,14 @@ def collide_in_turn(work, positions, radii, contacts, count, rows, fastest, numb
         changed = False
         for m in range(count):
             contact, row = contacts.normals[m], rows[m]
-            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
-            if contact[GAP] > TOUCHING * radii[contacts.spheres[m, FIRST]]:
+            a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
+            if contact[c.GAP] > contact_rows.TOUCHING * radii[contacts.spheres[m, c.FIRST]]:
                 continue
             speed = normal_speed(work, row, contact, a, b)
-            least = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
-            if speed < -least and row[MASS] > 0.0:
-                mass = row[MASS] / (1.0 - row[SOFT])
-                j = -(1.0 + row[REBOUND]) * speed * mass
+            least = max(rest_speed(row[contact_rows.REBOUND], numbers), contact_rows.STILL * fastest)
+            if speed < -least and row[contact_rows.MASS] > 0.0:
+                mass = row[contact_rows.MASS] / (1.0 - row[contact_rows.SOFT])
+                j = -(1.0 + row[contact_rows.REBOUND]) * speed * mass
                 collide_and_enter(work, positions, contacts, m, row, j, speed, log)
                 made += 1
                 changed = True

@@ -12,20 +12,8 @@ in contact_rows.
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel
-from game.physics.spheres import ledger
-from game.physics.spheres.contact_rows import (
-    BEFORE,
-    JOINT,
-    MASS,
-    REBOUND,
-    SOFT,
-    STILL,
-    TARGET,
-    TOUCHING,
-    normal_speed,
-    push_along,
-    rest_speed,
-)  # fmt: skip
+from game.physics.spheres import contact_rows, ledger
+from game.physics.spheres.contact_rows import normal_speed, push_along, rest_speed  # fmt: skip
 from game.physics.spheres.contacts import FIRST, GAP, SECOND
 from game.physics.spheres.impulses import collide, collide_and_enter
 
@@ -71,20 +59,23 @@ def measure_round(work, radii, contacts, count, rows, fastest, numbers):
     rebound = -1.0
     for m in range(count):
         contact, row = contacts.normals[m], rows[m]
-        row[JOINT] = 0.0
-        row[TARGET] = ABSENT
-        if contact[GAP] > TOUCHING * radii[contacts.spheres[m, FIRST]] or not row[MASS] > 0.0:
+        row[contact_rows.JOINT] = 0.0
+        row[contact_rows.TARGET] = ABSENT
+        if (
+            contact[GAP] > contact_rows.TOUCHING * radii[contacts.spheres[m, FIRST]]
+            or not row[contact_rows.MASS] > 0.0
+        ):
             continue
         speed = normal_speed(work, row, contact, contacts.bodies[m, FIRST], contacts.bodies[m, SECOND])
-        row[BEFORE] = speed
-        rest = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
+        row[contact_rows.BEFORE] = speed
+        rest = max(rest_speed(row[contact_rows.REBOUND], numbers), contact_rows.STILL * fastest)
         if abs(speed) <= rest:
-            row[TARGET] = -abs(speed)  # it rests: no rebound, and what is left is borne later
+            row[contact_rows.TARGET] = -abs(speed)  # it rests: no rebound, and what is left is borne later
         elif speed < 0.0:
-            row[TARGET] = -row[REBOUND] * speed
-            rebound = max(rebound, row[REBOUND])
+            row[contact_rows.TARGET] = -row[contact_rows.REBOUND] * speed
+            rebound = max(rebound, row[contact_rows.REBOUND])
         else:
-            row[TARGET] = SEPARATING
+            row[contact_rows.TARGET] = SEPARATING
     return rebound
 
 
@@ -95,8 +86,8 @@ def join_all(count, rows):
     It leads to the nearest velocities that no contact forbids, which cannot be faster: rest is among them.
     """
     for m in range(count):
-        if rows[m, TARGET] != ABSENT:
-            rows[m, TARGET] = min(rows[m, TARGET], 0.0)
+        if rows[m, contact_rows.TARGET] != ABSENT:
+            rows[m, contact_rows.TARGET] = min(rows[m, contact_rows.TARGET], 0.0)
 
 
 @inner_kernel
@@ -105,16 +96,16 @@ def sweep_jointly(work, contacts, count, rows):
     change = 0.0
     for m in range(count):
         contact, row = contacts.normals[m], rows[m]
-        if row[TARGET] >= SEPARATING:
+        if row[contact_rows.TARGET] >= SEPARATING:
             continue
         a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
-        missing = row[TARGET] - normal_speed(work, row, contact, a, b)
-        mass = row[MASS] / (1.0 - row[SOFT])
-        j = max(row[JOINT] + missing * mass, 0.0) - row[JOINT]
+        missing = row[contact_rows.TARGET] - normal_speed(work, row, contact, a, b)
+        mass = row[contact_rows.MASS] / (1.0 - row[contact_rows.SOFT])
+        j = max(row[contact_rows.JOINT] + missing * mass, 0.0) - row[contact_rows.JOINT]
         if j != 0.0:
             change = max(change, abs(missing))
             push_along(work, row, contact, a, b, j)
-            row[JOINT] += j
+            row[contact_rows.JOINT] += j
     return change
 
 
@@ -127,21 +118,21 @@ def hold_energy(work, contacts, count, rows):
     along = change = 0.0
     for m in range(count):
         row = rows[m]
-        if row[JOINT] > 0.0:
+        if row[contact_rows.JOINT] > 0.0:
             a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
             speed = normal_speed(work, row, contacts.normals[m], a, b)
-            along += row[JOINT] * row[BEFORE]
-            change += row[JOINT] * (speed - row[BEFORE])
+            along += row[contact_rows.JOINT] * row[contact_rows.BEFORE]
+            change += row[contact_rows.JOINT] * (speed - row[contact_rows.BEFORE])
     if not 2.0 * along + change > 1e-12 * change:
         return
     share = max(-2.0 * along / change, 0.0)
     for m in range(count):
         row = rows[m]
-        if row[JOINT] > 0.0:
-            j = share * row[JOINT]
+        if row[contact_rows.JOINT] > 0.0:
+            j = share * row[contact_rows.JOINT]
             a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
-            push_along(work, row, contacts.normals[m], a, b, j - row[JOINT])
-            row[JOINT] = j
+            push_along(work, row, contacts.normals[m], a, b, j - row[contact_rows.JOINT])
+            row[contact_rows.JOINT] = j
 
 
 @inner_kernel
@@ -156,16 +147,18 @@ def enter_joint(work, positions, contacts, count, rows, log):
     made = 0
     for m in range(count):
         row = rows[m]
-        if row[JOINT] > 0.0:
+        if row[contact_rows.JOINT] > 0.0:
             entry = ring[(first + made) % ring.shape[0]]
             a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
             entry[ledger.AFTER] = normal_speed(work, row, contacts.normals[m], a, b)
-            entry[ledger.CHANGE] = 0.5 * row[JOINT] * (row[BEFORE] + entry[ledger.AFTER])
+            entry[ledger.CHANGE] = (
+                0.5 * row[contact_rows.JOINT] * (row[contact_rows.BEFORE] + entry[ledger.AFTER])
+            )
             made += 1
     skipped = made - ring.shape[0]
     for m in range(count):
         row = rows[m]
-        j = row[JOINT]
+        j = row[contact_rows.JOINT]
         if j > 0.0:
             contact, a, b = contacts.normals[m], contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
             entry = ring[int(counters[2]) % ring.shape[0]]
@@ -180,7 +173,7 @@ def enter_joint(work, positions, contacts, count, rows, log):
             speeds = normal_speed(work, row, contact, a, b)
             push_along(work, row, contact, a, b, -j)
             speeds += normal_speed(work, row, contact, a, b)
-            collide_and_enter(work, positions, contacts, m, row, j, row[BEFORE], log)
+            collide_and_enter(work, positions, contacts, m, row, j, row[contact_rows.BEFORE], log)
             entry[ledger.AFTER] = after
             entry[ledger.CHANGE] += share - 0.5 * j * speeds
             entry[ledger.EXPECTED] += share - 0.5 * j * speeds

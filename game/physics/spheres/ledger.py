@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiler.decorator import inner_kernel, lean_kernel
+from game.physics.spheres import spheres
 from game.physics.spheres.contacts import GAP, SECOND
-from game.physics.spheres.spheres import IXX, IXY, IXZ, IYY, IYZ, IZZ, VX, VY, VZ, WEIGHT, WX, WY, WZ
 
 # columns of an entry: s, spheres (-1 a wall), contact point m, impulse on the second one kg m/s, separating
 # speed before and after m/s, restitution, energy J: change and what it should be, momentum and angular
@@ -55,9 +55,9 @@ class Totals(NamedTuple):
 @inner_kernel
 def spin_of(work, i):
     """Angular momentum I ω (3 numbers, kg m²/s) of body i about its centre; 0 for what nothing turns."""
-    a, b, c = work[i, IXX], work[i, IYY], work[i, IZZ]
-    d, e, f = work[i, IXY], work[i, IXZ], work[i, IYZ]
-    x, y, z = work[i, WX], work[i, WY], work[i, WZ]
+    a, b, c = work[i, spheres.IXX], work[i, spheres.IYY], work[i, spheres.IZZ]
+    d, e, f = work[i, spheres.IXY], work[i, spheres.IXZ], work[i, spheres.IYZ]
+    x, y, z = work[i, spheres.WX], work[i, spheres.WY], work[i, spheres.WZ]
     if d == 0.0 and e == 0.0 and f == 0.0:
         if a <= 0.0 or b <= 0.0 or c <= 0.0:
             return 0.0, 0.0, 0.0
@@ -82,10 +82,10 @@ def weigh_pair(work, positions, a, b, sums):
         sums[column] = 0.0
     for turn in range(2):
         i = b if turn else a
-        if work[i, WEIGHT] <= 0.0:
+        if work[i, spheres.WEIGHT] <= 0.0:
             continue
-        mass = 1.0 / work[i, WEIGHT]
-        vx, vy, vz = work[i, VX], work[i, VY], work[i, VZ]
+        mass = 1.0 / work[i, spheres.WEIGHT]
+        vx, vy, vz = work[i, spheres.VX], work[i, spheres.VY], work[i, spheres.VZ]
         sx, sy, sz = spin_of(work, i)
         x, y, z = positions[i, 0], positions[i, 1], positions[i, 2]
         sums[0] += mass * vx
@@ -95,7 +95,7 @@ def weigh_pair(work, positions, a, b, sums):
         sums[4] += mass * (z * vx - x * vz) + sy
         sums[5] += mass * (x * vy - y * vx) + sz
         sums[6] += 0.5 * mass * (vx * vx + vy * vy + vz * vz)
-        sums[6] += 0.5 * (sx * work[i, WX] + sy * work[i, WY] + sz * work[i, WZ])
+        sums[6] += 0.5 * (sx * work[i, spheres.WX] + sy * work[i, spheres.WY] + sz * work[i, spheres.WZ])
 
 
 @inner_kernel
@@ -129,7 +129,7 @@ def sum_totals(state, composition, work, gravity):
     of height (J). ``work`` as gather_velocities left it."""
     px = py = pz = lx = ly = lz = moving = turning = height = 0.0
     for i in range(composition.masses.shape[0]):
-        if work[i, WEIGHT] <= 0.0:
+        if work[i, spheres.WEIGHT] <= 0.0:
             continue
         ax, ay, az = state.momenta[i, 0], state.momenta[i, 1], state.momenta[i, 2]
         sx, sy, sz = state.spins[i, 0], state.spins[i, 1], state.spins[i, 2]
@@ -140,8 +140,8 @@ def sum_totals(state, composition, work, gravity):
         lx += y * az - z * ay + sx
         ly += z * ax - x * az + sy
         lz += x * ay - y * ax + sz
-        moving += 0.5 * work[i, WEIGHT] * (ax * ax + ay * ay + az * az)
-        turning += 0.5 * (sx * work[i, WX] + sy * work[i, WY] + sz * work[i, WZ])
+        moving += 0.5 * work[i, spheres.WEIGHT] * (ax * ax + ay * ay + az * az)
+        turning += 0.5 * (sx * work[i, spheres.WX] + sy * work[i, spheres.WY] + sz * work[i, spheres.WZ])
         height += composition.masses[i] * gravity * y
     return px, py, pz, lx, ly, lz, moving, turning, height
 

@@ -12,8 +12,8 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
+from game.physics.spheres import contacts as c
 from game.physics.spheres.contact_rows import STILL, STRING, TOUCHING, rest_speed
-from game.physics.spheres.contacts import FAR, FIRST, GAP, NX, NY, SECOND
 from game.physics.spheres.resting_contacts import STRIDE
 
 # columns of a body: velocity, turning, inverse mass, radius, radius times inverse inertia, displacement
@@ -84,10 +84,10 @@ def prepare_planar(world, flat, contacts, count, rows, numbers):
     fastest = 0.0
     last = tables.restitution.shape[0] - 1
     for m in range(count):
-        a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
-        nx, ny, gap = contacts.normals[m, NX], contacts.normals[m, NY], contacts.normals[m, GAP]
-        other = contacts.spheres[m, SECOND]
-        mine = composition.kinds[contacts.spheres[m, FIRST]]
+        a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
+        nx, ny, gap = contacts.normals[m, c.NX], contacts.normals[m, c.NY], contacts.normals[m, c.GAP]
+        other = contacts.spheres[m, c.SECOND]
+        mine = composition.kinds[contacts.spheres[m, c.FIRST]]
         kind = composition.kinds[other] if other >= 0 else last
         real = 0.0 if other == STRING else 1.0
         e = tables.restitution[mine, kind] * real
@@ -148,10 +148,10 @@ def collide_flat(flat, composition, contacts, count, rows, fastest, numbers):
     for turn in range(numbers.rounds):
         changed = False
         for m in range(count):
-            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+            a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
             x, y = flat[b, VX] - flat[a, VX], flat[b, VY] - flat[a, VY]
             speed = x * rows[m, PX] + y * rows[m, PY]
-            if speed >= -STILL * fastest or contacts.normals[m, GAP] > TOUCHING * composition.radii[a]:
+            if speed >= -STILL * fastest or contacts.normals[m, c.GAP] > TOUCHING * composition.radii[a]:
                 continue
             if speed < -rest_speed(rows[m, REBOUND], numbers) and rows[m, MASS] > 0.0:
                 j = -(1.0 + rows[m, REBOUND]) * speed * rows[m, MASS] / (1.0 - rows[m, SOFT])
@@ -173,12 +173,12 @@ def collide_flat(flat, composition, contacts, count, rows, fastest, numbers):
 def pass_over_flat(flat, contacts, count, rows, numbers):
     """As `impulses.pass_over`."""
     for m in range(count):
-        if contacts.normals[m, GAP] > 0.0:
-            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+        if contacts.normals[m, c.GAP] > 0.0:
+            a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
             speed = (flat[b, VX] - flat[a, VX]) * rows[m, PX] + (flat[b, VY] - flat[a, VY]) * rows[m, PY]
             if speed < 0.0 and speed < -rest_speed(rows[m, REBOUND], numbers):
-                contacts.normals[m, GAP] = FAR
-                rows[m, BIAS] = -FAR / numbers.h
+                contacts.normals[m, c.GAP] = c.FAR
+                rows[m, BIAS] = -c.FAR / numbers.h
                 rows[m, JN] = 0.0
                 rows[m, JT] = 0.0
 
@@ -188,7 +188,7 @@ def start_flat(flat, contacts, count, rows):
     """Begin with the impulses of the last step."""
     for m in range(count):
         if rows[m, JN] > 0.0:
-            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+            a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
             push_flat(flat, rows, m, a, b, rows[m, JN], rows[m, JT])
 
 
@@ -197,8 +197,8 @@ def sweep_flat(flat, contacts, count, rows):
     """One sweep over all contacts, as `impulses.sweep_rows`."""
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            a = contacts.bodies[m, FIRST]
-            b = contacts.bodies[m, SECOND]
+            a = contacts.bodies[m, c.FIRST]
+            b = contacts.bodies[m, c.SECOND]
             nx = rows[m, PX]
             ny = rows[m, PY]
             ax, ay, spin_a, weight_a = flat[a, VX], flat[a, VY], flat[a, TURN], flat[a, WEIGHT]
@@ -253,11 +253,11 @@ def split_flat(flat, contacts, count, rows, numbers):
     pushes = contacts.pushes
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            a = contacts.bodies[m, FIRST]
-            b = contacts.bodies[m, SECOND]
+            a = contacts.bodies[m, c.FIRST]
+            b = contacts.bodies[m, c.SECOND]
             nx, ny = rows[m, PX], rows[m, PY]
             ax, ay, bx, by = flat[a, WAY_X], flat[a, WAY_Y], flat[b, WAY_X], flat[b, WAY_Y]
-            lack = min(numbers.share * (-numbers.slop - contacts.normals[m, GAP]), numbers.most_shift)
+            lack = min(numbers.share * (-numbers.slop - contacts.normals[m, c.GAP]), numbers.most_shift)
             lack -= (bx - ax) * nx + (by - ay) * ny
             old = pushes[m]
             total = max(old + lack * rows[m, MASS], 0.0)
@@ -275,12 +275,12 @@ def project_flat(positions, flat, contacts, count, numbers):
     n = positions.shape[0]
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            a = contacts.bodies[m, FIRST]
-            b = contacts.bodies[m, SECOND]
+            a = contacts.bodies[m, c.FIRST]
+            b = contacts.bodies[m, c.SECOND]
             ax, ay, bx, by = flat[a, WAY_X], flat[a, WAY_Y], flat[b, WAY_X], flat[b, WAY_Y]
             x, y = bx - ax, by - ay
-            gap = contacts.normals[m, GAP]
-            if b < n and gap < FAR:
+            gap = contacts.normals[m, c.GAP]
+            if b < n and gap < c.FAR:
                 x += positions[b, 0] - positions[a, 0]
                 y += positions[b, 1] - positions[a, 1]
                 reach = flat[a, RADIUS] + flat[b, RADIUS] - numbers.slop
@@ -290,7 +290,7 @@ def project_flat(positions, flat, contacts, count, numbers):
                 length = math.sqrt(square)
                 lack = min(numbers.share * (reach - length), numbers.most_shift) / length
             else:
-                nx, ny = contacts.normals[m, NX], contacts.normals[m, NY]
+                nx, ny = contacts.normals[m, c.NX], contacts.normals[m, c.NY]
                 lack = min(numbers.share * (-numbers.slop - gap - x * nx - y * ny), numbers.most_shift)
                 x, y = nx, ny
                 if lack <= 0.0:

@@ -10,38 +10,11 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
+from game.physics.spheres import ledger, steps
 from game.physics.spheres import planar_impulses as flat_law
 from game.physics.spheres.contacts import recall_impulses
 from game.physics.spheres.effects import ROTATION_BIT
-from game.physics.spheres.ledger import (
-    AFTER,
-    BEFORE,
-    CHANGE,
-    EXPECTED,
-    JX,
-    JY,
-    JZ,
-    LOST_MOMENTUM,
-    ONE,
-    OTHER,
-    REBOUND,
-    TIME,
-    X,
-    Y,
-    Z,
-    taken_by_fixed,
-)
-from game.physics.spheres.steps import (
-    BOUNCES,
-    CLOCK,
-    EXACT,
-    EXPLICIT,
-    LAST_H,
-    MADE,
-    ROUNDS,
-    SOFT,
-    SPLIT,
-)
+from game.physics.spheres.ledger import taken_by_fixed
 
 
 @lean_kernel
@@ -93,41 +66,43 @@ def note_flat(state, flat, radii, contacts, count, rows, log):
     entry has what the part has lost.
     """
     ring, counters = log.ring, log.counters
-    first = counters[MADE]
+    first = counters[steps.MADE]
     taken_x = taken_y = 0.0
     for m in range(count):
         j = rows[m, flat_law.HIT]
         if j > 0.0:
-            entry = ring[int(counters[MADE]) % ring.shape[0]]
-            counters[MADE] += 1.0
+            entry = ring[int(counters[steps.MADE]) % ring.shape[0]]
+            counters[steps.MADE] += 1.0
             entry[:] = 0.0
             nx, ny, jt = rows[m, flat_law.PX], rows[m, flat_law.PY], rows[m, flat_law.HIT_T]
-            entry[TIME] = counters[CLOCK]
-            entry[ONE], entry[OTHER] = contacts.spheres[m, 0], max(contacts.spheres[m, 1], -1)
-            entry[REBOUND] = rows[m, flat_law.REBOUND]
+            entry[ledger.TIME] = counters[steps.CLOCK]
+            entry[ledger.ONE], entry[ledger.OTHER] = contacts.spheres[m, 0], max(contacts.spheres[m, 1], -1)
+            entry[ledger.REBOUND] = rows[m, flat_law.REBOUND]
             a, b = contacts.bodies[m, 0], contacts.bodies[m, 1]
             reach = radii[a] * rows[m, flat_law.ARMS]
-            entry[X] = state.positions[a, 0] + nx * reach
-            entry[Y] = state.positions[a, 1] + ny * reach
-            entry[Z] = state.positions[a, 2]
-            entry[JX], entry[JY], entry[JZ] = j * nx - jt * ny, j * ny + jt * nx, 0.0
-            entry[BEFORE], across = speeds_before(state, flat, rows, m, a, b)
-            entry[AFTER], slip = flat_law.speeds_of(flat, rows, m, a, b)
-            entry[CHANGE] = 0.5 * (j * (entry[BEFORE] + entry[AFTER]) + jt * (across + slip))
-            entry[EXPECTED] = entry[CHANGE]
+            entry[ledger.X] = state.positions[a, 0] + nx * reach
+            entry[ledger.Y] = state.positions[a, 1] + ny * reach
+            entry[ledger.Z] = state.positions[a, 2]
+            entry[ledger.JX], entry[ledger.JY], entry[ledger.JZ] = j * nx - jt * ny, j * ny + jt * nx, 0.0
+            entry[ledger.BEFORE], across = speeds_before(state, flat, rows, m, a, b)
+            entry[ledger.AFTER], slip = flat_law.speeds_of(flat, rows, m, a, b)
+            entry[ledger.CHANGE] = 0.5 * (
+                j * (entry[ledger.BEFORE] + entry[ledger.AFTER]) + jt * (across + slip)
+            )
+            entry[ledger.EXPECTED] = entry[ledger.CHANGE]
             taken = taken_by_fixed(flat[a, flat_law.WEIGHT], flat[b, flat_law.WEIGHT])
-            taken_x += taken * entry[JX]
-            taken_y += taken * entry[JY]
+            taken_x += taken * entry[ledger.JX]
+            taken_y += taken * entry[ledger.JY]
     lost = lost_momentum(state, flat, taken_x, taken_y)
-    for k in range(max(int(first), int(counters[MADE]) - ring.shape[0]), int(counters[MADE])):
-        ring[k % ring.shape[0], LOST_MOMENTUM] = lost
+    for k in range(max(int(first), int(counters[steps.MADE]) - ring.shape[0]), int(counters[steps.MADE])):
+        ring[k % ring.shape[0], ledger.LOST_MOMENTUM] = lost
 
 
 @inner_kernel
 def force_flat(flat, pulls, numbers):
     """Displacements before the forces, if the scheme has it so, and velocities after them."""
     h = numbers.h
-    part = 0.5 * h if numbers.scheme == EXACT else 0.0
+    part = 0.5 * h if numbers.scheme == steps.EXACT else 0.0
     for i in range(pulls.shape[0]):
         weight = flat[i, flat_law.WEIGHT]
         vx, vy = flat[i, flat_law.VX], flat[i, flat_law.VY]
@@ -147,11 +122,11 @@ def finish_flat(state, composition, flat, numbers, counters):
         if flat[i, flat_law.WEIGHT] > 0.0:
             state.positions[i, 0] += flat[i, flat_law.WAY_X]
             state.positions[i, 1] += flat[i, flat_law.WAY_Y]
-    if numbers.mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
+    if numbers.mask & ROTATION_BIT and numbers.scheme != steps.EXPLICIT:
         flat_law.turn_flat(state.orientations, flat, numbers.h)
     flat_law.keep_motion(state, composition, flat)
-    counters[CLOCK] += numbers.h
-    counters[LAST_H] = numbers.h
+    counters[steps.CLOCK] += numbers.h
+    counters[steps.LAST_H] = numbers.h
 
 
 @lean_kernel
@@ -161,29 +136,35 @@ def planar_part(state, world, numbers, flat, contacts, count, past, rows, log):
     flat_law.flatten_bodies(state, composition, flat)
     recall_impulses(contacts, count, past)
     fastest = flat_law.prepare_planar(world, flat, contacts, count, rows, numbers)
-    counters[ROUNDS] = counters[BOUNCES] = 0.0
+    counters[steps.ROUNDS] = counters[steps.BOUNCES] = 0.0
     if fastest > 0.0:
         turns, made = flat_law.collide_flat(flat, composition, contacts, count, rows, fastest, numbers)
-        counters[ROUNDS] = turns
-        counters[BOUNCES] = made
+        counters[steps.ROUNDS] = turns
+        counters[steps.BOUNCES] = made
         note_flat(state, flat, composition.radii, contacts, count, rows, log)
     flat_law.pass_over_flat(flat, contacts, count, rows, numbers)
     force_flat(flat, world.pulls, numbers)
     flat_law.start_flat(flat, contacts, count, rows)
     for _ in range(numbers.iterations):
         flat_law.sweep_flat(flat, contacts, count, rows)
-    h = 0.0 if numbers.scheme == EXPLICIT else 0.5 * numbers.h if numbers.scheme == EXACT else numbers.h
+    h = (
+        0.0
+        if numbers.scheme == steps.EXPLICIT
+        else 0.5 * numbers.h
+        if numbers.scheme == steps.EXACT
+        else numbers.h
+    )
     for i in range(flat.shape[0]):
         flat[i, flat_law.WAY_X] += h * flat[i, flat_law.VX]
         flat[i, flat_law.WAY_Y] += h * flat[i, flat_law.VY]
-    if numbers.correction == SOFT:
+    if numbers.correction == steps.SOFT:
         flat_law.harden_flat(count, rows)
         flat_law.sweep_flat(flat, contacts, count, rows)
     flat_law.keep_flat(contacts, count, rows)
     for m in range(count):
         contacts.pushes[m] = 0.0
     for _ in range(numbers.passes):
-        if numbers.correction == SPLIT:
+        if numbers.correction == steps.SPLIT:
             flat_law.split_flat(flat, contacts, count, rows, numbers)
         else:
             flat_law.project_flat(state.positions, flat, contacts, count, numbers)

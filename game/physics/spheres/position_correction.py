@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
-from game.physics.spheres.contacts import FAR, FIRST, GAP, NX, NY, NZ, SECOND
+from game.physics.spheres import contacts as c
 from game.physics.spheres.resting_contacts import STRIDE
 
 WEIGHT_COLUMN = 3
@@ -30,8 +30,8 @@ def split_apart(contacts, count, shifts, numbers):
     for _ in range(numbers.passes):
         for first in range(STRIDE):
             for m in range(first, count, STRIDE):
-                a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
-                nx, ny, nz, gap = normals[m, NX], normals[m, NY], normals[m, NZ], normals[m, GAP]
+                a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
+                nx, ny, nz, gap = normals[m, c.NX], normals[m, c.NY], normals[m, c.NZ], normals[m, c.GAP]
                 weight_a, weight_b = shifts[a, WEIGHT_COLUMN], shifts[b, WEIGHT_COLUMN]
                 moved = (
                     (shifts[b, 0] - shifts[a, 0]) * nx
@@ -60,15 +60,15 @@ def project_apart(places, radii, contacts, count, shifts, numbers):
     for _ in range(numbers.passes):
         for first in range(STRIDE):
             for m in range(first, count, STRIDE):
-                a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
-                nx, ny, nz, gap = normals[m, NX], normals[m, NY], normals[m, NZ], normals[m, GAP]
+                a, b = contacts.bodies[m, c.FIRST], contacts.bodies[m, c.SECOND]
+                nx, ny, nz, gap = normals[m, c.NX], normals[m, c.NY], normals[m, c.NZ], normals[m, c.GAP]
                 x, y, z = (
                     shifts[b, 0] - shifts[a, 0],
                     shifts[b, 1] - shifts[a, 1],
                     shifts[b, 2] - shifts[a, 2],
                 )
-                s, t = contacts.spheres[m, FIRST], contacts.spheres[m, SECOND]
-                if t >= 0 and gap < FAR:
+                s, t = contacts.spheres[m, c.FIRST], contacts.spheres[m, c.SECOND]
+                if t >= 0 and gap < c.FAR:
                     x += places[t, 0] - places[s, 0]
                     y += places[t, 1] - places[s, 1]
                     z += places[t, 2] - places[s, 2]

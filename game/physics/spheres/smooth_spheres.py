@@ -10,12 +10,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.spheres.time_of_impact import falling_time, meeting_time
 
-Floats = NDArray[np.float64]
 CLOSE = 1e-12  # of the radius: nearer than that is touching
 NOBODY = -1
 

@@ -11,8 +11,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import linear
 from game.physics.rigid.quaternion import matrix_of, quaternion_to_matrix
@@ -28,9 +29,6 @@ from game.physics.spheres.composition import (
     join_spheres,
     symmetric,
 )  # fmt: skip
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 
 # columns of the velocities that a step works on; the last row is a body that nothing moves
 VX, VY, VZ, WX, WY, WZ, WEIGHT, IXX, IYY, IZZ, IXY, IXZ, IYZ = range(13)
@@ -163,7 +161,7 @@ class SphereBodies:
         bodies.alike = bodies.single and bool(composition.round_bodies.all())
         return bodies
 
-    def _turn_back(self, offsets: Floats, owners: Ints) -> None:
+    def _turn_back(self, offsets: Floats, owners: Longs) -> None:
         """Bring offsets (s, 3) from the world's frame into those of the bodies."""
         for s, i in enumerate(owners.tolist()):
             rotation = quaternion_to_matrix(self.state.orientations[i])

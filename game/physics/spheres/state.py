@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from game.arrays import Floats, Longs
 
 
 class CollisionState(NamedTuple):
@@ -18,9 +16,9 @@ class CollisionState(NamedTuple):
     orientations: Floats  # (n, 4)
     momenta: Floats  # (n, 3) kg m/s
     spins: Floats  # (n, 3) kg m²/s
-    pairs: Ints  # (p, 2) candidates
+    pairs: Longs  # (p, 2) candidates
     found_at: Floats  # (s, 3) m, where spheres were when these were found
-    keys: Ints  # (m,) contacts of the last step
+    keys: Longs  # (m,) contacts of the last step
     held: Floats  # (m, 4) their impulses, kg m/s
     pulls: Floats  # (n, 6) forces N and torques N m of the next step
     ring: Floats  # (LEDGER_ROWS, LEDGER_COLUMNS) last collisions

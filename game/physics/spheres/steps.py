@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize
+from game.physics.spheres import spheres
 from game.physics.spheres.contact_rows import prepare_rows
 from game.physics.spheres.contacts import recall_impulses
 from game.physics.spheres.effects import ROTATION_BIT, STRINGS_BIT
@@ -36,7 +37,7 @@ from game.physics.spheres.resting_contacts import (
     start_warm,
     sweep_rows,
 )
-from game.physics.spheres.spheres import VX, VY, VZ, WEIGHT, WX, WY, WZ, gather_velocities
+from game.physics.spheres.spheres import gather_velocities
 
 EXPLICIT, SEMI_IMPLICIT, EXACT = range(3)
 IN_TURN, AT_ONCE = range(2)
@@ -58,7 +59,7 @@ class BodyMotion(NamedTuple):
 def turn_bodies(state, work, h, exact):
     """Orientations after h (s): by Euler's step and normalised, or by the exponential map."""
     for i in range(state.orientations.shape[0]):
-        x, y, z = work[i, WX], work[i, WY], work[i, WZ]
+        x, y, z = work[i, spheres.WX], work[i, spheres.WY], work[i, spheres.WZ]
         if x == 0.0 and y == 0.0 and z == 0.0:
             continue
         q = state.orientations
@@ -74,13 +75,13 @@ def turn_bodies(state, work, h, exact):
 def apply_forces(work, pulls, h, gravity, drag):
     """Velocities after h (s) of gravity, drag and the pulls (n, 6): forces N and torques N m."""
     for i in range(pulls.shape[0]):
-        weight = work[i, WEIGHT]
+        weight = work[i, spheres.WEIGHT]
         if weight <= 0.0:
             continue
         keep = 1.0 / (1.0 + h * drag * weight)
-        work[i, VX] = (work[i, VX] + h * weight * pulls[i, 0]) * keep
-        work[i, VY] = (work[i, VY] + h * (weight * pulls[i, 1] - gravity)) * keep
-        work[i, VZ] = (work[i, VZ] + h * weight * pulls[i, 2]) * keep
+        work[i, spheres.VX] = (work[i, spheres.VX] + h * weight * pulls[i, 0]) * keep
+        work[i, spheres.VY] = (work[i, spheres.VY] + h * (weight * pulls[i, 1] - gravity)) * keep
+        work[i, spheres.VZ] = (work[i, spheres.VZ] + h * weight * pulls[i, 2]) * keep
 
 
 @inner_kernel
@@ -89,9 +90,9 @@ def apply_torques(work, pulls, h):
     for i in range(pulls.shape[0]):
         x, y, z = h * pulls[i, 3], h * pulls[i, 4], h * pulls[i, 5]
         if x != 0.0 or y != 0.0 or z != 0.0:
-            work[i, WX] += work[i, 7] * x + work[i, 10] * y + work[i, 11] * z
-            work[i, WY] += work[i, 10] * x + work[i, 8] * y + work[i, 12] * z
-            work[i, WZ] += work[i, 11] * x + work[i, 12] * y + work[i, 9] * z
+            work[i, spheres.WX] += work[i, 7] * x + work[i, 10] * y + work[i, 11] * z
+            work[i, spheres.WY] += work[i, 10] * x + work[i, 8] * y + work[i, 12] * z
+            work[i, spheres.WZ] += work[i, 11] * x + work[i, 12] * y + work[i, 9] * z
 
 
 @lean_kernel
@@ -100,9 +101,9 @@ def move_by_velocity(state, composition, work, numbers):
     h = numbers.h
     gather_velocities(state, composition, work)
     for i in range(state.positions.shape[0]):
-        state.positions[i, 0] += h * work[i, VX]
-        state.positions[i, 1] += h * work[i, VY]
-        state.positions[i, 2] += h * work[i, VZ]
+        state.positions[i, 0] += h * work[i, spheres.VX]
+        state.positions[i, 1] += h * work[i, spheres.VY]
+        state.positions[i, 2] += h * work[i, spheres.VZ]
     if numbers.mask & ROTATION_BIT:
         turn_bodies(state, work, h, False)
 
@@ -112,10 +113,10 @@ def start_shifts(work, shifts, h, scheme):
     """How far bodies go by the velocities before forces act: none, none, or half of h."""
     part = 0.5 * h if scheme == EXACT else 0.0
     for i in range(shifts.shape[0]):
-        shifts[i, 0] = part * work[i, VX]
-        shifts[i, 1] = part * work[i, VY]
-        shifts[i, 2] = part * work[i, VZ]
-        shifts[i, 3] = work[i, WEIGHT]
+        shifts[i, 0] = part * work[i, spheres.VX]
+        shifts[i, 1] = part * work[i, spheres.VY]
+        shifts[i, 2] = part * work[i, spheres.VZ]
+        shifts[i, 3] = work[i, spheres.WEIGHT]
 
 
 @inner_kernel
@@ -123,9 +124,9 @@ def add_shifts(work, shifts, h, scheme):
     """How far they go by the new velocities: not at all, for h, or for half of it."""
     part = 0.0 if scheme == EXPLICIT else 0.5 * h if scheme == EXACT else h
     for i in range(shifts.shape[0]):
-        shifts[i, 0] += part * work[i, VX]
-        shifts[i, 1] += part * work[i, VY]
-        shifts[i, 2] += part * work[i, VZ]
+        shifts[i, 0] += part * work[i, spheres.VX]
+        shifts[i, 1] += part * work[i, spheres.VY]
+        shifts[i, 2] += part * work[i, spheres.VZ]
 
 
 @inner_kernel
@@ -144,15 +145,15 @@ def swing_on(state, work, surroundings, owners):
         state.positions[i, 0] -= back * x
         state.positions[i, 1] -= back * y
         state.positions[i, 2] -= back * z
-        vx, vy, vz = work[i, VX], work[i, VY], work[i, VZ]
+        vx, vy, vz = work[i, spheres.VX], work[i, spheres.VY], work[i, spheres.VZ]
         out = vx * x + vy * y + vz * z
         square = vx * vx + vy * vy + vz * vz
         along = square - out * out
         if out > 0.0 and along > 0.5 * square:
             scale = math.sqrt(square / along)
-            work[i, VX] = scale * (vx - out * x)
-            work[i, VY] = scale * (vy - out * y)
-            work[i, VZ] = scale * (vz - out * z)
+            work[i, spheres.VX] = scale * (vx - out * x)
+            work[i, spheres.VY] = scale * (vy - out * y)
+            work[i, spheres.VZ] = scale * (vz - out * z)
 
 
 @inner_kernel
@@ -160,7 +161,7 @@ def finish_part(state, world, numbers, work, shifts, counters):
     """New positions, orientations and momenta."""
     composition, mask = world.composition, numbers.mask
     for i in range(state.positions.shape[0]):
-        if work[i, WEIGHT] > 0.0:
+        if work[i, spheres.WEIGHT] > 0.0:
             state.positions[i, 0] += shifts[i, 0]
             state.positions[i, 1] += shifts[i, 1]
             state.positions[i, 2] += shifts[i, 2]
@@ -169,10 +170,10 @@ def finish_part(state, world, numbers, work, shifts, counters):
     if mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
         turn_bodies(state, work, numbers.h, numbers.scheme == EXACT)
     for i in range(state.positions.shape[0]):
-        mass = composition.masses[i] if work[i, WEIGHT] > 0.0 else 0.0
-        state.momenta[i, 0] = mass * work[i, VX]
-        state.momenta[i, 1] = mass * work[i, VY]
-        state.momenta[i, 2] = mass * work[i, VZ]
+        mass = composition.masses[i] if work[i, spheres.WEIGHT] > 0.0 else 0.0
+        state.momenta[i, 0] = mass * work[i, spheres.VX]
+        state.momenta[i, 1] = mass * work[i, spheres.VY]
+        state.momenta[i, 2] = mass * work[i, spheres.VZ]
         state.spins[i, 0], state.spins[i, 1], state.spins[i, 2] = spin_of(work, i)
     counters[CLOCK] += numbers.h
     counters[LAST_H] = numbers.h

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.stable_fluids.printed import (
     ACROSS,
     ALONG,
@@ -20,7 +21,6 @@ from game.physics.stable_fluids.printed import (
     write_divergence,
 )
 
-Floats = NDArray[np.float64]
 PAPERS = ("stam-1999", "stam-2003")
 SWEEPS = 20  # of the second paper's program
 AT_ONCE, MOST_SWEEPS = 20, 4_000  # of the first paper's systems, which are solved to the end

@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise
 from game.physics.particles.solids import VELOCITY_X, VELOCITY_Y, Discs
 from game.physics.spheres.spheres import SphereBodies
 from game.physics.surfaces.surface import Sample, Warmth, checked_places, empty_sample
-
-Floats = NDArray[np.float64]
 
 
 def sample_round(

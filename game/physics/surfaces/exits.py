@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Floats = NDArray[np.float64]
+from game.arrays import Floats
+
 EXIT_REASONS = ("hit", "crossed", "settled", "burnt", "evaporated")
 
 

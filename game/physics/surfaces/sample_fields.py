@@ -6,11 +6,10 @@ from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.surfaces.surface import checked_places
-
-Floats = NDArray[np.float64]
 
 
 class Field(Protocol):

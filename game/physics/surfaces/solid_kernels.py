@@ -6,7 +6,7 @@ import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import elementary
-from game.physics.solids.state import NONE, SEGMENT
+from game.physics.solids.arrays.state import NONE, SEGMENT
 
 
 @inner_kernel

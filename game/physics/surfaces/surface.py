@@ -11,7 +11,8 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Floats = NDArray[np.float64]
+from game.arrays import Floats
+
 FAR = np.inf  # m: the distance where there is no solid at all
 ROOM_TEMPERATURE = 293.15  # K
 

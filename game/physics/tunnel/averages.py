@@ -6,9 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from game.arrays import Floats
+
 (TIME, COUNT, HALF_COUNT, LEVEL, LEVEL_COUNT, BEFORE, FIRST, LAST, BEATS) = range(9)
 WALL, SQUARES, BOOK, HALF, LATER = 9, 12, 15, 18, 21  # three sums each
 ROW = 24

@@ -10,11 +10,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise, linear
 
-Floats = NDArray[np.float64]
 MOST_ORDER = 16
 
 

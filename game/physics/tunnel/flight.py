@@ -13,15 +13,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, kernel
 from game.physics.kernels import elementary
 from game.physics.plates import Plate
-from game.physics.plates.law import HALF, INERTIA, MASS_X, MASS_Y, TORQUE, TORQUE_2, TURN, WEIGHT, law_of
+from game.physics.plates import law as la
+from game.physics.plates.law import law_of
 from game.physics.tunnel.fit import SeriesFit
 
-Floats = NDArray[np.float64]
 X, Y, THETA, VX, VY, SPIN = range(6)
 PART = 0.02  # of the plate's unit of time a/U that a substep is long at most
 MOST_SUBSTEPS = 512
@@ -53,15 +53,15 @@ def _rates(motion, law, coefficients, rules):
         ca, sa = -ux / speed, -uy / speed
         drag, lift, turns = _series(coefficients, ca, sa)
         drag, lift = rules[1] * max(drag, 0.0), rules[2] * lift
-        strength = squared / (math.pi * law[HALF])
+        strength = squared / (math.pi * law[la.HALF])
         fx, fy = strength * (drag * ca - lift * sa), strength * (drag * sa + lift * ca)
         moment = -2.0 / math.pi * squared * turns
-    turn = rules[2] * law[TURN] * spin
+    turn = rules[2] * law[la.TURN] * spin
     bx, by = -rules[0] * s, -rules[0] * c
-    ax = (law[MASS_Y] * spin * uy - turn * uy + law[WEIGHT] * bx + fx) / law[MASS_X] - spin * uy
-    ay = (turn * ux - law[MASS_X] * spin * ux + law[WEIGHT] * by + fy) / law[MASS_Y] + spin * ux
-    moment -= rules[1] * (law[TORQUE] + law[TORQUE_2] * abs(spin)) * spin
-    return c * ax - s * ay, s * ax + c * ay, moment / law[INERTIA]
+    ax = (law[la.MASS_Y] * spin * uy - turn * uy + law[la.WEIGHT] * bx + fx) / law[la.MASS_X] - spin * uy
+    ay = (turn * ux - law[la.MASS_X] * spin * ux + law[la.WEIGHT] * by + fy) / law[la.MASS_Y] + spin * ux
+    moment -= rules[1] * (law[la.TORQUE] + law[la.TORQUE_2] * abs(spin)) * spin
+    return c * ax - s * ay, s * ax + c * ay, moment / law[la.INERTIA]
 
 
 @kernel

@@ -10,14 +10,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids.outlines import clean_outline, signed_area
 from game.physics.surfaces.surface import Sample, empty_sample
 
-Floats = NDArray[np.float64]
 SHAPES = ("disc", "square", "plate", "aerofoil", "leaf")
 ROUND = 64  # corners of a disc
 THIN = 0.08  # of the chord: thickness of plate and leaf

@@ -15,14 +15,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.compiler.decorator import inner_kernel, kernel
 from game.physics.grid import Grid
 from game.physics.tunnel.outlines import PlacedOutline
 
-Floats = NDArray[np.float64]
-Whole = NDArray[np.int64]
 DEEP = 2.0  # cells inside the outline beyond which nothing flows anyway
 NEAR_X, NEAR_Y, NEAR_FACTOR, FAR_X, FAR_Y, FAR_FACTOR = range(6)
 
@@ -32,7 +30,7 @@ class NearFaces(NamedTuple):
     points of its own field, each with the factor of what is found there; room (n,).
     """
 
-    faces: Whole
+    faces: Longs
     rows: Floats
     room: Floats
 

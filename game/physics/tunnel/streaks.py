@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.gas import Gas
 from game.physics.tunnel.sticking import linear
 
-Floats = NDArray[np.float64]
 PARKED = -1e3  # m: the place of a speck that is not in the air
 
 

@@ -6,12 +6,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.tunnel.averages import Mean
 from game.physics.tunnel.outlines import TunnelOutline
 
-Floats = NDArray[np.float64]
 ANGLE, DRAG, LIFT, MOMENT = range(4)  # columns of the table: angle rad, means along the wall
 SPREAD, BOOK, DRIFT, STROUHAL, CHECK, DONE = 4, 7, 10, 11, 12, 13
 COLUMNS = 14

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.gas import ADVECTIONS, GAS, Gas, GasSettings, GasState
 from game.physics.grid import Border, Borders, Grid
@@ -18,7 +18,6 @@ from game.physics.tunnel.effects import TUNNEL
 from game.physics.tunnel.outlines import PlacedOutline, TunnelOutline
 from game.physics.tunnel.sticking import faces_near, stick
 
-Floats = NDArray[np.float64]
 WALLS = ("slip", "open", "no-slip")
 PROFILES = ("even", "parabolic")
 MARGIN = 4.0  # cells from the outline's reach to the box whose momentum is booked

@@ -11,14 +11,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.grid import Grid
 from game.physics.tunnel.outlines import PlacedOutline
 from game.physics.tunnel.sticking import linear
 
-Floats = NDArray[np.float64]
 NEAR, FAR = 1.5, 3.0  # cells from the wall
 SPACING = 0.5  # cells between points of the outline, at most
 SHRINK = (1.0, 0.7, 0.5, 0.35, 0.2)

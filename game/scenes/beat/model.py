@@ -13,9 +13,10 @@ from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
+from game.scenes.beat import state
 from game.scenes.beat.level import MOST_NUMBERS, BeatContent, check_content
 from game.scenes.beat.parameters import BeatParameters
-from game.scenes.beat.state import CLOCK, COUNT, PHASE, PLAYING, SEARCHING, SILENT, SIZE, TAPPING, BeatState
+from game.scenes.beat.state import BeatState
 from game.scenes.shared.tables.sounds import sounds_of
 from game.stage import Part, Sound
 from game.stage.messages import Messages
@@ -51,56 +52,61 @@ class BeatModel(Part):
         self._known = b""
         self._shown: Shown | None = None
         self.data.taps[: len(content.beats)] = content.beats
-        self.data.numbers[COUNT] = len(content.beats)
-        self.data.numbers[PHASE] = SEARCHING if content.beats else SILENT
+        self.data.numbers[state.COUNT] = len(content.beats)
+        self.data.numbers[state.PHASE] = state.SEARCHING if content.beats else state.SILENT
         if content.layout:
             self.take_layout(np.array(content.layout))
 
     @property
     def phase(self) -> int:
         """One of `state`'s."""
-        return int(self.data.numbers[PHASE])
+        return int(self.data.numbers[state.PHASE])
 
     @property
     def clock(self) -> float:
         """s since the first tap, or since the stroke."""
-        return float(self.data.numbers[CLOCK])
+        return float(self.data.numbers[state.CLOCK])
 
     @property
     def beats(self) -> tuple[float, ...]:
         """What has been tapped, s since the first."""
-        return tuple(self.data.taps[: int(self.data.numbers[COUNT])].tolist())
+        return tuple(self.data.taps[: int(self.data.numbers[state.COUNT])].tolist())
 
     def advance(self, dt: float) -> None:
         """Go on by dt (s)."""
         numbers = self.data.numbers
-        numbers[CLOCK] += dt
-        if self.phase == TAPPING and self.clock - self.beats[-1] > self.parameters.rest:
+        numbers[state.CLOCK] += dt
+        if self.phase == state.TAPPING and self.clock - self.beats[-1] > self.parameters.rest:
             if len(self.beats) > 1:
-                numbers[PHASE] = SEARCHING
+                numbers[state.PHASE] = state.SEARCHING
             else:
-                numbers[PHASE] = SILENT
+                numbers[state.PHASE] = state.SILENT
                 self.messages.say("One tap is no beat: tap two or more.")
-        elif self.phase == PLAYING and self.clock > self.beats[-1] + SHOWN_S + PAUSE_S:
-            numbers[CLOCK] = 0.0
+        elif self.phase == state.PLAYING and self.clock > self.beats[-1] + SHOWN_S + PAUSE_S:
+            numbers[state.CLOCK] = 0.0
 
     def tap(self) -> None:
         """A tap: the first of a new beat, or one more."""
         numbers = self.data.numbers
-        if self.phase != TAPPING:
-            numbers[COUNT], numbers[CLOCK], numbers[PHASE], numbers[SIZE] = 1.0, 0.0, TAPPING, 0.0
+        if self.phase != state.TAPPING:
+            numbers[state.COUNT], numbers[state.CLOCK], numbers[state.PHASE], numbers[state.SIZE] = (
+                1.0,
+                0.0,
+                state.TAPPING,
+                0.0,
+            )
             self.data.taps[:] = 0.0
         elif len(self.beats) == MOST_BEATS or self.clock > MOST_SECONDS:
             self.messages.say(f"At most {MOST_BEATS} taps in {MOST_SECONDS:g} s: these are searched for.")
-            numbers[PHASE] = SEARCHING
+            numbers[state.PHASE] = state.SEARCHING
         elif self.clock - self.beats[-1] >= LEAST_GAP:
             self.data.taps[len(self.beats)] = self.clock
-            numbers[COUNT] += 1.0
+            numbers[state.COUNT] += 1.0
 
     def search_again(self) -> None:
         """Look for another shot for the same beat."""
-        if len(self.beats) > 1 and self.phase in (PLAYING, SILENT):
-            self.data.numbers[PHASE], self.data.numbers[SIZE] = SEARCHING, 0.0
+        if len(self.beats) > 1 and self.phase in (state.PLAYING, state.SILENT):
+            self.data.numbers[state.PHASE], self.data.numbers[state.SIZE] = state.SEARCHING, 0.0
 
     def take_layout(self, layout: np.ndarray) -> None:
         """Play a layout from its stroke on. ValueError if it does not fit the beat or is no shot."""
@@ -108,18 +114,18 @@ class BeatModel(Part):
             raise ValueError(f"layout: expected {STROKE + 2 * len(self.beats)} numbers, got {len(layout)}")
         Candidates(self.table, self.physics, len(self.beats)).shot(layout)
         self.data.layout[: len(layout)] = layout
-        self.data.numbers[SIZE], self.data.numbers[PHASE] = len(layout), PLAYING
-        self.data.numbers[CLOCK] = -PAUSE_S
+        self.data.numbers[state.SIZE], self.data.numbers[state.PHASE] = len(layout), state.PLAYING
+        self.data.numbers[state.CLOCK] = -PAUSE_S
 
     def found_nothing(self) -> None:
         """The search came to no shot."""
-        self.data.numbers[PHASE] = SILENT
+        self.data.numbers[state.PHASE] = state.SILENT
         self.messages.say("No shot was found for this beat: tap another, or change the seed.")
 
     @property
     def shown(self) -> Shown | None:
         """The shot that is played; None while there is none."""
-        size = int(self.data.numbers[SIZE])
+        size = int(self.data.numbers[state.SIZE])
         if not size:
             return None
         key = self.data.layout[:size].tobytes() + self.data.taps.tobytes()

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from time import thread_time
 
+from game.billiards.rhythm import search as s
 from game.billiards.rhythm.candidates import EXTRA
-from game.billiards.rhythm.search import BEAM, CHILDREN, DIRECTIONS, FAMILY, HEARD, Rhythm, RhythmSearch
+from game.billiards.rhythm.search import Rhythm, RhythmSearch
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
 from game.lab.timing import least_time
@@ -56,7 +57,7 @@ def _measure() -> Iterator[Comparison]:
     )
     yield Comparison(
         "variants tried in a round, at most, and played to the end", "",
-        f"{BEAM * CHILDREN}, {BEAM * HEARD}",
+        f"{s.BEAM * s.CHILDREN}, {s.BEAM * s.HEARD}",
     )  # fmt: skip
     yield Comparison("time of the search", "", f"{spent:.2f} s")
     each = least_time(lambda: simulate_exact(found.shot), 20)
@@ -78,7 +79,7 @@ FOLEY = Paper(
         Step(
             "Lay a ball for each beat in turn, where one that moves at that time will just meet it, in "
             "several directions; keep the layouts that promise most: "
-            f"{DIRECTIONS} directions from each ball that moves, {BEAM} layouts kept, {FAMILY} of a family.",
+            f"{s.DIRECTIONS} directions from each moving ball, {s.BEAM} kept, {s.FAMILY} of a family.",
             draw_laying,
         ),
         Step("Play each candidate with the exact table and hear all its impacts, those off the beat too."),

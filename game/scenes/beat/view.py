@@ -9,8 +9,9 @@ import numpy as np
 from game.billiards.laws.state import BALL_POCKET, IN_RADIUS
 from game.billiards.rhythm.hearing import TOGETHER
 from game.billiards.shot.trajectory import Trajectory
+from game.scenes.beat import state as s
 from game.scenes.beat.model import SHOWN_S, BeatModel, Shown
-from game.scenes.beat.state import CLOCK, PLAYING, SEARCHING, SILENT, TAPPING, BeatState
+from game.scenes.beat.state import BeatState
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_stick, draw_table
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
@@ -26,9 +27,9 @@ PAD = Frame(
 BEATS, IMPACTS = PAD.left + 0.12, PAD.left + 0.26  # m down, of the two rows
 CUE_S = 0.5  # before the stroke that the cue is seen
 WORDS = {
-    TAPPING: "Go on tapping; rest to have it played.",
-    SEARCHING: "Searching: a ball for every beat.",
-    SILENT: "Tap a beat: B, or a press on this bar.",
+    s.TAPPING: "Go on tapping; rest to have it played.",
+    s.SEARCHING: "Searching: a ball for every beat.",
+    s.SILENT: "Tap a beat: B, or a press on this bar.",
 }
 
 
@@ -47,8 +48,8 @@ def draw(
     """A moment between two steps; what a level expects, beside what is measured."""
     canvas.fill("bg")
     time = model.clock
-    if previous is not None and previous.numbers[CLOCK] <= time:
-        time = float(previous.numbers[CLOCK]) + alpha * (time - float(previous.numbers[CLOCK]))
+    if previous is not None and previous.numbers[s.CLOCK] <= time:
+        time = float(previous.numbers[s.CLOCK]) + alpha * (time - float(previous.numbers[s.CLOCK]))
     draw_table(canvas, model.table, alone=False)
     shown = model.shown
     canvas.halo = FELT
@@ -97,7 +98,8 @@ def _draw_cue(canvas: Canvas, model: BeatModel, time: float) -> None:
 def _draw_bar(canvas: Canvas, model: BeatModel, time: float) -> None:
     """Two rows over time: beats above, impacts below, joined where one meets the other."""
     last = (
-        max(model.beats[-1] if model.beats else 1.0, model.clock if model.phase == TAPPING else 0.0) + SHOWN_S
+        max(model.beats[-1] if model.beats else 1.0, model.clock if model.phase == s.TAPPING else 0.0)
+        + SHOWN_S
     )
     left, right = 0.16, LENGTH - 0.04
 
@@ -124,7 +126,7 @@ def _draw_bar(canvas: Canvas, model: BeatModel, time: float) -> None:
             if beat > 0.0:
                 words = format_si(miss, "s") if abs(miss) > 1e-12 else "0 s"
                 canvas.label((IMPACTS + 0.045, at(beat)), words, "text2", 11, anchor="center")
-    if model.phase in (PLAYING, TAPPING):
+    if model.phase in (s.PLAYING, s.TAPPING):
         canvas.line((PAD.left + 0.03, at(time)), (PAD.right - 0.03, at(time)), "amber", 1.4, alpha=0.8)
     words = WORDS.get(model.phase, "")
     if not words and shown is not None:

@@ -6,7 +6,6 @@ from functools import lru_cache
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Arrangement, Stroke
 from game.billiards.game.frame import Frame, Played
@@ -24,9 +23,6 @@ from game.scenes.billiards.outcome import Decided, Outcome
 from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.stage import Part
-
-Array = NDArray[np.float64]
-
 
 NO_TALLIES = (Tally(), Tally())
 LEFT_MATCH = ("What you set up is practice: nothing is forbidden.", "U, or To match, goes back to the match.")

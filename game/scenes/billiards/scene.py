@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill
 from game.billiards.game.rules import Call
@@ -57,8 +57,6 @@ from game.stage import (
 from game.stage.records.excerpt import Excerpt
 from game.stage.records.history import Practised
 
-Array = NDArray[np.float64]
-
 
 class BilliardsState(NamedTuple):
     """What is on the table at this moment.
@@ -68,11 +66,11 @@ class BilliardsState(NamedTuple):
     stroke. cue (7,). word: of the frame.
     """
 
-    clock: Array
-    places: Array
-    turns: Array
-    turns_before: Array
-    cue: Array
+    clock: Floats
+    places: Floats
+    turns: Floats
+    turns_before: Floats
+    cue: Floats
     word: str
 
 

@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.physics.bounds import Nearest, traversal
 from game.physics.bounds.segments import nearest_points
@@ -17,7 +16,6 @@ from game.scenes.bounds.volumes import MOST_RED
 from game.scenes.shared.outlines.drawn_lines import DrawnLines
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 
-Array = NDArray[np.float64]
 MOST_CROSSINGS, MOST_AXES = 200, 10
 
 

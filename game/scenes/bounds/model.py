@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.bounds import Nearest
 from game.physics.bounds.query import OVERLAPPING, QueryRecord
 from game.physics.effects import EffectSet
@@ -23,7 +23,6 @@ from game.stage import Part
 from game.stage.messages import Messages
 from game.worlds.stopwatch import Stopwatch
 
-Array = NDArray[np.float64]
 GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))  # of the two parts of the sway, so that it does not repeat soon
 
 
@@ -102,7 +101,7 @@ class BoundsModel(Part):
         """Ask the other trees, unless they have been; LimitError if they overlap too often to be kept."""
         self.beside.ask_if_moved(self.outlines, EXACT_ANSWER in self.active)
 
-    def local_points(self, index: int) -> Array:
+    def local_points(self, index: int) -> Floats:
         """Corners (n, 2) of an outline in its own frame, m."""
         if self.pair.options.kind != "aabb":
             return self.pair.trees[index].points

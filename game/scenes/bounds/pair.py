@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.bounds import (
     BoundingTree,
     Nearest,
@@ -25,7 +26,6 @@ from game.physics.kernels import elementary, elementwise
 from game.scenes.shared.outlines.level import array_of
 from game.scenes.shared.outlines.outline import Outline
 
-Array = NDArray[np.float64]
 ROUND, FINE_ROUND = 9, 33  # points of one end of a capsule's outline, and where it is large
 MOST_CORNERS = 48  # of a hull whose least capsule is looked for: 10 to 50 ms
 MOST_PAIRS = 250_000  # of volumes, and of segments that meet: some 20 ms, 11 MB in every snapshot
@@ -49,7 +49,7 @@ class Place(NamedTuple):
     angle: float
     scale: float = 1.0
 
-    def to_world(self, points: Array) -> Array:
+    def to_world(self, points: Floats) -> Floats:
         """Points (..., 2) of the frame in the world."""
         c, s = self.scale * elementary.cos(self.angle), self.scale * elementary.sin(self.angle)
         world = np.empty(points.shape)
@@ -67,12 +67,12 @@ def tree_of(outline: Outline, options: TreeOptions) -> BoundingTree:
     )  # fmt: skip
 
 
-def paths_of(tree: BoundingTree) -> Array:
+def paths_of(tree: BoundingTree) -> Floats:
     """Outlines (m, p, 2) of all volumes in the tree's frame: corners of boxes, round ends of capsules."""
     return rows_to_paths(tree.kind, tree.volumes)
 
 
-def least_area(kind: str, points: Array) -> float:
+def least_area(kind: str, points: Floats) -> float:
     """Area of the least volume round points (n, 2), m²: for axis-aligned boxes, of the least box.
 
     Proven to 1e-3 for capsules, and polished. NaN for capsules round so many corners that the search would
@@ -85,7 +85,7 @@ def least_area(kind: str, points: Array) -> float:
     return minimal_capsule(points).area
 
 
-def rows_to_paths(kind: str, v: Array, round_points: int = ROUND) -> Array:
+def rows_to_paths(kind: str, v: Floats, round_points: int = ROUND) -> Floats:
     """Outlines (m, p, 2) of volumes (m, 6) of a kind; ``round_points``: of one end of a capsule."""
     if kind != "capsule":
         return corners_of(v)
@@ -111,7 +111,7 @@ class FinePaths:
         self._paths = np.empty((len(tree.volumes), 2 * FINE_ROUND, 2))
         self._made = np.zeros(len(tree.volumes), dtype=np.bool_)
 
-    def of(self, nodes: NDArray[np.int64]) -> Array:
+    def of(self, nodes: NDArray[np.int64]) -> Floats:
         """Outlines (m, p, 2) of capsules by their nodes (m,)."""
         new = nodes[~self._made[nodes]]
         if len(new):
@@ -126,7 +126,7 @@ class TreePair:
     def __init__(self, options: TreeOptions):
         self.options = options
         self.trees: list[BoundingTree] = []
-        self.paths: list[Array] = []
+        self.paths: list[Floats] = []
         self.fine: list[FinePaths] = []
         self.query: Query | None = None
         self._shapes: list[tuple[object, bool, float]] = []

@@ -8,11 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.bounds.query import QueryRecord
 from game.scenes.shared.outlines.level import array_of
 from game.scenes.shared.outlines.outline import Outline
-
-Array = NDArray[np.float64]
 
 NO_RECORD = QueryRecord(
     np.zeros((0, 5), dtype=np.int32), np.zeros((0, 3)), np.zeros((0, 2), dtype=np.int64),
@@ -27,13 +26,13 @@ class BoundsState(NamedTuple):
     closed (k,); rows, gaps, crossings, counts: see `QueryRecord`.
     """
 
-    places: Array
-    clock: Array
-    points: Array
+    places: Floats
+    clock: Floats
+    points: Floats
     starts: NDArray[np.int64]
     closed: NDArray[np.int64]
     rows: NDArray[np.int32]
-    gaps: Array
+    gaps: Floats
     crossings: NDArray[np.int64]
     counts: NDArray[np.int64]
 
@@ -43,9 +42,9 @@ class PackedShapes:
 
     def __init__(self) -> None:
         self._points: list[object] = [None]
-        self._arrays: tuple[Array, NDArray[np.int64], NDArray[np.int64]]
+        self._arrays: tuple[Floats, NDArray[np.int64], NDArray[np.int64]]
 
-    def of(self, outlines: Sequence[Outline]) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
+    def of(self, outlines: Sequence[Outline]) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
         """Corners (n, 2) m, where each outline starts (k + 1,), whether it is closed (k,)."""
         points: list[object] = [outline.points for outline in outlines]
         if len(points) != len(self._points) or any(

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.bounds.building import middle_of
 from game.physics.bounds.segments import nearest_points
 from game.physics.proximity_effects import EXACT_ANSWER
@@ -26,7 +26,6 @@ from game.scenes.shared.outlines.drawn_lines import DrawnLines
 from game.scenes.shared.outlines.outline import handle_of
 from game.ui.canvas.canvas import Canvas
 
-Array = NDArray[np.float64]
 COLORS = ("text1", "chalk")  # of A and B
 MOST_CORNERS = 400  # that are drawn as dots
 ASIDE = ((0.0, 0.0), (0.0, -36.0), (0.0, 36.0), (-62.0, 0.0), (62.0, 0.0))  # design px, where names may stand
@@ -147,7 +146,7 @@ class BoundsView:
 
     # -- outlines and hand --------------------------------------------------------------------------
 
-    def _draw_outline(self, canvas: Canvas, points: Array, closed: bool, color: str) -> None:
+    def _draw_outline(self, canvas: Canvas, points: Floats, closed: bool, color: str) -> None:
         if len(points) == 1:
             canvas.dot(points[0], 3.0, color)
             return

@@ -5,15 +5,14 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.bounds.building import DEPTH
 from game.physics.bounds.query import ANCESTOR, OVERLAPPING, REST
 from game.scenes.bounds.pair import Place, TreePair
 from game.ui.canvas.canvas import Canvas
 from game.ui.raster.threads import draw_threads
 
-Array = NDArray[np.float64]
 GREY_ALPHA, GREEN_DASH = 0.40, (7.0, 4.0)
 MOST_GREEN, MOST_RED = 160, 120
 SHORTEST = 4.0  # px; smaller green volumes have no dashes
@@ -57,7 +56,7 @@ class VolumePainter:
             for path in self._outlines(canvas, pair, i, nodes, places[i]):
                 canvas.polygon(path, fill="vermilion", fill_alpha=0.28, outline="vermilion", width=2.0)
 
-    def _outlines(self, canvas: Canvas, pair: TreePair, i: int, nodes: Any, place: Place) -> list[Array]:
+    def _outlines(self, canvas: Canvas, pair: TreePair, i: int, nodes: Any, place: Place) -> list[Floats]:
         """Outlines (p, 2) of volumes in the world, in the order of their nodes."""
         large = _are_large(canvas, pair, i, nodes, place)
         fine = iter(place.to_world(pair.fine[i].of(nodes[large])))
@@ -70,7 +69,7 @@ class VolumePainter:
         self._draw_hairlines(canvas, place.to_world(pair.paths[i][nodes[~large]]))
         self._draw_hairlines(canvas, place.to_world(pair.fine[i].of(nodes[large])))
 
-    def _draw_hairlines(self, canvas: Canvas, paths: Array) -> None:
+    def _draw_hairlines(self, canvas: Canvas, paths: Floats) -> None:
         """Many closed paths (m, p, 2) as hairlines."""
         m, p = paths.shape[:2]
         if m == 0:
@@ -84,7 +83,7 @@ class VolumePainter:
         torn = np.zeros(m * p, dtype=np.int64)
         draw_threads(pixels, clip, mapped, self._pairs[: m * p], torn, colors, GREY_ALPHA)
 
-    def _draw_green(self, canvas: Canvas, paths: list[Array], depth: Any, deepest: int) -> None:
+    def _draw_green(self, canvas: Canvas, paths: list[Floats], depth: Any, deepest: int) -> None:
         for path, level in zip(paths, depth.tolist(), strict=True):
             plain = float(np.ptp(path, axis=0).max()) * canvas.pixels_per_unit < SHORTEST * canvas.k
             alpha = 0.5 + 0.5 * level / deepest

@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.bounds import BoundingTree, Query, build_tree, fit_capsule, fit_obb, nearest
 from game.physics.bounds.boxes import write_box
 from game.physics.bounds.building import area_on_axis
@@ -19,17 +19,16 @@ from game.scenes.bounds.pair import least_area
 from game.scenes.bounds.parameters import WALKS
 from game.stage import Part
 
-Array = NDArray[np.float64]
 BEAT_ROUNDING = 1e-9  # so that sixty sixtieths of a second make a whole one
 
 
 class FitWalk(NamedTuple):
     """The search by angle steps on one node: angles (k,) rad and the areas (k,) m² on them; the hull."""
 
-    angles: Array
-    areas: Array
-    hull: Array
-    origin: Array
+    angles: Floats
+    areas: Floats
+    hull: Floats
+    origin: Floats
     exact: float  # m², area of the exact fit; NaN if it is not known
 
     def ratio(self, index: int) -> float:
@@ -37,7 +36,7 @@ class FitWalk(NamedTuple):
         return float(self.areas[index]) / self.exact
 
 
-def fit_row(walk: FitWalk, angle: float, kind: str) -> Array:
+def fit_row(walk: FitWalk, angle: float, kind: str) -> Floats:
     """The volume (1, 6) on an axis at an angle (rad)."""
     row = np.zeros((1, 6))
     write = write_capsule if kind == "capsule" else write_box

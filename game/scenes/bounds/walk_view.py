@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.bounds import traversal
 from game.physics.bounds.building import CHILD, middle_of
 from game.scenes.bounds.pair import FINE_ROUND, Place, TreePair, rows_to_paths
@@ -14,7 +14,6 @@ from game.scenes.bounds.volumes import VolumePainter
 from game.scenes.bounds.walk import FitWalk, Walk, fit_row
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 
-Array = NDArray[np.float64]
 CHART = (300.0, 104.0)  # design px, of the curve of areas
 MARGIN = 20.0
 
@@ -55,7 +54,7 @@ def draw_fit(walk: Walk, canvas: Canvas, places: list[Place]) -> None:
     _draw_curve(canvas, found, k, best)
 
 
-def _draw_axes_through(canvas: Canvas, row: Array, place: Place, angle: float) -> None:
+def _draw_axes_through(canvas: Canvas, row: Floats, place: Place, angle: float) -> None:
     """The two axes through the middle of the projections."""
     x, y, _, _ = middle_of(
         1 if row[5] == 0.0 and abs(row[2] ** 2 + row[3] ** 2 - 1.0) > 1e-9 else 0, row[None], 0
@@ -132,7 +131,7 @@ def draw_build(walk: Walk, canvas: Canvas, places: list[Place], painter: VolumeP
     canvas.line(ends[0], ends[1], "amber", 1.6, dash=(8.0, 6.0))
 
 
-def _draw_segments(canvas: Canvas, ends: Array, place: Place, color: str) -> None:
+def _draw_segments(canvas: Canvas, ends: Floats, place: Place, color: str) -> None:
     world = place.to_world(ends.reshape(-1, 2, 2))
     canvas.segments(world[:, 0], world[:, 1], color, 3.2)
 

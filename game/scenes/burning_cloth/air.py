@@ -13,7 +13,7 @@ from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
-from game.scenes.burning_cloth.tables import DEEP, HALF, ROOM, TALL
+from game.scenes.burning_cloth import tables
 from game.worlds.members.burning_air import FIELDS, BurningAir
 from game.worlds.painting.flames import FlameLook
 
@@ -21,7 +21,7 @@ FRESH = 0.27  # kg/m³ of oxygen
 MIXES = 1.3  # 1/s at which the layer takes on the wind before and behind it
 VAPOUR = {
     "ignition": 560.0, "rate": 24.0, "oxygen": 1.3, "heat": 1.5e7, "capacity": 1212.0, "soot": 0.06,
-    "soot_rate": 1.6, "glow": 1.2e-11, "soot_glow": 3.2e-7, "ambient": ROOM,
+    "soot_rate": 1.6, "glow": 1.2e-11, "soot_glow": 3.2e-7, "ambient": tables.ROOM,
 }  # fmt: skip
 LOOK = FlameLook(560.0, 1250.0, 0.25, 1.2e-4, 2.2e-3, 0.7, 900.0)
 SLANT, SWELL, WAVE, RUNS = 0.55, 0.4, 3.4, 0.55  # of the wind: across the plane, its swell, 1/m, its speed
@@ -41,12 +41,12 @@ class Air(BurningAir):
     vapour, flame_look = VAPOUR, LOOK
 
     def __init__(self, cells: int, cycles: int, active: EffectSet, gas_effects: EffectSet):
-        cell = 2.0 * HALF / cells
+        cell = 2.0 * tables.HALF / cells
         borders = Borders(Border("open"), Border("open"), Border("wall"), Border("open"))
         gas = Gas(
-            Grid(cells, round(TALL / cell), cell, (-HALF, 0.0)), borders,
+            Grid(cells, round(tables.TALL / cell), cell, (-tables.HALF, 0.0)), borders,
             GasSettings(
-                effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=ROOM,
+                effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=tables.ROOM,
                 conservative=("temperature",),
             ),
             FIELDS, {"oxygen": FRESH},
@@ -61,12 +61,20 @@ class Air(BurningAir):
 
     def at_cloth(self) -> GasAt:
         """For the cloth."""
-        volume = self.cell * self.cell * DEEP
+        volume = self.cell * self.cell * tables.DEEP
         return GasAt(
-            -HALF, 0.0, self.cell, VAPOUR["capacity"] * volume, volume, FRESH, VAPOUR["oxygen"], GLOWING,
+            -tables.HALF,
+            0.0,
+            self.cell,
+            VAPOUR["capacity"] * volume,
+            volume,
+            FRESH,
+            VAPOUR["oxygen"],
+            GLOWING,
             PILOT,
-            VAPOUR["heat"], VAPOUR["soot"],
-        )  # fmt: skip
+            VAPOUR["heat"],
+            VAPOUR["soot"],
+        )
 
     # -- what comes in ------------------------------------------------------------------------------------
 
@@ -75,7 +83,7 @@ class Air(BurningAir):
         now = float(self.flows[2])
         slow = 0.75 + 0.25 * elementary.sin(0.7 * time)
         run, swell = float(self.flows[3]), SWELL * abs(now)
-        return Breeze(-HALF, 0.0, self.cell, SLANT * now * slow, swell, WAVE, run, PRESS, BRUSH)
+        return Breeze(-tables.HALF, 0.0, self.cell, SLANT * now * slow, swell, WAVE, run, PRESS, BRUSH)
 
     def heat_match(self, head: Point, watt: float, dt: float) -> None:
         """The flame of a match warms the gas at it."""
@@ -85,7 +93,7 @@ class Air(BurningAir):
         count = int(np.count_nonzero(near))
         if not count:
             return
-        capacity = VAPOUR["capacity"] * self.cell * self.cell * DEEP
+        capacity = VAPOUR["capacity"] * self.cell * self.cell * tables.DEEP
         self.gas.scalars[..., 0][near] += watt * dt / (capacity * count)
         self.flows[0] += watt * dt
 
@@ -95,7 +103,7 @@ class Air(BurningAir):
         t = self.gas.scalars[..., 0]
         taken = np.where(near & (t > 373.15), 0.7 * (t - 373.15), 0.0)
         t -= taken
-        self.flows[0] -= float(np.sum(taken)) * VAPOUR["capacity"] * (self.cell * self.cell) * DEEP
+        self.flows[0] -= float(np.sum(taken)) * VAPOUR["capacity"] * (self.cell * self.cell) * tables.DEEP
 
     # -- a step -------------------------------------------------------------------------------------------
 
@@ -133,18 +141,18 @@ class Air(BurningAir):
     @property
     def power(self) -> float:
         """W of flames in the last step."""
-        return self.flames.power * DEEP
+        return self.flames.power * tables.DEEP
 
     def heat(self) -> float:
         """J in the gas above that of the surroundings."""
         t = self.gas.scalars[..., 0]
-        return float(np.sum(t - ROOM)) * VAPOUR["capacity"] * (self.cell * self.cell) * DEEP
+        return float(np.sum(t - tables.ROOM)) * VAPOUR["capacity"] * (self.cell * self.cell) * tables.DEEP
 
     def _through_sides(self, out: tuple[Floats, Floats, Floats]) -> float:
         """W that leave the box to the left, the right and above with these speeds, in m/s: the temperature on
         a side is that of its cells with the limited slope by which the gas carries it (van Leer 1974).
         """
-        warm = self.gas.scalars[..., 0] - ROOM
+        warm = self.gas.scalars[..., 0] - tables.ROOM
         total = []
         for speed, cell, within in zip(
             out, (warm[:, 0], warm[:, -1], warm[-1]), (warm[:, 1], warm[:, -2], warm[-2]), strict=True
@@ -153,7 +161,7 @@ class Air(BurningAir):
             both = one * two
             slope = np.where(both > 0.0, both / np.where(both > 0.0, one + two, 1.0), 0.0)
             total.append(float(np.sum(speed * (cell + slope))))
-        return math.fsum(total) * VAPOUR["capacity"] * self.cell * DEEP
+        return math.fsum(total) * VAPOUR["capacity"] * self.cell * tables.DEEP
 
 
 def _edge_of(shape: tuple[int, int]) -> Floats:

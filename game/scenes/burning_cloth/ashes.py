@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import linear
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 MOST = 260
 X, Y, VX, VY, AGE, LIFE, SIZE, TURN = range(8)
 WIDTH = 8

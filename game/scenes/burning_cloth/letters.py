@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from game.arrays import Floats
+
 Line = tuple[tuple[float, float], ...]
 TALL, WIDE, GAP = 6.0, 4.0, 2.1  # of a letter, and between two, in units of its field
 NARROW = {"I": 0.0, " ": 1.5, "1": 1.6}  # width of those that are not as wide

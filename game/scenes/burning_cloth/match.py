@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.physics.animation.keyframes import Keyframes
 from game.physics.cloth import Flame
@@ -11,7 +10,6 @@ from game.physics.kernels import elementary
 from game.scenes.burning_cloth.tables import BOX, BOX_HIGH, ROOM, TABLE
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 Point = tuple[float, float]
 LONG = 0.13  # m
 REST = (1.3, TABLE + 0.012, 3.1)  # where its head lies on the table, m, m, rad; the wood lies from there on

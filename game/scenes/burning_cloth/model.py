@@ -9,14 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from game.arrays import Flags, Floats, Point
-from game.physics.cloth import Cloth, ClothState, Fabric, Hanging
-from game.physics.cloth.charring import ALIGHT, HOTTEST, MADE, MATCH, RADIATED, STEAM
+from game.physics.cloth import Cloth, ClothState, Fabric, Hanging, charring, layout
 from game.physics.cloth.effects import CLOTH
-from game.physics.cloth.layout import CHAR, FUEL, HOT, PER, SALT, VX, WATER, X
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
 from game.physics.heat.effects import HEAT
+from game.scenes.burning_cloth import tables
 from game.scenes.burning_cloth.air import Air
 from game.scenes.burning_cloth.ashes import Ashes
 from game.scenes.burning_cloth.ashes import X as ASH_X
@@ -25,12 +24,6 @@ from game.scenes.burning_cloth.letters import Lettering, lettering
 from game.scenes.burning_cloth.level import MOST_DABS, BurningClothContent
 from game.scenes.burning_cloth.match import WATT, Match
 from game.scenes.burning_cloth.parameters import BurningClothParameters
-from game.scenes.burning_cloth.tables import (
-    HEIGHT,
-    SPAN,
-    TOP,
-    WIDTH,
-)
 from game.worlds.hearing import HEARD_TIME, Heard
 from game.worlds.members.burning_air import AirState
 from game.worlds.world import World
@@ -73,12 +66,17 @@ class BurningClothModel(World):
         self.seen: Floats = np.array([0.0, 0.0, -1.0, 0.0])
         self.front_now, self.threads_parted = math.nan, 0
         self.cloth = Cloth(
-            parameters.meshes_now(), self._fabric(),
+            parameters.meshes_now(),
+            self._fabric(),
             Hanging(
-                width=WIDTH, height=HEIGHT, span=SPAN, top=TOP, substeps=int(parameters.substeps),
+                width=tables.WIDTH,
+                height=tables.HEIGHT,
+                span=tables.SPAN,
+                top=tables.TOP,
+                substeps=int(parameters.substeps),
                 effects=active & CLOTH.known,
             ),
-        )  # fmt: skip
+        )
         self.cloth.settle()
         self.letters = self._write()
         self.air = Air(
@@ -87,12 +85,12 @@ class BurningClothModel(World):
         self.air.wind = parameters.wind
         self.match, self.ashes = Match(), Ashes(seed)
         patches = self.cloth.patches
-        patches[WATER] = content.wet
-        self.water_at_first = content.wet * WIDTH * HEIGHT
+        patches[layout.WATER] = content.wet
+        self.water_at_first = content.wet * tables.WIDTH * tables.HEIGHT
         for entry in content.hot:
             self._heat(entry.at, entry.radius, entry.kelvin)
         self.heat_at_first = self.cloth.warmth()
-        self.fuel_at_first = float(np.sum(patches[FUEL] * patches[SALT]))
+        self.fuel_at_first = float(np.sum(patches[layout.FUEL] * patches[layout.SALT]))
 
     def _fabric(self) -> Fabric:
         chosen = self.parameters
@@ -115,7 +113,7 @@ class BurningClothModel(World):
         right = (np.arange(columns) + 0.5) * self.cloth.size - at[0]
         down = (np.arange(rows) + 0.5) * self.cloth.size - at[1]
         near = (right * right)[None, :] + (down * down)[:, None] < radius * radius
-        self.cloth.patches[HOT][near] = kelvin
+        self.cloth.patches[layout.HOT][near] = kelvin
 
     # -- changes ------------------------------------------------------------------------------------------
 
@@ -145,7 +143,7 @@ class BurningClothModel(World):
         dab.
         """
         on = [*self.letters.feet.tolist()] or (
-            [self.written[0]] if self.written else [(0.5 * WIDTH, 0.8 * HEIGHT)]
+            [self.written[0]] if self.written else [(0.5 * tables.WIDTH, 0.8 * tables.HEIGHT)]
         )
         return [self.place_on(right, down) for right, down in on]
 
@@ -154,7 +152,7 @@ class BurningClothModel(World):
         nodes, spacing = self.cloth.nodes, self.cloth.spacing
         row = min(max(round(down / spacing), 0), nodes.shape[1] - 1)
         column = min(max(round(right / spacing), 0), nodes.shape[2] - 1)
-        x, y = nodes[X : X + 2, row, column].tolist()
+        x, y = nodes[layout.X : layout.X + 2, row, column].tolist()
         return x + right - spacing * column, y - down + spacing * row
 
     def write_at(self, point: Point, washes: bool) -> bool:
@@ -174,8 +172,8 @@ class BurningClothModel(World):
 
     def wet_all(self) -> None:
         """Buckets of water over the whole cloth."""
-        self.cloth.pour((0.0, TOP - 0.5 * HEIGHT), 4.0 * WIDTH, 2.0 * POUR_MOST)
-        self.air.cool((0.0, TOP - 0.5 * HEIGHT), WIDTH)
+        self.cloth.pour((0.0, tables.TOP - 0.5 * tables.HEIGHT), 4.0 * tables.WIDTH, 2.0 * POUR_MOST)
+        self.air.cool((0.0, tables.TOP - 0.5 * tables.HEIGHT), tables.WIDTH)
 
     def blow(self, point: Point, way: Point) -> None:
         """A gust along the way (m) of the hand."""
@@ -208,11 +206,16 @@ class BurningClothModel(World):
         """Flakes from meshes that were just lost, and their sound."""
         rows, columns = np.nonzero(lost)
         nodes = self.cloth.nodes
-        places = 0.25 * (
-            nodes[X : X + 2, rows, columns] + nodes[X : X + 2, rows, columns + 1]
-            + nodes[X : X + 2, rows + 1, columns] + nodes[X : X + 2, rows + 1, columns + 1]
-        ).T  # fmt: skip
-        velocities = nodes[VX : VX + 2, rows, columns].T
+        places = (
+            0.25
+            * (
+                nodes[layout.X : layout.X + 2, rows, columns]
+                + nodes[layout.X : layout.X + 2, rows, columns + 1]
+                + nodes[layout.X : layout.X + 2, rows + 1, columns]
+                + nodes[layout.X : layout.X + 2, rows + 1, columns + 1]
+            ).T
+        )
+        velocities = nodes[layout.VX : layout.VX + 2, rows, columns].T
         self.ashes.part(places, np.clip(velocities, -1.0, 1.0), self.cloth.spacing)
         self.threads_parted += 2 * len(rows)
         heard = self.heard.rows
@@ -245,18 +248,18 @@ class BurningClothModel(World):
     def burnt_of(self, row: float) -> float:
         """Share of the fuel of what is written (1) or plain (0) that has gone, by its saltpetre."""
         patches = self.cloth.patches
-        share = patches[SALT] if row > 0.5 else 1.0 - patches[SALT]
+        share = patches[layout.SALT] if row > 0.5 else 1.0 - patches[layout.SALT]
         dry = self.cloth.made_of.dry
-        there = np.repeat(np.repeat(self.cloth.whole > 0.0, PER, axis=0), PER, axis=1)
-        left = float(np.sum(np.where(there, patches[FUEL], 0.0) * share))
+        there = np.repeat(np.repeat(self.cloth.whole > 0.0, layout.PER, axis=0), layout.PER, axis=1)
+        left = float(np.sum(np.where(there, patches[layout.FUEL], 0.0) * share))
         return 1.0 - left / max(dry * float(np.sum(share)), 1e-12)
 
     def charred(self) -> float:
         """Share of the plain cloth's first mass that is char now."""
         patches = self.cloth.patches
-        plain = 1.0 - patches[SALT]
+        plain = 1.0 - patches[layout.SALT]
         whole = self.cloth.made_of.dry * float(np.sum(plain))
-        return float(np.sum(patches[CHAR] * plain)) / max(whole, 1e-12)
+        return float(np.sum(patches[layout.CHAR] * plain)) / max(whole, 1e-12)
 
     def books(self) -> dict[str, float]:
         """J: made by what burns and the match; where that, and the heat at first, is; what is missing
@@ -267,13 +270,13 @@ class BurningClothModel(World):
         deep = air.at_cloth().volume / (air.cell * air.cell)
         made = (
             deep * flames.released
-            + float(cloth.totals[MADE])
-            + float(cloth.totals[MATCH])
+            + float(cloth.totals[charring.MADE])
+            + float(cloth.totals[charring.MATCH])
             + float(air.flows[0])
         )
         found = {
-            "radiated": deep * flames.radiated + float(cloth.totals[RADIATED]),
-            "steam": float(cloth.totals[STEAM]), "air": float(air.flows[1]), "gas": air.heat(),
+            "radiated": deep * flames.radiated + float(cloth.totals[charring.RADIATED]),
+            "steam": float(cloth.totals[charring.STEAM]), "air": float(air.flows[1]), "gas": air.heat(),
             "cloth": cloth.warmth(), "ash": float(cloth.ash[0]),
         }  # fmt: skip
         return {"made": made, **found, "open": made + self.heat_at_first - sum(found.values())}
@@ -281,12 +284,12 @@ class BurningClothModel(World):
     @property
     def alight(self) -> int:
         """Patches that burnt in the last step."""
-        return int(self.cloth.totals[ALIGHT])
+        return int(self.cloth.totals[charring.ALIGHT])
 
     @property
     def hottest(self) -> float:
         """K, of the cloth in the last step."""
-        return float(self.cloth.totals[HOTTEST])
+        return float(self.cloth.totals[charring.HOTTEST])
 
     def state(self) -> BurningClothState:
         """All that later steps depend on."""

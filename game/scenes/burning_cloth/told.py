@@ -6,7 +6,7 @@ import msgspec
 import numpy as np
 
 from game.arrays import Point
-from game.physics.cloth.layout import FUEL, HOT, PER, X
+from game.physics.cloth import layout
 from game.scenes.burning_cloth.level import BurningClothContent
 from game.scenes.burning_cloth.model import BurningClothModel
 from game.scenes.burning_cloth.tables import BOX, HALF, TABLE
@@ -45,18 +45,18 @@ def targets(model: BurningClothModel) -> dict[str, Point]:
     for number, (right, down) in enumerate(model.letters.feet.tolist(), start=1):
         found[f"letter {number}"] = model.place_on(right, down)
     found["piece"] = piece_of(model)
-    found["lower edge"] = (0.0, float(np.min(cloth.nodes[X + 1, -1])))
+    found["lower edge"] = (0.0, float(np.min(cloth.nodes[layout.X + 1, -1])))
     return found
 
 
 def embers_of(model: BurningClothModel) -> Point:
     """The middle of what glows, or of the cloth."""
     cloth = model.cloth
-    hot = (cloth.patches[HOT] > 520.0) & (cloth.patches[FUEL] > 0.0)
+    hot = (cloth.patches[layout.HOT] > 520.0) & (cloth.patches[layout.FUEL] > 0.0)
     rows, columns = np.nonzero(hot)
     if not len(rows):
         return 0.0, 1.1
-    places = cloth.nodes[X : X + 2, rows // PER, columns // PER]
+    places = cloth.nodes[layout.X : layout.X + 2, rows // layout.PER, columns // layout.PER]
     return float(np.mean(places[0])), float(np.mean(places[1]))
 
 
@@ -67,7 +67,7 @@ def piece_of(model: BurningClothModel) -> Point:
     if not loose.any():
         return 0.0, 1.1
     rows, columns = np.nonzero(loose)
-    places = cloth.nodes[X : X + 2, rows, columns]  # each mesh by its upper left node
+    places = cloth.nodes[layout.X : layout.X + 2, rows, columns]  # each mesh by its upper left node
     return float(np.mean(places[0])), float(np.mean(places[1]))
 
 

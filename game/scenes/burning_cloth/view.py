@@ -6,8 +6,8 @@ import numpy as np
 import pygame
 
 from game.arrays import Floats, Singles
-from game.physics.cloth.layout import HOT, PER, X, Y
-from game.scenes.burning_cloth.ashes import AGE, GLOWS_S, LIFE, SIZE, TURN
+from game.physics.cloth import layout
+from game.scenes.burning_cloth import ashes as ash
 from game.scenes.burning_cloth.ashes import X as ASH_X
 from game.scenes.burning_cloth.ashes import Y as ASH_Y
 from game.scenes.burning_cloth.model import BurningClothModel, BurningClothState
@@ -70,7 +70,7 @@ class BurningClothView:
     def _glow(self) -> Floats:
         """(rows, columns) 0 to 1: how bright each patch glows."""
         patches = self.model.cloth.patches
-        return np.asarray(np.clip((patches[HOT] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0))
+        return np.asarray(np.clip((patches[layout.HOT] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0))
 
     def _shining(self, veil: Singles, glow: Floats) -> Singles:
         """(SOURCES) how much light comes from blocks of the gas and the cloth in them, and the match."""
@@ -82,7 +82,10 @@ class BurningClothView:
         found *= 0.5 * rows * columns / (nx * ny)
         b, a = np.nonzero(glow > 0.05)
         nodes = self.model.cloth.nodes
-        x, y = nodes[X, b // PER, a // PER], nodes[Y, b // PER, a // PER]
+        x, y = (
+            nodes[layout.X, b // layout.PER, a // layout.PER],
+            nodes[layout.Y, b // layout.PER, a // layout.PER],
+        )
         i = np.clip(((x + HALF) / (2.0 * HALF) * columns).astype(int), 0, columns - 1)
         j = np.clip((y / TALL * rows).astype(int), 0, rows - 1)
         area = self.model.cloth.size * self.model.cloth.size
@@ -115,7 +118,7 @@ class BurningClothView:
         b, a = np.nonzero(glow[::SPARSE, ::SPARSE] > 0.08)
         if len(b):
             b, a = b * SPARSE, a * SPARSE
-            at = self._cloth.seen(nodes, b // PER, a // PER)
+            at = self._cloth.seen(nodes, b // layout.PER, a // layout.PER)
             inks = np.full(len(b), 0xFF6418, dtype=np.uint32)
             canvas.soft_glow(at, np.full(len(b), 0.045), inks, 0.5 * glow[b, a])
             lively = glow[b, a] * (0.7 + 0.3 * np.sin(9.0 * self.model.time + 2.4 * a + 1.7 * b))
@@ -154,7 +157,7 @@ class BurningClothView:
         if not len(ashes):
             return
         at = ashes[:, ASH_X : ASH_Y + 1]
-        turn, size = ashes[:, TURN], ashes[:, SIZE]
+        turn, size = ashes[:, ash.TURN], ashes[:, ash.SIZE]
         c, s = np.cos(turn) * size, np.sin(turn) * size
         flat = 0.35 + 0.65 * np.abs(np.sin(1.7 * turn))
         corners = np.stack([
@@ -162,9 +165,9 @@ class BurningClothView:
             np.stack([c - s * flat, s + c * flat], 1), np.stack([-c - s * flat, -s + c * flat], 1),
         ], axis=1) * 0.5 + at[:, None]  # fmt: skip
         inks = np.full(len(ashes), 0x1A1716 if dark else 0x2C2826, dtype=np.int64)
-        fade = np.clip((ashes[:, LIFE] - ashes[:, AGE]) / 3.0, 0.0, 1.0)
+        fade = np.clip((ashes[:, ash.LIFE] - ashes[:, ash.AGE]) / 3.0, 0.0, 1.0)
         paint_quads(canvas, corners.reshape(-1, 2), inks, 0.85 * fade)
-        hot = np.clip(1.0 - ashes[:, AGE] / GLOWS_S, 0.0, 1.0)
+        hot = np.clip(1.0 - ashes[:, ash.AGE] / ash.GLOWS_S, 0.0, 1.0)
         lit = hot > 0.05
         if lit.any():
             red, green = (255.0 * hot[lit]).astype(np.uint32), (110.0 * hot[lit] ** 2).astype(np.uint32)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import hashlib
 
 import msgspec
-import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, CaromStruck, points_of, rows_of
 from game.billiards.shot.cloths import CLOTHS
@@ -22,8 +21,6 @@ from game.scenes.carom.level import CaromContent, begun
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.stage import Part
-
-Array = NDArray[np.float64]
 
 APART = 2.0 * BALL_RADIUS * (1.0 + 1e-9)  # m; of balls that are put as near as they go
 
@@ -87,7 +84,7 @@ class CaromModel(Part):
         if played is not None:
             self.places[self.rows] = played.trajectory.state_at(time).positions
 
-    def turns_at(self, time: float) -> Array:
+    def turns_at(self, time: float) -> Floats:
         """How white, yellow and red are turned at a time of the last stroke (3, 3, 3)."""
         turns = self.turns.copy()
         played = self.played
@@ -153,7 +150,7 @@ class CaromModel(Part):
         self._lay_out()
 
 
-def free_place(places: Array, ball: int, x: float, y: float) -> tuple[float, float]:
+def free_place(places: Floats, ball: int, x: float, y: float) -> tuple[float, float]:
     """Where a ball can lie near (x, y) m: on the bed, beside the others. places (3, 2) m."""
     old = (float(places[ball, 0]), float(places[ball, 1]))
     now = places.copy()

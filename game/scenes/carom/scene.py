@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.map.carom import GLANCE, whole_map
@@ -39,8 +38,6 @@ from game.stage import (
     Strip,
     WarmUp,
 )
-
-Array = NDArray[np.float64]
 
 
 class CaromScene(CueGameScene):

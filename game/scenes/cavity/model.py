@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.grid import Border, Borders, Grid
@@ -15,7 +15,6 @@ from game.physics.kernels import elementary, elementwise
 from game.scenes.cavity.parameters import CavityParameters
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 PRANDTL = 0.71
 SPECKS = 900
 MOST_STEPS = 8  # of the gas in a step of the stage; it lags behind the clock rather than the window

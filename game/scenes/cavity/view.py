@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.scenes.cavity.model import MEAN, WARM, CavityModel, CavityState
 from game.scenes.cavity.published import EXTREMES, GHIA_U, GHIA_V, HEIGHTS, PLACES, WHERE, known_number
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
 SWING = 0.4  # m that a profile is drawn out for 1 m/s
 STREAM = 0.12  # s of the way that a speck is drawn with
 SPEED = ((0.0, "stage"), (0.35, "body"), (0.7, "chalk"), (1.0, "text1"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.constraints import PositionState
 from game.physics.deformables import Counts, Mesh, Pushing, SoftBodies, store_of
 from game.physics.effects import EffectSet
@@ -13,7 +14,6 @@ from game.scenes.deformables.level import WIDTH, Body, DeformablesContent
 from game.scenes.deformables.parameters import DeformablesParameters
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 DENSITY = 50.0  # kg/m², of all meshes
 MOST_NAIVE = 1_200  # triangles; above, all pairs are not tested for a readout
 

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.constraints import PositionState
 from game.physics.deformables.hashing import FIRST_PRIME, SECOND_PRIME, WORD
 from game.scenes.deformables.level import HEIGHT, WIDTH
 from game.scenes.deformables.model import DeformablesModel
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
 BODY_COLORS = ("chalk", "green", "violet", "pink", "yellow")
 MOST_EDGES, MOST_ARROWS = 8_000, 400  # drawn one by one
 MOST_CELLS = 40_000  # drawn as a picture

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise, linear
 from game.physics.narrowphase.depth import Shape
 
-Floats = NDArray[np.float64]
 NEAR = 1e-7  # of the reach: an edge as near to another runs along it
 
 

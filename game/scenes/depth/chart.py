@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase.depth import ShapePair
 from game.scenes.depth.model import OUT, DepthModel
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
 
-Floats = NDArray[np.float64]
 LEFT, RIGHT, LOW, HIGH = 2.35, 4.45, -1.45, 1.35  # m, where it stands in the picture
 SAMPLES = 121  # odd, so that no turn is one of them
 ABOVE = 1.35  # of the translational depth, at the top

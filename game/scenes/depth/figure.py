@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase.depth import Escape, Shape, ShapePair, preset
 from game.physics.narrowphase.minkowski import minkowski_difference
 from game.scenes.depth.borders import border_of
 from game.scenes.shared.marks import dot, turn
 from game.ui.canvas.pen import Pen
 
-Floats = NDArray[np.float64]
 SCALE, X0, Y0 = 62.0, 126.0, 138.0
 
 

@@ -6,15 +6,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase.depth import Escape, ShapePair, preset
 from game.scenes.depth.level import DepthContent, PlacedShape
 from game.scenes.depth.parameters import DepthParameters
 from game.stage import Part
 from game.worlds.stopwatch import Stopwatch
 
-Floats = NDArray[np.float64]
 OUT = 1e-9  # m: a shorter motion is rounding
 NOTHING = (0.0,) * len(Escape._fields)
 SLIDE, FOUND, CHECKED = range(3)

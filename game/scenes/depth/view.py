@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase.depth import Escape, Shape
 from game.scenes.depth.borders import border_of, common
 from game.scenes.depth.chart import DepthChart
@@ -14,7 +14,6 @@ from game.scenes.depth.model import OUT, DepthModel
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.look.numerals import format_si
 
-Floats = NDArray[np.float64]
 COLORS = ("chalk", "violet")
 
 

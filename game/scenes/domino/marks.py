@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from game.arrays import Floats
-from game.physics.solids.state import ASLEEP, DYNAMIC
+from game.physics.solids.arrays.state import ASLEEP, DYNAMIC
 from game.scenes.domino.course import height_at
 from game.scenes.domino.world import DominoWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas

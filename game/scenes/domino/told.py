@@ -7,14 +7,15 @@ import math
 import msgspec
 
 from game.arrays import Point
+from game.scenes.domino import world
 from game.scenes.domino.blocks import QUIET
 from game.scenes.domino.level import DominoContent, SingleEntry
-from game.scenes.domino.world import BALL, CRAWL, THUD, WOOD, DominoWorld
+from game.scenes.domino.world import DominoWorld
 from game.stage import Hearing, Readout
 from game.worlds.hearing import ROOM
 from game.worlds.rubbing import rubbing_heard
 
-NAMES = {WOOD: "wood", BALL: "ball", THUD: "thud"}
+NAMES = {world.WOOD: "wood", world.BALL: "ball", world.THUD: "thud"}
 LOUD = 400.0  # W, of rolling or sliding that is as loud as can be
 HALF = 12.0  # m to either side of the front, from the left to the right
 
@@ -30,7 +31,7 @@ def readouts(model: DominoWorld) -> list[Readout]:
         Readout("wave error", 100.0 * abs(wave / theory - 1.0) if theory > 0.0 else math.nan, "%"),
         Readout("awake", model.solids.awake()),
         Readout("fastest ball", float(speeds.max(initial=0.0)), "m/s"),
-        Readout("moving balls", int((speeds > CRAWL).sum())),
+        Readout("moving balls", int((speeds > world.CRAWL).sum())),
         Readout("at rest", model.blocks.at_rest()),
     ]
     return [*rows, *_slides(model), Readout("a step", model.solids.watch.median("step"), "s")]

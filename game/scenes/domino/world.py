@@ -11,8 +11,8 @@ from game.arrays import Floats, Point
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids import Chain, Disc, Material, Polygon, SolidState, box
+from game.physics.solids.arrays.state import DISC, SEGMENT
 from game.physics.solids.effects import FRICTION
-from game.physics.solids.state import DISC, SEGMENT
 from game.scenes.domino.blocks import Blocks, block_grip
 from game.scenes.domino.course import Standing, floor_points, height_at
 from game.scenes.domino.dominoes import LEAST_FRICTION, Dominoes

@@ -12,23 +12,16 @@ from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
 from game.physics.heat import STEFAN_BOLTZMANN, cooled
+from game.physics.heat import nodes as n
 from game.physics.heat.effects import HEAT
-from game.physics.heat.nodes import AMBIENT, AREA, FUEL, OF_FUEL, RADIATED, STEAM, WATER, WATER_HEAT
 from game.physics.kernels import elementary
 from game.physics.solids.effects import SOLIDS
+from game.scenes.fireplace import tables
 from game.scenes.fireplace.air import Air
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
 from game.scenes.fireplace.match import Match
 from game.scenes.fireplace.parameters import FireplaceParameters
 from game.scenes.fireplace.sparks import Sparks, X, Y
-from game.scenes.fireplace.tables import (
-    BODY,
-    HALF_LENGTH,
-    HALF_THICK,
-    ROOM,
-    SCALE,
-    WHOLE,
-)
 from game.scenes.fireplace.wood import SPENT, Wood, WoodState
 from game.worlds.hearing import Heard
 from game.worlds.members.burning_air import AirState
@@ -133,8 +126,8 @@ class FireplaceModel(World):
         nodes, away = self.wood.nodes, self.wood.places() - point
         near = np.flatnonzero(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] < POUR_REACH * POUR_REACH)
         for piece in near.tolist():
-            most = 0.4 * float(self.wood.table[piece, WHOLE])
-            self.heat_at_first += most * WATER_HEAT * ROOM
+            most = 0.4 * float(self.wood.table[piece, tables.WHOLE])
+            self.heat_at_first += most * n.WATER_HEAT * tables.ROOM
             nodes.wet(piece, most)
         self.air.pour(point, POUR_REACH)
 
@@ -161,7 +154,7 @@ class FireplaceModel(World):
         """What is gripped goes to where the hand is, no faster than a hand."""
         if not 0 <= self.held < self.wood.count:
             return
-        world, body = self.wood.world, int(self.wood.table[self.held, BODY])
+        world, body = self.wood.world, int(self.wood.table[self.held, tables.BODY])
         way = np.array(self.target) - world.bodies.positions[body]
         fast = 8.0 * elementary.length(*way.tolist())
         world.set_velocity(
@@ -173,11 +166,15 @@ class FireplaceModel(World):
     def _surfaces(self) -> Floats:
         """(n, 6, 2) m: points just above and below each piece."""
         table = self.wood.table
-        bodies = table[:, BODY].astype(np.int64)
+        bodies = table[:, tables.BODY].astype(np.int64)
         rows = self.wood.world.bodies
         turned = rows.rotations[bodies]
         half = np.stack(
-            [table[:, HALF_LENGTH], table[:, HALF_THICK] * table[:, SCALE] + 0.6 * self.air.cell], 1
+            [
+                table[:, tables.HALF_LENGTH],
+                table[:, tables.HALF_THICK] * table[:, tables.SCALE] + 0.6 * self.air.cell,
+            ],
+            1,
         )
         own = GIVES[None] * half[:, None]
         c, s = turned[:, 0, None], turned[:, 1, None]
@@ -225,8 +222,8 @@ class FireplaceModel(World):
     def _spend(self) -> None:
         """What is nearly all ash burns no more."""
         wood = self.wood
-        fuel = wood.nodes.nodes[FUEL, : wood.count]
-        spent = (fuel > 0.0) & (fuel < SPENT * wood.table[:, WHOLE])
+        fuel = wood.nodes.nodes[n.FUEL, : wood.count]
+        spent = (fuel > 0.0) & (fuel < SPENT * wood.table[:, tables.WHOLE])
         if not spent.any():
             return
         laws, hot = wood.made_of, wood.nodes.temperature
@@ -271,11 +268,11 @@ class FireplaceModel(World):
         piece = int(self.ember[0])
         if piece >= 0:
             nodes = self.wood.nodes
-            capacity = float(nodes.nodes[1, piece] + WATER_HEAT * nodes.nodes[WATER, piece])
+            capacity = float(nodes.nodes[1, piece] + n.WATER_HEAT * nodes.nodes[n.WATER, piece])
             rate = (
-                self.wood.made_of.emissivity * STEFAN_BOLTZMANN * float(nodes.nodes[AREA, piece]) / capacity
+                self.wood.made_of.emissivity * STEFAN_BOLTZMANN * float(nodes.nodes[n.AREA, piece]) / capacity
             )
-            self.ember[1] = cooled(float(self.ember[1]), float(nodes.nodes[AMBIENT, piece]), rate, dt)
+            self.ember[1] = cooled(float(self.ember[1]), float(nodes.nodes[n.AMBIENT, piece]), rate, dt)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -309,12 +306,16 @@ class FireplaceModel(World):
         and radiated is what the cells were warmed by, which is measured by itself.
         """
         flames, wood, air = self.air.flames.books_now(), self.wood.nodes, self.air
-        made = flames.released + float(wood.totals[OF_FUEL]) + air.of_match
+        made = flames.released + float(wood.totals[n.OF_FUEL]) + air.of_match
         found = {
-            "radiated": flames.radiated + float(wood.totals[RADIATED]), "steam": float(wood.totals[STEAM]),
-            "flue": air.gone, "gas": air.heat(), "wood": wood.heat() - self.heat_at_first,
-            "carrying": air.lost, "refused": air.refused,
-        }  # fmt: skip
+            "radiated": flames.radiated + float(wood.totals[n.RADIATED]),
+            "steam": float(wood.totals[n.STEAM]),
+            "flue": air.gone,
+            "gas": air.heat(),
+            "wood": wood.heat() - self.heat_at_first,
+            "carrying": air.lost,
+            "refused": air.refused,
+        }
         return {"made": made, **found, "open": made - sum(found.values())}
 
     def burnt_share(self) -> float:

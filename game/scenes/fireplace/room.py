@@ -9,13 +9,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Inks
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.scenes.fireplace.tables import HOOD_FOOT, HOOD_IN, HOOD_OUT, THROAT, WALL
+from game.scenes.fireplace import tables
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.backdrops import Painted, Seen
 
 Floats = NDArray[Any]  # of single precision, for pictures
-Inks = NDArray[np.uint32]
 CELL = 1.0 / 200.0  # m of the room to a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP = -2.6, -0.75, 2.6, 2.3  # m that are painted
 SLAB, SLAB_HALF = 0.1, 0.98  # m: how thick the hearth is, and half as wide
@@ -94,8 +94,8 @@ def _parts(ink: int) -> Floats:
 
 def hood_half(y: Floats) -> Floats:
     """Half the inner width of hood and flue at heights y, m."""
-    share = np.clip((y - HOOD_FOOT) / (THROAT - HOOD_FOOT), 0.0, 1.0)
-    return np.asarray(HOOD_OUT + (HOOD_IN - HOOD_OUT) * share)
+    share = np.clip((y - tables.HOOD_FOOT) / (tables.THROAT - tables.HOOD_FOOT), 0.0, 1.0)
+    return np.asarray(tables.HOOD_OUT + (tables.HOOD_IN - tables.HOOD_OUT) * share)
 
 
 @lru_cache(maxsize=2)
@@ -110,19 +110,25 @@ def room_picture(dark: bool) -> RoomPicture:
     cloud = _smooth(random, shape)
     colors = plaster * (1.0 + 0.05 * cloud + 0.012 * grain)[..., None]
     wall = _bricks(x, y, brick, mortar, random)
-    back = (np.abs(x) < HOOD_OUT + 0.05) & (y < HOOD_FOOT + 0.02)
+    back = (np.abs(x) < tables.HOOD_OUT + 0.05) & (y < tables.HOOD_FOOT + 0.02)
     _lay(colors, back & (y > 0.0), wall * (0.5 + 0.1 * cloud)[..., None])
     half = hood_half(y)
-    inner = (y >= HOOD_FOOT) & (np.abs(x) < half)
+    inner = (y >= tables.HOOD_FOOT) & (np.abs(x) < half)
     _lay(colors, inner, wall * (0.26 + 0.06 * cloud)[..., None])
-    shell = (y >= HOOD_FOOT) & (np.abs(x) >= half) & (np.abs(x) < half + WALL * 1.35)
-    edge = np.clip((np.abs(x) - half) / (1.35 * WALL), 0.0, 1.0)
+    shell = (y >= tables.HOOD_FOOT) & (np.abs(x) >= half) & (np.abs(x) < half + tables.WALL * 1.35)
+    edge = np.clip((np.abs(x) - half) / (1.35 * tables.WALL), 0.0, 1.0)
     _lay(colors, shell, stone * (0.72 + 0.4 * edge + 0.06 * cloud + 0.02 * grain)[..., None])
-    beam = (np.abs(y - HOOD_FOOT + 0.012) < 0.03) & (np.abs(np.abs(x) - HOOD_OUT - 0.05) < 0.085)
+    beam = (np.abs(y - tables.HOOD_FOOT + 0.012) < 0.03) & (
+        np.abs(np.abs(x) - tables.HOOD_OUT - 0.05) < 0.085
+    )
     _lay(colors, beam, boards * (0.9 + 0.07 * np.sin(170.0 * y + 6.0 * cloud))[..., None])
     for side in (-1.0, 1.0):  # the two pillars that the hood stands on
-        pillar = (np.abs(x - side * (HOOD_OUT + 0.085)) < 0.045) & (y > 0.0) & (y < HOOD_FOOT - 0.015)
-        across = (x - side * (HOOD_OUT + 0.085)) / 0.045
+        pillar = (
+            (np.abs(x - side * (tables.HOOD_OUT + 0.085)) < 0.045)
+            & (y > 0.0)
+            & (y < tables.HOOD_FOOT - 0.015)
+        )
+        across = (x - side * (tables.HOOD_OUT + 0.085)) / 0.045
         _lay(colors, pillar, stone * (0.8 - 0.18 * side * across + 0.07 * cloud + 0.02 * grain)[..., None])
     slab = (np.abs(x) < SLAB_HALF) & (y <= 0.0) & (y > -SLAB)
     _lay(colors, slab, stone * (0.82 + 1.8 * np.clip(y + 0.012, 0.0, 0.012) / 0.012 * 0.18
@@ -181,8 +187,8 @@ def _light(x: Floats, y: Floats, ground: NDArray[np.bool_]) -> NDArray[np.uint8]
     """Firelight (h, w): falls off with the distance, shaded by the pillars and the hood."""
     away = np.sqrt((x - MIDDLE[0]) ** 2 + (1.15 * (y - MIDDLE[1])) ** 2)
     light = 1.0 / (1.0 + (away / 0.42) ** 2)
-    side = np.clip((np.abs(x) - HOOD_OUT) / 0.12, 0.0, 1.0)
-    above = np.clip((y - HOOD_FOOT) / 0.5, 0.0, 1.0)
+    side = np.clip((np.abs(x) - tables.HOOD_OUT) / 0.12, 0.0, 1.0)
+    above = np.clip((y - tables.HOOD_FOOT) / 0.5, 0.0, 1.0)
     light = light * (1.0 - 0.55 * side * above)
     down = np.clip(FLOOR - y, 0.0, None)
     light = np.where(ground, 0.85 * np.exp(-((x / 1.25) ** 2)) * np.exp(-down / 0.55), light)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import linear
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 MOST = 120
 X, Y, VX, VY, AGE, LIFE = range(6)
 FOLLOWS = 6.0  # 1/s at which one takes over the speed of the gas

@@ -9,10 +9,10 @@ import numpy as np
 
 from game.arrays import Point
 from game.physics.heat.nodes import TEMPERATURE, WATER
+from game.scenes.fireplace import tables
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
 from game.scenes.fireplace.match import KEYS
 from game.scenes.fireplace.model import FireplaceModel
-from game.scenes.fireplace.tables import BODY, HALF, HALF_LENGTH, HALF_THICK, SCALE, WHOLE
 from game.stage import Hearing
 from game.worlds.hearing import ROOM, fire
 
@@ -23,7 +23,7 @@ NAMES = {1: "wood", 2: "thud"}
 def hearing(model: FireplaceModel) -> Hearing:
     """Pops and breaks of the last moments, from the left or the right; the flames."""
     steady = (ROOM, fire(model.shine, LOUD_FIRE))
-    return Hearing("fireplace", model.time, model.heard.sounds(NAMES, HALF), steady)
+    return Hearing("fireplace", model.time, model.heard.sounds(NAMES, tables.HALF), steady)
 
 
 def saved(model: FireplaceModel) -> FireplaceContent:
@@ -35,16 +35,16 @@ def saved(model: FireplaceModel) -> FireplaceContent:
     for row, x, y, kelvin, water in zip(
         wood.table, *wood.places().T, wood.nodes.nodes[TEMPERATURE], wood.nodes.nodes[WATER], strict=False
     ):
-        thick = float(max(2.0 * row[HALF_THICK] * row[SCALE], 0.008))
+        thick = float(max(2.0 * row[tables.HALF_THICK] * row[tables.SCALE], 0.008))
         if len(entries) >= 40 or thick < 0.0081:
             continue
-        turn = math.degrees(float(wood.world.bodies.angles[int(row[BODY])]))
+        turn = math.degrees(float(wood.world.bodies.angles[int(row[tables.BODY])]))
         entries.append(
             WoodEntry(
                 at=(float(x), float(y)), turn=math.remainder(turn, 360.0), pieces=1, thick=thick,
-                length=float(max(2.0 * row[HALF_LENGTH] * row[SCALE], 0.01)),
+                length=float(max(2.0 * row[tables.HALF_LENGTH] * row[tables.SCALE], 0.01)),
                 kelvin=float(min(kelvin, 2000.0)),
-                moisture=float(min(water / row[WHOLE], 2.0)),
+                moisture=float(min(water / row[tables.WHOLE], 2.0)),
             )
         )  # fmt: skip
     return msgspec.structs.replace(

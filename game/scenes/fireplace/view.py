@@ -7,21 +7,10 @@ import pygame
 
 from game.arrays import Floats, Longs
 from game.physics.heat.nodes import FUEL, TEMPERATURE, WATER
+from game.scenes.fireplace import tables
 from game.scenes.fireplace.model import FireplaceModel, FireplaceState
 from game.scenes.fireplace.room import Room
-from game.scenes.fireplace.tables import (
-    BAR,
-    BARS,
-    BODY,
-    GRATE,
-    HALF,
-    HALF_LENGTH,
-    HALF_THICK,
-    SCALE,
-    TALL,
-    UPRIGHTS,
-    WHOLE,
-)
+from game.scenes.fireplace.tables import BARS, UPRIGHTS
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
@@ -30,7 +19,7 @@ from game.worlds.painting.boards import paint_quads, placed
 from game.worlds.painting.flames import FLAME, HEAT_STOPS, draw_firelight
 from game.worlds.painting.inks import packed, shaded
 
-BOX = ((-HALF, 0.0), (HALF, TALL))
+BOX = ((-tables.HALF, 0.0), (tables.HALF, tables.TALL))
 SMOKE = {True: pygame.Color(70, 66, 64), False: pygame.Color(96, 92, 90)}
 IRON, IRON_LIT = pygame.Color(28, 26, 26), pygame.Color(74, 66, 60)
 BARK, SAWN, CHAR, ASH = (112, 74, 46), (176, 128, 82), (26, 22, 21), (128, 122, 116)
@@ -81,9 +70,11 @@ class FireplaceView:
     def _pieces_between(self, previous: FireplaceState | None, alpha: float) -> tuple[Floats, Floats]:
         """Places (n, 2) m of the pieces, cosines and sines (n, 2) of their angles."""
         table, rows = self.model.wood.table, self.model.wood.world.bodies
-        bodies = table[:, BODY].astype(np.int64)
+        bodies = table[:, tables.BODY].astype(np.int64)
         places, angles = rows.positions[bodies], rows.angles[bodies]
-        if previous is not None and np.array_equal(previous.wood.table[:, BODY], table[:, BODY]):
+        if previous is not None and np.array_equal(
+            previous.wood.table[:, tables.BODY], table[:, tables.BODY]
+        ):
             before = previous.wood.world.bodies
             places = places - (1.0 - alpha) * (places - before.positions[bodies])
             angles = angles - (1.0 - alpha) * (angles - before.angles[bodies])
@@ -95,15 +86,15 @@ class FireplaceView:
         """Andirons: two uprights with feet, and the bars between them, seen from their ends."""
         lit = _mixed(IRON, IRON_LIT, min(strength, 1.0))
         for x in UPRIGHTS:
-            canvas.line((x, 0.0), (x, 0.27), IRON, 2.2 * BAR * canvas.pixels_per_unit / canvas.k)
-            canvas.circle((x, 0.285), 1.9 * BAR, IRON, outline=lit, width=1.0)
+            canvas.line((x, 0.0), (x, 0.27), IRON, 2.2 * tables.BAR * canvas.pixels_per_unit / canvas.k)
+            canvas.circle((x, 0.285), 1.9 * tables.BAR, IRON, outline=lit, width=1.0)
             canvas.line((x, 0.0), (x, 0.26), lit, 1.0)
-        low = GRATE - 1.6 * BAR
+        low = tables.GRATE - 1.6 * tables.BAR
         canvas.line(
-            (UPRIGHTS[0], low), (UPRIGHTS[1], low), IRON, 1.4 * BAR * canvas.pixels_per_unit / canvas.k
+            (UPRIGHTS[0], low), (UPRIGHTS[1], low), IRON, 1.4 * tables.BAR * canvas.pixels_per_unit / canvas.k
         )
         for x in BARS:
-            canvas.circle((x, GRATE), BAR, IRON, outline=lit, width=1.0)
+            canvas.circle((x, tables.GRATE), tables.BAR, IRON, outline=lit, width=1.0)
 
     def _draw_wood(self, canvas: Canvas, places: Floats, turned: Floats, strength: float) -> None:
         """Each piece in the colour of bark, char or ash, and what glows in it."""
@@ -111,11 +102,14 @@ class FireplaceView:
         if not wood.count:
             return
         table = wood.table
-        left = np.clip(wood.nodes.nodes[FUEL, : wood.count] / table[:, WHOLE], 0.0, 1.0)
+        left = np.clip(wood.nodes.nodes[FUEL, : wood.count] / table[:, tables.WHOLE], 0.0, 1.0)
         hot = np.clip(
             (wood.nodes.nodes[TEMPERATURE, : wood.count] - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0, 1.0
         )
-        sizes = np.stack([table[:, HALF_LENGTH] * 1.04, table[:, HALF_THICK] * table[:, SCALE]], axis=1)
+        sizes = np.stack(
+            [table[:, tables.HALF_LENGTH] * 1.04, table[:, tables.HALF_THICK] * table[:, tables.SCALE]],
+            axis=1,
+        )
         inks = self._bark(left, hot, strength)
         rim = sizes + canvas.px(1.1)
         paint_quads(canvas, placed(boards.WHOLE, rim, places, turned), shaded(inks, -0.5))
@@ -134,7 +128,7 @@ class FireplaceView:
         """
         bark, char, ash = (np.array(color, dtype=np.float64) for color in (BARK, CHAR, ASH))
         wet = np.minimum(
-            1.0, self.model.wood.nodes.nodes[WATER, : len(left)] / self.model.wood.table[:, WHOLE]
+            1.0, self.model.wood.nodes.nodes[WATER, : len(left)] / self.model.wood.table[:, tables.WHOLE]
         )
         charred = np.clip((1.0 - left) * 5.0 + 2.0 * hot, 0.0, 1.0)[:, None]
         grey = (np.clip(0.3 - left, 0.0, 0.3) / 0.3 * np.clip(1.0 - 2.0 * hot, 0.0, 1.0))[:, None]
@@ -172,7 +166,7 @@ class FireplaceView:
         if view == "fire":
             veil = model.air.veil()
             canvas.veil(veil, *BOX, SMOKE[dark], FLAME)
-            draw_firelight(canvas, veil, HALF, 16, 0.02, 2.6, 0.5)
+            draw_firelight(canvas, veil, tables.HALF, 16, 0.02, 2.6, 0.5)
         elif view == "temperature":
             canvas.field((model.air.temperature - COLD) / (HOT - COLD), *BOX, HEAT_STOPS, 0.9)
         elif view == "speed":

@@ -12,30 +12,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.heat import BurningBodies, Fuel, NodesState
 from game.physics.heat.nodes import FUEL
 from game.physics.kernels import elementary, linear
 from game.physics.solids import Capsule, Disc, Material, SolidSettings, SolidState, SolidWorld, box
+from game.scenes.fireplace import tables
 from game.scenes.fireplace.level import MOST_PIECES, FireplaceContent, WoodEntry
-from game.scenes.fireplace.tables import (
-    BAR,
-    BARS,
-    BODY,
-    GRATE,
-    HALF_LENGTH,
-    HALF_THICK,
-    JOINT,
-    NONE,
-    OF,
-    PIECE_WIDTH,
-    ROOM,
-    SCALE,
-    UPRIGHTS,
-    WHOLE,
-)
+from game.scenes.fireplace.tables import BARS, UPRIGHTS
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 DENSITY = 3.0  # kg/m³ of fuel: real wood has some 500, and takes an hour or two
 HEAT = 1.6e7  # J/kg
 SKIN = 130.0  # J/(m² K): what of a log is quickly warmed with its fuel; a stick has less
@@ -67,7 +53,7 @@ def fuel_of_wood(haste: float, effects) -> Fuel:
     """How logs burn, so many times as quickly as usual."""
     return Fuel(
         ignition=560.0, rate=0.06 * haste, heat=HEAT, kept=0.55, vapour=0.62, fuel_heat=1500.0, exchange=18.0,
-        emissivity=0.9, ambient=ROOM, effects=effects,
+        emissivity=0.9, ambient=tables.ROOM, effects=effects,
     )  # fmt: skip
 
 
@@ -77,16 +63,16 @@ class Wood(Part):
     def __init__(self, content: FireplaceContent, haste: float, moisture: float, heat_effects, effects):
         self.world = SolidWorld(SolidSettings(effects=effects, substeps=6))
         self.moisture = moisture
-        self.table: Floats = np.zeros((0, PIECE_WIDTH))
+        self.table: Floats = np.zeros((0, tables.PIECE_WIDTH))
         self.made_of = fuel_of_wood(haste, heat_effects)
         self.nodes = BurningBodies(1, made_of=self.made_of)
         self.woods = 0
         stone = Material(density=2000.0, friction=0.7)
         self.world.add_body(box(4.0, DEEP, 0.0, stone), (0.0, -0.5 * DEEP), kind="fixed")
         for x in BARS:
-            self.world.add_body(Disc(BAR, material=stone), (x, GRATE), kind="fixed")
+            self.world.add_body(Disc(tables.BAR, material=stone), (x, tables.GRATE), kind="fixed")
         for x in UPRIGHTS:
-            self.world.add_body(Capsule((x, 0.0), (x, 0.27), BAR, material=stone), kind="fixed")
+            self.world.add_body(Capsule((x, 0.0), (x, 0.27), tables.BAR, material=stone), kind="fixed")
         for entry in content.wood:
             self.add(entry)
 
@@ -102,13 +88,13 @@ class Wood(Part):
         if self.count + entry.pieces > MOST_PIECES:
             return False
         turn, half = math.radians(entry.turn), 0.5 * entry.length / entry.pieces
-        rows, before = [], NONE
+        rows, before = [], tables.NONE
         for k in range(entry.pieces):
             along = (2 * k + 1 - entry.pieces) * half
             at = (entry.at[0] + along * elementary.cos(turn), entry.at[1] + along * elementary.sin(turn))
             body = self._body(at, turn, half, 0.5 * entry.thick, (k == 0, k == entry.pieces - 1))
-            joint = NONE
-            if before != NONE:
+            joint = tables.NONE
+            if before != tables.NONE:
                 weld = (at[0] - half * elementary.cos(turn), at[1] - half * elementary.sin(turn))
                 joint = float(self.world.add_joint("weld", int(before), body, weld))
             whole = DENSITY * 2.0 * half * entry.thick
@@ -131,19 +117,21 @@ class Wood(Part):
     def _grow(self, entry: WoodEntry, rows: Floats) -> None:
         """Room for the new pieces in the heat's arrays; those that are there keep what they have."""
         old, first = self.nodes, self.count - len(rows)
-        links = [(i - 1, i) for i in range(self.count) if self.table[i, JOINT] != NONE]
-        surface = 2.0 * (2.0 * rows[:, HALF_LENGTH] + 2.0 * rows[:, HALF_THICK])
-        skin = SKIN * surface * np.minimum(1.0, 2.0 * rows[:, HALF_THICK] / THIN)
+        links = [(i - 1, i) for i in range(self.count) if self.table[i, tables.JOINT] != tables.NONE]
+        surface = 2.0 * (2.0 * rows[:, tables.HALF_LENGTH] + 2.0 * rows[:, tables.HALF_THICK])
+        skin = SKIN * surface * np.minimum(1.0, 2.0 * rows[:, tables.HALF_THICK] / THIN)
         moist = entry.moisture + (self.moisture if entry.thick >= THIN else 0.0)
         fresh = BurningBodies(
-            self.count, links, GRAIN * 2.0 * self.table[[b for _, b in links], HALF_THICK] if links else 1.0,
+            self.count,
+            links,
+            GRAIN * 2.0 * self.table[[b for _, b in links], tables.HALF_THICK] if links else 1.0,
             temperature=entry.kelvin,
             rest=np.concatenate([np.ones(first), skin]),
-            fuel=np.concatenate([np.zeros(first), rows[:, WHOLE]]),
-            water=np.concatenate([np.zeros(first), moist * rows[:, WHOLE]]),
+            fuel=np.concatenate([np.zeros(first), rows[:, tables.WHOLE]]),
+            water=np.concatenate([np.zeros(first), moist * rows[:, tables.WHOLE]]),
             area=np.concatenate([np.ones(first), surface * (OPEN if entry.thick >= THIN else OPEN_STICK)]),
             made_of=self.made_of,
-        )  # fmt: skip
+        )
         if first:
             fresh.nodes[:, :first] = old.nodes[:, :first]
             fresh.torn[: len(old.torn)] = old.torn
@@ -167,15 +155,15 @@ class Wood(Part):
 
     def places(self) -> Floats:
         """(n, 2) m, middles of the pieces."""
-        return self.world.bodies.positions[self.table[:, BODY].astype(np.int64)]
+        return self.world.bodies.positions[self.table[:, tables.BODY].astype(np.int64)]
 
     def share_left(self) -> Floats:
         """(n,) of its fuel that a piece still has."""
-        return np.asarray(self.nodes.nodes[FUEL, : self.count] / self.table[:, WHOLE])
+        return np.asarray(self.nodes.nodes[FUEL, : self.count] / self.table[:, tables.WHOLE])
 
     def is_log(self) -> NDArray[np.bool_]:
         """(n,) whether a piece is of a log, not of a stick."""
-        return np.asarray(self.table[:, HALF_THICK] >= 0.5 * THIN)
+        return np.asarray(self.table[:, tables.HALF_THICK] >= 0.5 * THIN)
 
     # -- a step -------------------------------------------------------------------------------------------
 
@@ -187,7 +175,7 @@ class Wood(Part):
         places, hot = self.places(), self.nodes.temperature
         apart = places[:, None] - places[None]
         away = np.sqrt(apart[..., 0] * apart[..., 0] + apart[..., 1] * apart[..., 1])
-        half = self.table[:, HALF_THICK] * self.table[:, SCALE]
+        half = self.table[:, tables.HALF_THICK] * self.table[:, tables.SCALE]
         seen = np.where(
             (away > 0.0) & (away < NEAR), half[None] / (math.pi * np.maximum(away, half[None])), 0.0
         )
@@ -198,7 +186,7 @@ class Wood(Part):
         around = (
             linear.product(seen, fourth)
             + flames * elementary.square(FLAME * FLAME)
-            + (1.0 - of_wood - flames) * elementary.square(ROOM * ROOM)
+            + (1.0 - of_wood - flames) * elementary.square(tables.ROOM * tables.ROOM)
         )
         self.nodes.meet_light(np.sqrt(np.sqrt(around)))
 
@@ -207,7 +195,7 @@ class Wood(Part):
         self.nodes.step(dt)
         left = self.share_left()
         wanted = np.sqrt(0.16 + 0.84 * np.clip(left, 0.0, 1.0))
-        for i in np.flatnonzero(self.table[:, SCALE] - wanted > SHRINK).tolist():
+        for i in np.flatnonzero(self.table[:, tables.SCALE] - wanted > SHRINK).tolist():
             self._shrink(i, float(wanted[i]))
         self._break(left)
         self.world.step(dt)
@@ -215,40 +203,45 @@ class Wood(Part):
     def _break(self, left: Floats) -> None:
         """Welds of what is nearly burnt give way."""
         number = -1
-        for i in np.flatnonzero(self.table[:, JOINT] != NONE).tolist():
+        for i in np.flatnonzero(self.table[:, tables.JOINT] != tables.NONE).tolist():
             number += 1
             torn = min(left[i - 1], left[i]) < WEAK
             if torn and not self.nodes.torn[self._link_of(i)]:
                 self.nodes.tear(self._link_of(i))
-                self.world.remove_joint(int(self.table[i, JOINT]))
+                self.world.remove_joint(int(self.table[i, tables.JOINT]))
 
     def _link_of(self, piece: int) -> int:
         """The thread of heat that ends at a piece."""
-        return int(np.count_nonzero(self.table[: piece + 1, JOINT] != NONE)) - 1
+        return int(np.count_nonzero(self.table[: piece + 1, tables.JOINT] != tables.NONE)) - 1
 
     def _shrink(self, piece: int, scale: float) -> None:
         """A thinner body in the place of a piece's; what it is welded to it stays welded to."""
         row, world = self.table[piece], self.world
-        old = int(row[BODY])
+        old = int(row[tables.BODY])
         at, turn = world.bodies.positions[old].copy(), float(world.bodies.angles[old])
         velocity, spin = world.bodies.velocities[old].copy(), float(world.bodies.spins[old])
         held = [
-            i for i in (piece, piece + 1)
-            if i < self.count and self.table[i, OF] == row[OF] and self.table[i, JOINT] != NONE
+            i
+            for i in (piece, piece + 1)
+            if i < self.count
+            and self.table[i, tables.OF] == row[tables.OF]
+            and self.table[i, tables.JOINT] != tables.NONE
             and not self.nodes.torn[self._link_of(i)]
-        ]  # fmt: skip
+        ]
         for i in held:
-            world.remove_joint(int(self.table[i, JOINT]))
+            world.remove_joint(int(self.table[i, tables.JOINT]))
         world.remove_body(old)
-        row[SCALE] = scale
-        length = row[HALF_LENGTH] * (1.0 if held else scale)
-        body = self._body((float(at[0]), float(at[1])), turn, length, row[HALF_THICK] * scale, (False, False))
-        row[BODY] = body
+        row[tables.SCALE] = scale
+        length = row[tables.HALF_LENGTH] * (1.0 if held else scale)
+        body = self._body(
+            (float(at[0]), float(at[1])), turn, length, row[tables.HALF_THICK] * scale, (False, False)
+        )
+        row[tables.BODY] = body
         world.set_velocity(body, velocity, spin)
         for i in held:
-            a, b = int(self.table[i - 1, BODY]), int(self.table[i, BODY])
+            a, b = int(self.table[i - 1, tables.BODY]), int(self.table[i, tables.BODY])
             weld = 0.5 * (world.bodies.positions[a] + world.bodies.positions[b])
-            self.table[i, JOINT] = world.add_joint("weld", a, b, weld)
+            self.table[i, tables.JOINT] = world.add_joint("weld", a, b, weld)
 
     # -- memory -------------------------------------------------------------------------------------------
 
@@ -267,6 +260,6 @@ class Wood(Part):
 
     def _fit(self) -> None:
         """The heat's arrays as long as the table."""
-        links = [(i - 1, i) for i in range(self.count) if self.table[i, JOINT] != NONE]
-        thick = self.table[[b for _, b in links], HALF_THICK] if links else 1.0
+        links = [(i - 1, i) for i in range(self.count) if self.table[i, tables.JOINT] != tables.NONE]
+        thick = self.table[[b for _, b in links], tables.HALF_THICK] if links else 1.0
         self.nodes = BurningBodies(max(self.count, 1), links, GRAIN * 2.0 * thick, made_of=self.made_of)

@@ -9,10 +9,10 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.ui.canvas.canvas import Canvas
 from game.ui.canvas.lights import sky_picture
 
-Points = NDArray[np.float64]
 HALF = 900.0  # m, to each side of what is there
 
 
@@ -53,11 +53,11 @@ DUSK = Night(
 class Layer(NamedTuple):
     """An outline (n, 2) m as seen from the middle, and how far it goes with the camera (1: all the way)."""
 
-    points: Points
+    points: Floats
     slide: float
 
 
-def _waves(seed: int, base: float, heights: tuple[float, ...], lengths: tuple[float, ...]) -> Points:
+def _waves(seed: int, base: float, heights: tuple[float, ...], lengths: tuple[float, ...]) -> Floats:
     chance = np.random.default_rng(seed)
     x = np.arange(-HALF, HALF + 1.0, 4.0)
     y = np.full_like(x, base)
@@ -80,7 +80,7 @@ def hills() -> Layer:
 
 
 @lru_cache(maxsize=1)
-def town() -> tuple[Layer, Points]:
+def town() -> tuple[Layer, Floats]:
     """Roofs along the far shore, a church among them, and their lit windows (n, 2) m."""
     chance = np.random.default_rng(21)
     points: list[tuple[float, float]] = [(-HALF, 1.0)]

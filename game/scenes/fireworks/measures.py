@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.fields import QUADRATIC_DRAG
-from game.physics.generations import BURNING
-from game.physics.generations.step import BORN, VX, VY, X, Y
+from game.physics.generations import BURNING, step
 from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.shells import BURSTS, HEADS, SHELLS
@@ -55,14 +54,14 @@ def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:
     if shell < 0:
         return np.zeros((8, 0))
     stars = model.system.stars(HEADS[SHELLS[shell]].star)
-    return stars[:, stars[BORN] == instant]
+    return stars[:, stars[step.BORN] == instant]
 
 
 def thrown_now(model: FireworksModel) -> int:
     """Stars of all kinds that the newest burst threw and that still burn."""
     instant, shell = float(model.burst[0]), int(model.burst[4])
     kinds = sorted({birth.kind for birth in BURSTS[SHELLS[shell]]}) if shell >= 0 else []
-    return sum(int(np.count_nonzero(model.system.stars(kind)[BORN] == instant)) for kind in kinds)
+    return sum(int(np.count_nonzero(model.system.stars(kind)[step.BORN] == instant)) for kind in kinds)
 
 
 def burst_now(model: FireworksModel) -> BurstNow | None:
@@ -76,9 +75,9 @@ def burst_now(model: FireworksModel) -> BurstNow | None:
     parameters = model.parameters
     drag = kind.drag_per_m * parameters.air / parameters.star_mass if QUADRATIC_DRAG in model.active else 0.0
     burnt = kind.burns / kind.life_s if BURNING in model.active else 0.0
-    x, y = stars[X] - stars[X].mean(), stars[Y] - stars[Y].mean()
-    sum_x, sum_y = math.fsum(stars[VX].tolist()), math.fsum(stars[VY].tolist())
-    speed = elementwise.hypot(stars[VX], stars[VY])
+    x, y = stars[step.X] - stars[step.X].mean(), stars[step.Y] - stars[step.Y].mean()
+    sum_x, sum_y = math.fsum(stars[step.VX].tolist()), math.fsum(stars[step.VY].tolist())
+    speed = elementwise.hypot(stars[step.VX], stars[step.VY])
     speeds = float(speed.sum())
     return BurstNow(
         age,
@@ -93,4 +92,4 @@ def burst_now(model: FireworksModel) -> BurstNow | None:
 def smoke_drift(model: FireworksModel) -> float:
     """Mean speed (m/s) of the smoke to the right; nan without smoke."""
     smoke = model.system.stars("smoke")
-    return float(smoke[VX].mean()) if smoke.shape[1] else math.nan
+    return float(smoke[step.VX].mean()) if smoke.shape[1] else math.nan

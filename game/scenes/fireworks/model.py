@@ -9,9 +9,8 @@ import numpy as np
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, QUADRATIC_DRAG, WIND
-from game.physics.generations import Air, StarSystem
-from game.physics.generations.kinds import AT_BIRTH, AT_DEATH, LINEAR, QUADRATIC
-from game.physics.generations.step import BORN, BURNT, DIES, DROPPED, ENDED
+from game.physics.generations import Air, StarSystem, step
+from game.physics.generations import kinds as k
 from game.physics.kernels import elementary
 from game.scenes.fireworks.aiming import LEAST_RISE, aim
 from game.scenes.fireworks.level import FARTHEST, FireworksContent, Point
@@ -81,7 +80,7 @@ class FireworksModel(Part):
         kinds = all_kinds(Amounts(parameters.sparks, parameters.places))
         self.system = StarSystem(kinds, effects=active, method=parameters.method, seed=seed)
         self.system.state().clock[0] = content.begins
-        self._drags = self.system.table.kinds[:, (LINEAR, QUADRATIC)].copy()
+        self._drags = self.system.table.kinds[:, (k.LINEAR, k.QUADRATIC)].copy()
         self._light = np.array([kind.name not in SHELLS and kind.name != "smoke" for kind in kinds])
         self.thunder = Thunder(content.listener, parameters.distance)
         self.flashes = np.full((FLASHES, 6), NO_BURST)
@@ -125,8 +124,8 @@ class FireworksModel(Part):
         )
         system.air = Air(parameters.gravity, wind, parameters.shear, WIND_CEILING, 0.0)
         lighter = np.where(self._light, parameters.air / parameters.star_mass, parameters.air)
-        system.table.kinds[:, LINEAR] = self._drags[:, 0] * lighter
-        system.table.kinds[:, QUADRATIC] = self._drags[:, 1] * lighter
+        system.table.kinds[:, k.LINEAR] = self._drags[:, 0] * lighter
+        system.table.kinds[:, k.QUADRATIC] = self._drags[:, 1] * lighter
 
     def change_effects(self, active: EffectSet) -> None:
         """Compute these effects from now on."""
@@ -175,8 +174,8 @@ class FireworksModel(Part):
         if stars.shape[1] == before:
             return
         if fuse is not None:
-            stars[DIES, -1] = stars[BORN, -1] + fuse
-            stars[BURNT, -1] = 0.0
+            stars[step.DIES, -1] = stars[step.BORN, -1] + fuse
+            stars[step.BURNT, -1] = 0.0
 
     def fire_all(self) -> None:
         """Fire one shell of each kind, side by side."""
@@ -187,12 +186,12 @@ class FireworksModel(Part):
     @property
     def dropped(self) -> int:
         """Stars for which there was no place."""
-        return self.system.tally(DROPPED)
+        return self.system.tally(step.DROPPED)
 
     def clear(self) -> None:
         """Put out all stars."""
         state = self.system.state()
-        state.tallies[ENDED] += len(self.system)
+        state.tallies[step.ENDED] += len(self.system)
         state.counts[:] = 0
 
     def _follow_programme(self) -> None:
@@ -235,12 +234,12 @@ class FireworksModel(Part):
         """What a report means: a flash, a sound, the newest burst."""
         what, kind, instant, x, y, depth = row[:6]
         name = self.system.kinds[int(kind)].name
-        if what == AT_BIRTH:
+        if what == k.AT_BIRTH:
             return
         if name == "popping":
             self.thunder.emit(instant, (x, y, depth), "crackle", LOUDNESS["crackle"])
             return
-        if what != AT_DEATH:
+        if what != k.AT_DEATH:
             self.counts[DUDS] += 1
             return
         mark = self.marks[(self.marks[:, 0] == SHELLS.index(name)) & (self.marks[:, 1] == instant)]

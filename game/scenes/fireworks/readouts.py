@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from game.physics.generations.step import DROPPED, MADE
+from game.scenes.fireworks import thunder as t
 from game.scenes.fireworks.measures import burst_now, smoke_drift
 from game.scenes.fireworks.model import BURST_COUNT, DUDS, LAUNCHED, FireworksModel
-from game.scenes.fireworks.thunder import HEARD_AFTER, KEPT, LAST, LOST, WAITING
 from game.stage import Readout
 
 
@@ -15,8 +15,8 @@ def readouts(model: FireworksModel) -> list[Readout]:
     """All that is measured."""
     system, thunder, counts = model.system, model.thunder, model.counts
     newest = burst_now(model)
-    heard = int(thunder.counts[LAST])
-    late = float(thunder.heard[(heard - 1) % KEPT, HEARD_AFTER]) if heard else math.nan
+    heard = int(thunder.counts[t.LAST])
+    late = float(thunder.heard[(heard - 1) % t.KEPT, t.HEARD_AFTER]) if heard else math.nan
     smoke = system.stars("smoke").shape[1]
     return [
         Readout("alive", len(system)),
@@ -35,9 +35,9 @@ def readouts(model: FireworksModel) -> list[Readout]:
         Readout("duds", int(counts[DUDS])),
         Readout("born", system.tally(MADE)),
         Readout("puffs of smoke", smoke),
-        Readout("sounds on their way", int(thunder.counts[WAITING])),
+        Readout("sounds on their way", int(thunder.counts[t.WAITING])),
         Readout("heard", heard),
         Readout("sound came after", late, "s"),
-        Readout("sounds lost", int(thunder.counts[LOST])),
+        Readout("sounds lost", int(thunder.counts[t.LOST])),
         Readout("show", model.show_s, "s"),
     ]

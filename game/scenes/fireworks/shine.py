@@ -10,7 +10,7 @@ import math
 from typing import NamedTuple
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.generations.step import BORN, DEPTH, DIES, VX, VY, X, Y
+from game.physics.generations import step
 from game.physics.kernels import elementary
 
 EYE = 6.0  # m above the lake
@@ -68,24 +68,25 @@ def shine(rows, shades, glow, seen, places, colors, sizes, shares, line):
     last = shades.shape[0] - 1
     room = places.shape[0]
     for i in range(rows.shape[1]):
-        age = seen.time - rows[BORN, i]
+        age = seen.time - rows[step.BORN, i]
         if age < 0.0 or line + glow.dots >= room:
             continue
         strength = 1.0
         if glow.blink > 0.0:
             phase = part_of(
-                seen.time * glow.blink * (0.7 + 0.6 * part_of(rows[DIES, i] * 31.7)) + rows[DIES, i] * 97.3
+                seen.time * glow.blink * (0.7 + 0.6 * part_of(rows[step.DIES, i] * 31.7))
+                + rows[step.DIES, i] * 97.3
             )
             if phase > BLINK_SHARE:
                 strength = 0.05
         if glow.twinkle > 0.0:
-            strength = 1.0 - glow.twinkle * part_of(rows[DIES, i] * 5717.3 + seen.time * 11.3)
-        at = min(int(age / max(rows[DIES, i] - rows[BORN, i], 1e-9) * last), last)
+            strength = 1.0 - glow.twinkle * part_of(rows[step.DIES, i] * 5717.3 + seen.time * 11.3)
+        at = min(int(age / max(rows[step.DIES, i] - rows[step.BORN, i], 1e-9) * last), last)
         red, green, blue = shades[at, 0] * strength, shades[at, 1] * strength, shades[at, 2] * strength
-        near = nearness(rows[DEPTH, i])
-        vx, vy = rows[VX, i], rows[VY, i]
-        x = rows[X, i] - seen.back * vx
-        y = rows[Y, i] - seen.back * vy
+        near = nearness(rows[step.DEPTH, i])
+        vx, vy = rows[step.VX, i], rows[step.VY, i]
+        x = rows[step.X, i] - seen.back * vx
+        y = rows[step.Y, i] - seen.back * vy
         reach = min(glow.tail_s, age)
         for dot in range(glow.dots + 1):
             behind = reach * dot / max(glow.dots, 1)
@@ -107,18 +108,18 @@ def light_smoke(rows, flashes, seen, ambient, places, radii, colors, shares):
     """
     line = 0
     for i in range(rows.shape[1]):
-        age = seen.time - rows[BORN, i]
-        life = rows[DIES, i] - rows[BORN, i]
+        age = seen.time - rows[step.BORN, i]
+        life = rows[step.DIES, i] - rows[step.BORN, i]
         if age < 0.0 or line >= places.shape[0]:
             continue
-        x = rows[X, i] - seen.back * rows[VX, i]
-        y = rows[Y, i] - seen.back * rows[VY, i]
+        x = rows[step.X, i] - seen.back * rows[step.VX, i]
+        y = rows[step.Y, i] - seen.back * rows[step.VY, i]
         red, green, blue = ambient[0] * ambient[3], ambient[1] * ambient[3], ambient[2] * ambient[3]
         for j in range(flashes.shape[0]):
             since = seen.time - flashes[j, 0]
             if since < 0.0 or since > 6.0 * FLASH_FADES:
                 continue
-            dx, dy, back = x - flashes[j, 1], y - flashes[j, 2], rows[DEPTH, i] - flashes[j, 3]
+            dx, dy, back = x - flashes[j, 1], y - flashes[j, 2], rows[step.DEPTH, i] - flashes[j, 3]
             light = SMOKE_LIT * elementary.exp(-since / FLASH_FADES)
             light = light / (1.0 + (dx * dx + dy * dy + back * back) / (FLASH_REACH * FLASH_REACH))
             red += light * flashes[j, 4]
@@ -126,7 +127,7 @@ def light_smoke(rows, flashes, seen, ambient, places, radii, colors, shares):
             blue += light * flashes[j, 6]
         most = max(red, green, blue, 1e-6)
         part = age / max(life, 1e-9)
-        near = nearness(rows[DEPTH, i])
+        near = nearness(rows[step.DEPTH, i])
         radius = SMOKE_START + SMOKE_GROWTH * math.sqrt(age)
         thin = SMOKE_START * SMOKE_START * 4.0 / (radius * radius)  # as much smoke on a larger disc
         places[line, 0] = seen.middle + near * (x - seen.middle)

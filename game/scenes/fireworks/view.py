@@ -8,22 +8,15 @@ import numpy as np
 
 from game.physics.fields import WIND
 from game.physics.generations.step import X, Y
+from game.scenes.fireworks import model as m
+from game.scenes.fireworks import thunder
 from game.scenes.fireworks.hand import FireworksHand
 from game.scenes.fireworks.landscape import Landscape
 from game.scenes.fireworks.looks import FLASH_COLORS, GOLD, look_of, shades_of
 from game.scenes.fireworks.measures import burst_now, stars_of_burst
-from game.scenes.fireworks.model import (
-    FLASH_DEPTH,
-    FLASH_SHELL,
-    FLASH_WHAT,
-    FLASH_X,
-    FLASH_Y,
-    INSTANT,
-    FireworksModel,
-)
+from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.shells import SHELLS
 from game.scenes.fireworks.shine import CAMERA_AWAY, EYE, FLASH_FADES, Glow, Seen, light_smoke, shine
-from game.scenes.fireworks.thunder import AT_X, AT_Y, EMITTED, SPEED_OF_SOUND, WAITING
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 
 MOST_LIGHTS = 160_000
@@ -73,7 +66,7 @@ class FireworksView:
         """What the marks mean."""
         rows = [
             ("dash:text1", "the newest burst by ballistics", ""),
-            ("ring:chalk", "sound on its way", f"{int(self.model.thunder.counts[WAITING])}"),
+            ("ring:chalk", "sound on its way", f"{int(self.model.thunder.counts[thunder.WAITING])}"),
             ("ring:accent", "the listener", f"{self.model.parameters.distance:.0f} m off"),
         ]
         if WIND in self.model.active:
@@ -153,13 +146,13 @@ class FireworksView:
         """Flashes that are still to be seen."""
         rows = self.model.flashes
         return rows[
-            (rows[:, INSTANT] >= 0.0) & (time - rows[:, INSTANT] < FLASH_S) & (rows[:, INSTANT] <= time)
+            (rows[:, m.INSTANT] >= 0.0) & (time - rows[:, m.INSTANT] < FLASH_S) & (rows[:, m.INSTANT] <= time)
         ].tolist()
 
     def _flashes_now(self, time: float) -> np.ndarray:
         """(n, 7): instant s, place m, depth m and colour of the bursts that light the smoke."""
         rows = [
-            (row[INSTANT], row[FLASH_X], row[FLASH_Y], row[FLASH_DEPTH], *_color_of(row))
+            (row[m.INSTANT], row[m.FLASH_X], row[m.FLASH_Y], row[m.FLASH_DEPTH], *_color_of(row))
             for row in self._recent(time)
         ]
         return np.array(rows).reshape(-1, 7)
@@ -168,9 +161,9 @@ class FireworksView:
         """The burst itself, the air about it, and a mortar's mouth."""
         places, radii, colors, shares = [], [], [], []
         for row in self._recent(seen.time):
-            age, burst = seen.time - row[INSTANT], row[FLASH_WHAT] > 0.0
-            near = CAMERA_AWAY / (CAMERA_AWAY + row[FLASH_DEPTH])
-            at = (seen.middle + near * (row[FLASH_X] - seen.middle), EYE + near * (row[FLASH_Y] - EYE))
+            age, burst = seen.time - row[m.INSTANT], row[m.FLASH_WHAT] > 0.0
+            near = CAMERA_AWAY / (CAMERA_AWAY + row[m.FLASH_DEPTH])
+            at = (seen.middle + near * (row[m.FLASH_X] - seen.middle), EYE + near * (row[m.FLASH_Y] - EYE))
             red, green, blue = _color_of(row)
             tint = (int(127 + 128 * red) << 16) | (int(127 + 128 * green) << 8) | int(127 + 128 * blue)
             sizes = ((11.0, 0.9 * math.exp(-age / 0.07)), (95.0, 0.13 * math.exp(-age / FLASH_FADES)))
@@ -197,13 +190,17 @@ class FireworksView:
         if newest is not None and newest.age < NAMED_S:
             center = self._burst_middle()
             canvas.circle(center, newest.ballistics, outline="text1", width=1.2, dash=EXACT_DASH, alpha=0.6)
-        waves = model.thunder.waves[: int(model.thunder.counts[WAITING])]
+        waves = model.thunder.waves[: int(model.thunder.counts[thunder.WAITING])]
         for wave in waves[-MOST_WAVES:].tolist():
-            age = seen.time - wave[EMITTED]
+            age = seen.time - wave[thunder.EMITTED]
             if 0.02 < age < SOUND_S:
                 fade = 0.35 * (1.0 - age / SOUND_S)
                 canvas.circle(
-                    (wave[AT_X], wave[AT_Y]), SPEED_OF_SOUND * age, outline="chalk", width=1.0, alpha=fade
+                    (wave[thunder.AT_X], wave[thunder.AT_Y]),
+                    thunder.SPEED_OF_SOUND * age,
+                    outline="chalk",
+                    width=1.0,
+                    alpha=fade,
                 )
         if WIND in model.active:
             self._draw_wind(canvas)
@@ -226,9 +223,9 @@ class FireworksView:
 
 def _color_of(row: list[float]) -> tuple[float, float, float]:
     """The light of a flash: of its shell's stars; gold for a mortar's."""
-    if row[FLASH_WHAT] <= 0.0:
+    if row[m.FLASH_WHAT] <= 0.0:
         return GOLD
-    return FLASH_COLORS.get(SHELLS[int(row[FLASH_SHELL])], GOLD)
+    return FLASH_COLORS.get(SHELLS[int(row[m.FLASH_SHELL])], GOLD)
 
 
 def warm_up_shine() -> None:

@@ -7,15 +7,14 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import Easing, Keyframes, PiecewiseCubic, Playback
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.key_frames.editing import AUTOMATIC, as_rows
 from game.scenes.key_frames.level import Motion
 
-Array = NDArray[np.float64]
 PLACE, ANGLE = (0, 1), 2  # columns of the values
 PLOT_POINTS = 361
 FINEST = 1e-5  # of the length of the path: no line is asked to be nearer
@@ -56,11 +55,11 @@ class Animation:
         self.easing = easing
         self.playback = Playback(self.track, PLACE, easing, effects, motion.start, motion.start + 1.0)
 
-    def pose(self, part: float) -> Array:
+    def pose(self, part: float) -> Floats:
         """x, y (m) and angle (rad) at a part of the second."""
         return self.poses(np.array([part]))[0]
 
-    def poses(self, parts: Array) -> Array:
+    def poses(self, parts: Floats) -> Floats:
         """The same at many parts (k,), (k, 3)."""
         times = self.playback.key_times(parts)
         found = self.track.sample(times)
@@ -73,7 +72,7 @@ class Animation:
         found = float(self.playback.key_times(part)) - self.motion.start
         return min(max(found % 1.0 if self.settings.closed and found != 1.0 else found, 0.0), 1.0)
 
-    def velocity(self, part: float) -> Array:
+    def velocity(self, part: float) -> Floats:
         """Velocity (m/s) of the place at a part of the second."""
         speed = float(self.playback.speed(part))
         if self.playback.spread:
@@ -83,7 +82,7 @@ class Animation:
         size = float(np.sqrt(linear.product(rate, rate)))
         return rate * (speed / size) if size > 0.0 else np.zeros(2)
 
-    def handles(self) -> Array:
+    def handles(self) -> Floats:
         """Control points (n, 2, 2) before and after each key, m; NaN where there is no piece at that side."""
         n = len(self.rows)
         points = np.full((n, 2, 2), np.nan)
@@ -120,7 +119,7 @@ class Animation:
         spans = [(a + 1, b) for a, b in pairwise(edges) if b > a + 1]
         return [PiecewiseCubic(path.controls[a:b]) for a, b in spans]
 
-    def chains(self, tolerance: float) -> list[Array]:
+    def chains(self, tolerance: float) -> list[Floats]:
         """Lines (k, 2) within a tolerance (m) of the path; kept for the tolerance last asked for.
 
         On a very long path, which no screen shows whole, within a hundred thousandth of it.
@@ -130,20 +129,20 @@ class Animation:
             self._chains = (tolerance, [run.flatten(tolerance) for run in self.runs()])
         return self._chains[1]
 
-    _chains: tuple[float, list[Array]] = (0.0, [])
+    _chains: tuple[float, list[Floats]] = (0.0, [])
 
     @cached_property
-    def parts(self) -> Array:
+    def parts(self) -> Floats:
         """Parts of the second (k,) at which curves over time are drawn."""
         return np.linspace(0.0, 1.0, PLOT_POINTS)
 
     @cached_property
-    def speeds(self) -> Array:
+    def speeds(self) -> Floats:
         """Speed (k,) m/s at those, at the end that on arrival."""
         return np.minimum(self.playback.speed(np.minimum(self.parts, 1.0 - 1e-9)), TOP_SPEED)
 
     @cached_property
-    def arrivals(self) -> Array:
+    def arrivals(self) -> Floats:
         """Part of the second (n,) at which each key is reached first; NaN for one that never is."""
         shown = self.playback.key_times(self.parts) - self.motion.start
         before, after = shown[:-1], shown[1:]
@@ -180,7 +179,7 @@ class Animation:
         return float(np.max(change, initial=0.0))
 
 
-def _with_given(automatic: Array, rows: Array) -> Array:
+def _with_given(automatic: Floats, rows: Floats) -> Floats:
     """Handles (n, 2, 3) with the places of keys that have velocities of their own."""
     handles = automatic.copy()
     gaps = np.diff(rows[:, 0], prepend=rows[-1, 0] - 1.0, append=rows[0, 0] + 1.0)

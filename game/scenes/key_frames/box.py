@@ -5,19 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
 from game.scenes.key_frames.level import Point
 
-Array = NDArray[np.float64]
 ARM = 0.45  # m beyond the box's end: where the handle is that turns it
 UNIT_BOX = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)])
 
 
 def box_corners(
-    poses: Sequence[float] | Sequence[Sequence[float]] | Array, box: tuple[float, float]
-) -> Array:
+    poses: Sequence[float] | Sequence[Sequence[float]] | Floats, box: tuple[float, float]
+) -> Floats:
     """Corners (4, 2) of a box of width and height at a pose x, y, angle; (k, 4, 2) at poses (k, 3)."""
     x, y, angle = np.moveaxis(np.asarray(poses, dtype=np.float64), -1, 0)[..., None]
     cos, sin = elementwise.cos(angle), elementwise.sin(angle)

@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
+from game.arrays import Floats
 
-Array = NDArray[np.float64]
 REPEATS = ("loop", "once", "there-and-back")
 ROUNDING = 1e-9  # of a frame: a phase that close to the next one is there
 
 
-def phase_of(clock: Array, repeat: str, duration: float) -> float:
+def phase_of(clock: Floats, repeat: str, duration: float) -> float:
     """The phase now; duration: s that the second lasts."""
     begin, steps, dt, _ = clock.tolist()
     if steps == 0.0:

@@ -6,12 +6,12 @@ import math
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
-from game.scenes.key_frames.level import FARTHEST, FASTEST, MOST_KEYS, MOST_TURNED, KeyEntry, Motion, Point
+from game.scenes.key_frames import level
+from game.scenes.key_frames.level import KeyEntry, Motion, Point
 
-Array = NDArray[np.float64]
 AUTOMATIC, SMOOTH, CORNER = 0.0, 1.0, 2.0  # how a key's velocities come about
 COLUMNS = 9  # time, x, y, angle, velocity after, velocity before, kind
 
@@ -21,15 +21,15 @@ def ordered(motion: Motion) -> Motion:
     return _with_keys(motion, sorted(motion.keys, key=lambda key: key.time))
 
 
-def limited(point: Point, most: float = FARTHEST) -> Point:
+def limited(point: Point, most: float = level.FARTHEST) -> Point:
     """A point or velocity within what a level file may hold."""
     return min(max(point[0], -most), most) + 0.0, min(max(point[1], -most), most) + 0.0
 
 
 def with_key(motion: Motion, key: KeyEntry) -> tuple[Motion, int]:
     """A key more, behind those of its time; its number. ValueError if there is no room."""
-    if len(motion.keys) >= MOST_KEYS:
-        raise ValueError(f"there is room for {MOST_KEYS} key-frames")
+    if len(motion.keys) >= level.MOST_KEYS:
+        raise ValueError(f"there is room for {level.MOST_KEYS} key-frames")
     place = sum(other.time <= key.time for other in motion.keys)
     return _with_keys(motion, [*motion.keys[:place], key, *motion.keys[place:]]), place
 
@@ -39,8 +39,8 @@ def with_key_at_end(motion: Motion, point: Point, angle: float, closed: bool) ->
 
     A closed curve keeps the time of one piece to go back to the first key.
     """
-    if len(motion.keys) >= MOST_KEYS:
-        raise ValueError(f"there is room for {MOST_KEYS} key-frames")
+    if len(motion.keys) >= level.MOST_KEYS:
+        raise ValueError(f"there is room for {level.MOST_KEYS} key-frames")
     count = len(motion.keys)
     pieces = count + closed
     last = motion.keys[-1].time
@@ -74,7 +74,7 @@ def with_time(motion: Motion, index: int, time: float) -> tuple[Motion, int]:
 
 def with_velocity(motion: Motion, index: int, velocity: Point, before: bool, corner: bool) -> Motion:
     """A key with a velocity dragged at one side; a corner keeps the one at the other side."""
-    key, velocity = motion.keys[index], limited(velocity, FASTEST)
+    key, velocity = motion.keys[index], limited(velocity, level.FASTEST)
     if not corner and key.velocity_before is None:
         return with_change(motion, index, velocity=velocity)
     after = key.velocity if key.velocity is not None else velocity
@@ -87,13 +87,13 @@ def with_velocity(motion: Motion, index: int, velocity: Point, before: bool, cor
 def nearest_angle(angle: float, to: float) -> float:
     """The angle (degrees) plus whole turns that is nearest to another one, within what a file may hold."""
     turned = angle + 360.0 * round((to - angle) / 360.0)
-    return min(max(turned, -MOST_TURNED), MOST_TURNED) + 0.0
+    return min(max(turned, -level.MOST_TURNED), level.MOST_TURNED) + 0.0
 
 
 # -- as arrays ------------------------------------------------------------------------------------------
 
 
-def as_rows(motion: Motion) -> Array:
+def as_rows(motion: Motion) -> Floats:
     """Keys (n, 9): time, position, angle (degrees), velocity after, velocity before, how they come about."""
     rows = np.zeros((len(motion.keys), COLUMNS))
     for row, key in zip(rows, motion.keys, strict=True):
@@ -103,7 +103,7 @@ def as_rows(motion: Motion) -> Array:
     return rows
 
 
-def from_rows(motion: Motion, rows: Array, timing: Array) -> Motion:
+def from_rows(motion: Motion, rows: Floats, timing: Floats) -> Motion:
     """The motion with the keys that `as_rows` gave, and another timing curve."""
     keys = []
     for time, x, y, angle, vx, vy, ux, uy, kind in rows.tolist():

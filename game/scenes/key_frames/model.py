@@ -6,8 +6,8 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import EASING
 from game.physics.effects import EffectSet
 from game.scenes.key_frames import editing
@@ -18,17 +18,15 @@ from game.scenes.key_frames.parameters import CHOSEN, SHAPING, KeyFrameParameter
 from game.scenes.key_frames.player import Player
 from game.stage.part import Part
 
-Array = NDArray[np.float64]
-
 
 class KeyFrameState(NamedTuple):
     """The box and what it moves by. pose: x, y m, angle rad. clock: see clock.py. timing: x1, y1, x2, y2."""
 
-    pose: Array
+    pose: Floats
 
-    clock: Array
-    keys: Array
-    timing: Array
+    clock: Floats
+    keys: Floats
+    timing: Floats
 
 
 class KeyFrameModel(Part):

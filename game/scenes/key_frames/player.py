@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.scenes.key_frames.clock import Array, folded, frame_of, held, phase_of
+from game.arrays import Floats
+from game.scenes.key_frames.clock import folded, frame_of, held, phase_of
 from game.scenes.key_frames.parameters import KeyFrameParameters
 from game.stage.part import Part
 
@@ -14,7 +15,7 @@ class Player(Part):
 
     def __init__(self, parameters: KeyFrameParameters) -> None:
         self.parameters = parameters
-        self.clock: Array = np.array([parameters.time, 0.0, 0.0, float(parameters.playing)])
+        self.clock: Floats = np.array([parameters.time, 0.0, 0.0, float(parameters.playing)])
 
     @property
     def frames(self) -> float:
@@ -73,7 +74,7 @@ class Player(Part):
         self.parameters.time = self.present()
         return True
 
-    def restore(self, clock: Array) -> None:
+    def restore(self, clock: Floats) -> None:
         """Take over a clock."""
         self.clock[:] = clock
         self.parameters.playing = bool(clock[3])

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import CONSTANT_SPEED, EASING, mix_rotations
 from game.scenes.key_frames.animation import Animation
 from game.scenes.key_frames.box import UNIT_BOX, box_corners, turning_handle
@@ -19,7 +20,6 @@ from game.scenes.key_frames.timeline import Places, places_of, x_of
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.look.numerals import quantity
 
-Array = NDArray[np.float64]
 MOST_POSES = 40  # keys that are drawn as boxes; more would hide each other
 MOST_TIMES = 14  # keys whose times are written
 ARROW_SECONDS = 0.06  # s of motion that the arrow of velocity shows
@@ -27,7 +27,7 @@ LONGEST_ARROW = 2.2  # m
 TALLEST = 6.0  # times the mean speed; faster moments leave the plot of speeds
 
 
-def shades(canvas: Canvas, color: str, strengths: Array) -> NDArray[np.uint32]:
+def shades(canvas: Canvas, color: str, strengths: Floats) -> NDArray[np.uint32]:
     """A colour over the stage in several strengths (k,), 0 to 1."""
     over, under = canvas.color(color), canvas.color("stage")
     mixed = np.zeros(len(strengths))

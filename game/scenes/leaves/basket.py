@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.leaves.level import BasketEntry
 
-Floats = NDArray[np.float64]
 FOOT = 0.85  # of the rim's width
 WIRE, FRICTION = 0.006, 0.4  # m, radius of a wall; friction on it
 SHELTER = 0.12  # m: so fast the wind dies away below the rim

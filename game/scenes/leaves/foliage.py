@@ -8,19 +8,20 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.plates.law import BEND, THETA, X, Y
+from game.arrays import Floats
+from game.physics.plates import law
+from game.scenes.leaves import model
 from game.scenes.leaves.basket import Basket
-from game.scenes.leaves.model import DEPTH, FLIP, KIND, NAMES, SHADE, YAW
+from game.scenes.leaves.model import NAMES
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.polygons import NO_EDGE, paint
 
-Floats = NDArray[np.float64]
 BACKWARD = (0.26, 0.50)  # how far right and up a way into the picture is seen, beside its length
 OF_DEPTH = (0.05, 0.15)  # m right and up of a leaf that lies one depth farther back
 SUN = (0.42, 0.80, -0.43)  # towards the light, in x, y and into the picture
 BELOW = 0.35  # the midrib lies that far below the middle, times sin q
-OF_SHAPE = [KIND, YAW, FLIP]  # columns of what outlines come from
+OF_SHAPE = [model.KIND, model.YAW, model.FLIP]  # columns of what outlines come from
 SHADOW = 14  # corners
 LARGER = 1.18  # leaves are drawn than their chords, as these are mean ones
 FADES = 0.9  # m of height by which a shadow is weaker by e
@@ -46,9 +47,9 @@ def cut_outlines(own: Floats) -> Cut:
     ribs = np.zeros((len(own), 2, 2))
     shapes = [outline_of(name) for name in NAMES]
     for i, row in enumerate(own):
-        c, s = math.cos(row[YAW]), math.sin(row[YAW])
-        flip = -1.0 if row[FLIP] > 0.5 else 1.0
-        shape = shapes[int(row[KIND])] * (1.0, flip)
+        c, s = math.cos(row[model.YAW]), math.sin(row[model.YAW])
+        flip = -1.0 if row[model.FLIP] > 0.5 else 1.0
+        shape = shapes[int(row[model.KIND])] * (1.0, flip)
         turned = shape @ np.array(((c, s), (-s, c)))
         ribs[i] = np.array(((-1.35, 0.0), (0.92, 0.0))) @ np.array(((c, s), (-s, c)))
         for side in (-1.0, 1.0):
@@ -78,10 +79,10 @@ class Foliage:
         n = rows.shape[1]
         if not n:
             return
-        height = np.maximum(rows[Y], 0.0)
+        height = np.maximum(rows[law.Y], 0.0)
         turn = np.linspace(0.0, math.tau, SHADOW, endpoint=False)
-        wide = halves * (0.45 + 0.55 * np.abs(np.cos(rows[THETA]))) * (1.0 + 0.5 * height)
-        middle = self._depths(own) + np.stack([rows[X] - 0.45 * height, np.full(n, -0.012)], axis=1)
+        wide = halves * (0.45 + 0.55 * np.abs(np.cos(rows[law.THETA]))) * (1.0 + 0.5 * height)
+        middle = self._depths(own) + np.stack([rows[law.X] - 0.45 * height, np.full(n, -0.012)], axis=1)
         spots = middle[:, None] + np.stack(
             [wide[:, None] * np.cos(turn), (0.36 * halves * (1.0 + 0.5 * height))[:, None] * np.sin(turn)],
             axis=2,
@@ -103,7 +104,7 @@ class Foliage:
     @staticmethod
     def _depths(own: Floats) -> Floats:
         """How far each leaf is shifted by its depth, m."""
-        return own[:, DEPTH][:, None] * np.array(OF_DEPTH)
+        return own[:, model.DEPTH][:, None] * np.array(OF_DEPTH)
 
     def leaves(
         self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, tint: tuple[float, float, float],
@@ -111,14 +112,14 @@ class Foliage:
     ) -> None:  # fmt: skip
         """Those leaves, the farthest first; ``basket``: between whose walls they are seen."""
         self._fit(own)
-        order = np.flatnonzero(which)[np.argsort(-own[which, DEPTH], kind="stable")]
+        order = np.flatnonzero(which)[np.argsort(-own[which, model.DEPTH], kind="stable")]
         if not len(order):
             return
         cut = self._cut
         places = self._corners(rows, own, halves)
         if basket is not None:
             rows = rows.copy()
-            rows[X] += self._pushed_in(places, basket)
+            rows[law.X] += self._pushed_in(places, basket)
             places = self._corners(rows, own, halves)
         inks, veins = _shades(rows, own, tint)
         halves_of = (2 * order[:, None] + np.array((0, 1))).ravel()
@@ -135,7 +136,7 @@ class Foliage:
         self, rows: Floats, leaf: NDArray[np.int64], along: Floats, into: Floats, own: Floats, halves: Floats
     ) -> Floats:
         """Where points of leaves are seen: along their chord and into the picture, by half chords."""
-        q, theta, half = rows[BEND, leaf], rows[THETA, leaf], halves[leaf]
+        q, theta, half = rows[law.BEND, leaf], rows[law.THETA, leaf], halves[leaf]
         along, into = LARGER * along, LARGER * into
         x = along * np.cos(q) * half
         y = (np.abs(along) - BELOW) * np.sin(q) * half
@@ -144,8 +145,8 @@ class Foliage:
         shift = self._depths(own)[leaf]
         return np.stack(
             [
-                rows[X, leaf] + c * x - s * y + BACKWARD[0] * depth,
-                rows[Y, leaf] + s * x + c * y + BACKWARD[1] * depth,
+                rows[law.X, leaf] + c * x - s * y + BACKWARD[0] * depth,
+                rows[law.Y, leaf] + s * x + c * y + BACKWARD[1] * depth,
             ],
             axis=1,
         ) + shift  # fmt: skip
@@ -188,12 +189,12 @@ def _shades(
     """Colours of the halves (2 n,) and of the ribs (n,): upper or paler lower side, lit or shone through."""
     n = len(own)
     palette = np.array([SPECIES[name].colors for name in NAMES])
-    pick = np.minimum((own[:, SHADE] * 4.0).astype(int), 3)
-    ink = palette[own[:, KIND].astype(int), pick]
+    pick = np.minimum((own[:, model.SHADE] * 4.0).astype(int), 3)
+    ink = palette[own[:, model.KIND].astype(int), pick]
     base = np.stack([ink >> 16 & 255, ink >> 8 & 255, ink & 255], axis=1).astype(np.float64)
     found = np.zeros((n, 2, 3))
     for k, side in enumerate((-1.0, 1.0)):
-        tilt = rows[THETA] + side * rows[BEND]
+        tilt = rows[law.THETA] + side * rows[law.BEND]
         nx, ny = -np.sin(tilt), np.cos(tilt)
         # which side is seen: the eye is before and above
         upper = nx * BACKWARD[0] + ny * BACKWARD[1] > 0.0

@@ -10,11 +10,11 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.ui.canvas.canvas import Canvas
 from game.ui.canvas.lights import sky_picture
 from game.ui.canvas.standing import Standing
 
-Points = NDArray[np.float64]
 HALF = 14.0  # m to each side of what is there
 BEHIND = 0.34  # m above the lawn's front where it meets the trees
 BENCH_X, LAMP_X, SUN = -1.75, 2.55, (0.55, 1.75)
@@ -66,10 +66,10 @@ class Crown(NamedTuple):
     row, its trunk (4, 2) m.
     """
 
-    tufts: Points
+    tufts: Floats
     shade: int
     row: int
-    trunk: Points
+    trunk: Floats
 
 
 SLIDES = (0.72, 0.5, 0.28)  # how far each row of trees goes with the camera
@@ -252,7 +252,7 @@ class Park:
         canvas.polygon([(x - 0.06, 1.6), (x + 0.06, 1.6), (x + 0.09, 1.8), (x - 0.09, 1.8)], fill=glass)
         canvas.polygon([(x - 0.11, 1.8), (x + 0.11, 1.8), (x, 1.9)], fill=hour.metal)
 
-    def grass(self, canvas: Canvas, wind: Points, front: bool) -> None:
+    def grass(self, canvas: Canvas, wind: Floats, front: bool) -> None:
         """Blades that lean with the wind (k, 2) m/s at `blade_places`; those before the leaves, or behind."""
         hour = self.hour(canvas)
         part = (self._blades[:, 1] < -0.12) == front
@@ -268,7 +268,7 @@ class Park:
         canvas.segments(feet, tips, ink, 2.2 if front else 1.2, 0.8)
 
     @property
-    def blade_places(self) -> Points:
+    def blade_places(self) -> Floats:
         """(k, 2) m of the blades' feet, lifted to where the wind takes them."""
         return np.stack([self._blades[:, 0], np.full(len(self._blades), 0.12)], axis=1)
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise, linear
 from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings, PlateState
@@ -22,7 +23,6 @@ from game.scenes.leaves.ways import WAY, follow_ways, seen_of
 from game.stage import Part
 from game.worlds.hearing import HEARD_WIDTH
 
-Floats = NDArray[np.float64]
 LAYER = 0.4  # m of the lawn's slow air
 HOLLOW = 0.35  # m below the lawn where gusts are mirrored: air also flows in from before and behind the plane
 IN_THE_AIR = 0.12  # m

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from game.physics.kernels import elementwise
+from game.physics.plates import law
 from game.physics.plates.flight import WY
-from game.physics.plates.law import DRAG, DRAG_TURN, HALF, UNIT, VY
 from game.physics.plates.watch import FLUTTER, GLIDE, TUMBLE
 from game.scenes.leaves.model import LeavesModel
 from game.stage import Readout
@@ -20,9 +20,9 @@ def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
     flying, inside = model.flying(), model.inside()
     seen = model.seen()
     laws = plates.laws
-    terminal = laws[UNIT] / np.sqrt((laws[DRAG] + laws[DRAG_TURN]) * laws[HALF])
-    falling = flying & (plates.rows[VY] < 0.0)
-    descent = plates.air[WY] - plates.rows[VY]  # through the air
+    terminal = laws[law.UNIT] / np.sqrt((laws[law.DRAG] + laws[law.DRAG_TURN]) * laws[law.HALF])
+    falling = flying & (plates.rows[law.VY] < 0.0)
+    descent = plates.air[WY] - plates.rows[law.VY]  # through the air
     speeds = elementwise.hypot(*plates.velocities.T) if len(plates) else np.zeros(0)
     return (
         Readout("leaves", len(plates)),

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise
 from game.physics.plates.law import VX, VY, X
 from game.worlds.hearing import HEARD_TIME, HEARD_WIDTH, REMEMBERED_S
 
-Floats = NDArray[np.float64]
 LANDING, RUBBING, WIND = range(3)
 NAMES = {LANDING: "rustle", RUBBING: "rustle", WIND: "wind"}
 HALF = 3.0  # m to either side, from the left to the right

@@ -6,12 +6,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
 from game.physics.plates import Plate
-
-Floats = NDArray[np.float64]
 
 
 class Species(NamedTuple):

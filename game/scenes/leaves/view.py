@@ -9,9 +9,9 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.physics.plates.law import HALF, MASS_Y, X, Y
+from game.arrays import Floats
+from game.physics.plates import law, watch
 from game.physics.plates.regimes import BORDERS
-from game.physics.plates.watch import FLUTTER, GLIDE, NOTHING, TUMBLE
 from game.scenes.leaves.foliage import Foliage
 from game.scenes.leaves.hand import LeavesHand
 from game.scenes.leaves.landscape import DAY, Hour, Park
@@ -19,10 +19,9 @@ from game.scenes.leaves.model import DEPTH, KIND, NAMES, LeavesModel, LeavesStat
 from game.scenes.leaves.ways import TOOK, TURNED
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
 MOTES, MOTE_STEPS, MOTE_S = 70, 10, 0.06  # of dust: how many, points and s of their way
-COLORS = {NOTHING: "text2", FLUTTER: "chalk", TUMBLE: "amber", GLIDE: "green"}
-VERBS = {FLUTTER: "flutters", TUMBLE: "tumbles", GLIDE: "glides"}
+COLORS = {watch.NOTHING: "text2", watch.FLUTTER: "chalk", watch.TUMBLE: "amber", watch.GLIDE: "green"}
+VERBS = {watch.FLUTTER: "flutters", watch.TUMBLE: "tumbles", watch.GLIDE: "glides"}
 MAP = (0.12, 1.05, 1.55, 0.62)  # m from the view's upper left corner: right, down; width, height of the map
 LEAST, MOST = 0.3, 4.0  # inertias on it
 RIM = 0.13  # m, half the depth of the basket's rim as it is seen
@@ -62,13 +61,13 @@ class LeavesView:
         if previous is not None and previous.plates.rows.shape == rows.shape:
             rows = previous.plates.rows + alpha * (rows - previous.plates.rows)
         hour = self.park.hour(canvas)
-        own, halves = model.own, model.plates.laws[HALF]
+        own, halves = model.own, model.plates.laws[law.HALF]
         self.park.behind(canvas)
         blades = model.wind.sample(self.park.blade_places, model.plates.time)
         self.park.grass(canvas, blades, front=False)
         self.foliage.shadows(canvas, rows, own, halves)
         own = self._nearer(rows, own)
-        within = model.basket.holds(rows[X], rows[Y])
+        within = model.basket.holds(rows[law.X], rows[law.Y])
         back = ~within & (own[:, DEPTH] > 0.1)
         self.foliage.leaves(canvas, rows, own, halves, hour.leaves, back)
         self._basket_back(canvas, hour)
@@ -91,7 +90,7 @@ class LeavesView:
         """What leaves are, with the depths (n, 6) at which they are seen: the basket is less deep than the
         lawn, and towards it they come into its plane.
         """
-        near = 1.0 - np.minimum(self.model.basket.away(rows[X], rows[Y]) / NEAR_M, 1.0)
+        near = 1.0 - np.minimum(self.model.basket.away(rows[law.X], rows[law.Y]) / NEAR_M, 1.0)
         seen = own.copy()
         seen[:, DEPTH] *= 1.0 - (1.0 - NEARER) * near * near * (3.0 - 2.0 * near)
         return seen
@@ -174,7 +173,9 @@ class LeavesView:
         model = self.model
         seen = model.seen()
         for i in np.flatnonzero(model.flying()).tolist():
-            canvas.arrow(rows[[X, Y], i], 0.12 * model.plates.velocities[i], COLORS[int(seen[i])], width=1.6)
+            canvas.arrow(
+                rows[[law.X, law.Y], i], 0.12 * model.plates.velocities[i], COLORS[int(seen[i])], width=1.6
+            )
         self._names(canvas, rows, seen)
         x, y = np.meshgrid(np.linspace(-2.6, 2.6, 14), np.linspace(0.2, 2.4, 7))
         places = np.stack([x.ravel(), y.ravel()], axis=1)
@@ -188,17 +189,25 @@ class LeavesView:
         """Beside the one leaf that does it longest what it is, what it does, and its inertia."""
         ways = self.model.ways
         for way, words in VERBS.items():
-            longest = np.where(seen == way, np.abs(ways[:, TURNED if way == TUMBLE else TOOK]) + 1.0, 0.0)
+            longest = np.where(
+                seen == way, np.abs(ways[:, TURNED if way == watch.TUMBLE else TOOK]) + 1.0, 0.0
+            )
             if not longest.any():
                 continue
             i = int(np.argmax(longest))
-            inertia = float(self.model.plates.laws[MASS_Y, i]) - 1.0
+            inertia = float(self.model.plates.laws[law.MASS_Y, i]) - 1.0
             name = NAMES[int(self.model.own[i, KIND])]
-            canvas.dot(rows[[X, Y], i], 3.0, COLORS[way])
+            canvas.dot(rows[[law.X, law.Y], i], 3.0, COLORS[way])
             canvas.label(
-                rows[[X, Y], i], f"{name} {words}: I* = {inertia:.2f}", COLORS[way], 13, "semibold", "left",
-                (10.0, -10.0), clear=True,
-            )  # fmt: skip
+                rows[[law.X, law.Y], i],
+                f"{name} {words}: I* = {inertia:.2f}",
+                COLORS[way],
+                13,
+                "semibold",
+                "left",
+                (10.0, -10.0),
+                clear=True,
+            )
 
     def _map(self, canvas: Canvas, seen: NDArray[np.int64]) -> None:
         off, down, wide, tall = MAP
@@ -229,5 +238,5 @@ class LeavesView:
         canvas.label((left + 0.5 * wide, bottom - 0.14), "inertia I* of each leaf", "text2", 12)
         spins = np.clip(np.abs(self.model.plates.spins) / 25.0, 0.0, 1.0)
         for i, way in enumerate(seen.tolist()):
-            inertia = float(self.model.plates.laws[MASS_Y, i]) - 1.0
+            inertia = float(self.model.plates.laws[law.MASS_Y, i]) - 1.0
             canvas.dot((at(inertia), bottom + 0.04 + 0.8 * tall * float(spins[i])), 3.6, COLORS[way])

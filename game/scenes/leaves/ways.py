@@ -16,11 +16,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.physics.plates import law, watch
 from game.physics.plates.flight import WX, WY
-from game.physics.plates.law import HALF, SPIN, VX, VY
-from game.physics.plates.watch import FLUTTER, GLIDE, GLIDING, NOTHING, TUMBLE
 
-Floats = NDArray[np.float64]
 TURNED, CHANGES, ACROSS, DOWN, TOOK = range(5)
 WAY = 5  # rad since the spin changed sign; changes of side; m across, m down and s since the last of them
 FAR = 12.0  # half chords
@@ -33,7 +32,7 @@ def follow_ways(ways: Floats, rows: Floats, air: Floats, aloft: NDArray[np.bool_
 
     rows (STATE, n), air (WIND, n): of the plates after the step.
     """
-    spin, across, down = rows[SPIN], rows[VX] - air[WX], air[WY] - rows[VY]
+    spin, across, down = rows[law.SPIN], rows[law.VX] - air[WX], air[WY] - rows[law.VY]
     stopped = ways[:, TURNED] * spin < 0.0
     ways[stopped, TURNED] = 0.0
     ways[:, TURNED] += dt * spin
@@ -49,7 +48,9 @@ def follow_ways(ways: Floats, rows: Floats, air: Floats, aloft: NDArray[np.bool_
 def seen_of(ways: Floats, laws: Floats) -> NDArray[np.int64]:
     """(n,) of NOTHING, FLUTTER, TUMBLE, GLIDE: what each leaf is seen to do; laws (COLUMNS, n)."""
     far = np.abs(ways[:, ACROSS])
-    glides = (far > FAR * laws[HALF]) & (far > GLIDING * np.maximum(ways[:, DOWN], 0.0))
+    glides = (far > FAR * laws[law.HALF]) & (far > watch.GLIDING * np.maximum(ways[:, DOWN], 0.0))
     flutters = (ways[:, CHANGES] >= SIDES) & (ways[:, TOOK] < LOST_S)
     tumbles = np.abs(ways[:, TURNED]) >= math.tau
-    return np.select([tumbles, glides, flutters], [TUMBLE, GLIDE, FLUTTER], NOTHING).astype(np.int64)
+    return np.select(
+        [tumbles, glides, flutters], [watch.TUMBLE, watch.GLIDE, watch.FLUTTER], watch.NOTHING
+    ).astype(np.int64)

@@ -8,13 +8,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.lecture.table import LectureTable as Lecture
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS, eight_ball_rack
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, Table
 from game.physics.kernels import elementary, linear
 from game.scenes.shared.tables.level import BallEntry
-
-Array = NDArray[np.float64]
 
 Length = Annotated[float, msgspec.Meta(ge=1e-6, le=20.0)]  # m
 
@@ -45,10 +44,10 @@ class Layout(NamedTuple):
 
     table: Table
     numbers: NDArray[np.int64]
-    positions: Array
-    velocities: Array
-    radii: Array
-    masses: Array
+    positions: Floats
+    velocities: Floats
+    radii: Floats
+    masses: Floats
 
 
 def layout_of(content: LectureTableContent, radius_spread: float, mass_spread: float, seed: int) -> Layout:

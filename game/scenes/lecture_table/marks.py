@@ -3,23 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.billiards.lecture.state import (
-    BALL_BALL,
-    BALL_POCKET,
-    EVENT_X,
-    EVENT_Y,
-    FIRST,
-    IMPULSE,
-    KIND,
-    SECOND,
-)
+from game.arrays import Floats
+from game.billiards.lecture import state as s
 from game.billiards.lecture.table import LectureTable
 from game.billiards.table.passing import COLUMNS, find_passed
 from game.stage import Part
-
-Array = NDArray[np.float64]
 
 MARKS = 24  # contacts remembered for the picture
 MARK_S = 0.7  # s that a contact is shown
@@ -34,7 +23,7 @@ class Marks(Part):
     """
 
     def __init__(self) -> None:
-        self.rows: Array = np.zeros((MARKS, 4))
+        self.rows: Floats = np.zeros((MARKS, 4))
         self.rows[:, 2] = MARK_S
         self.next = 0
         self.unseen = 0
@@ -47,12 +36,12 @@ class Marks(Part):
         rows[:, 2] += dt
         np.minimum(rows[:, 2], MARK_S, out=rows[:, 2])
         for event in table.event_rows.tolist():
-            if event[KIND] != BALL_POCKET and event[IMPULSE] > LEAST_IMPULSE:
-                sign = 1.0 if event[KIND] == BALL_BALL else -1.0
-                rows[self.next] = (event[EVENT_X], event[EVENT_Y], 0.0, event[IMPULSE] * sign)
+            if event[s.KIND] != s.BALL_POCKET and event[s.IMPULSE] > LEAST_IMPULSE:
+                sign = 1.0 if event[s.KIND] == s.BALL_BALL else -1.0
+                rows[self.next] = (event[s.EVENT_X], event[s.EVENT_Y], 0.0, event[s.IMPULSE] * sign)
                 self.next = (self.next + 1) % MARKS
 
-    def take_passed(self, table: LectureTable, before: Array, now_s: float) -> None:
+    def take_passed(self, table: LectureTable, before: Floats, now_s: float) -> None:
         """Pairs that went through each other in the step are counted, and the first is kept for the picture.
 
         before: offsets (n, 2) m at the beginning of the step. now_s: time played, s.
@@ -60,9 +49,9 @@ class Marks(Part):
         state = table.state
         free = state.in_play.copy()
         for row in table.event_rows.tolist():
-            free[int(row[FIRST])] = False
-            if row[KIND] == BALL_BALL:
-                free[int(row[SECOND])] = False
+            free[int(row[s.FIRST])] = False
+            if row[s.KIND] == s.BALL_BALL:
+                free[int(row[s.SECOND])] = False
         count = find_passed(before, state.offsets, state.radii, free, self._found)
         if count:
             self.unseen += count

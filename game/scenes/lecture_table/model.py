@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.lecture.state import BALL_COLLISIONS, BALL_POCKET, FIRST, KIND
 from game.billiards.lecture.table import LectureTable
 from game.physics.effects import EffectSet
@@ -18,8 +19,6 @@ from game.scenes.lecture_table.parameters import LectureTableParameters
 from game.scenes.shared.tables.demo_shots import free_head_spot, scattered_orientations
 from game.stage import Part
 
-Array = NDArray[np.float64]
-
 SUNK_S = 0.35  # s in which a pocketed ball drops out of sight
 
 
@@ -29,14 +28,14 @@ class LectureTableState(NamedTuple):
     cue (7,) as in `CueControl`; sunk_s (n,) s since a ball fell; marks (24, 4): x, y, age, impulse.
     """
 
-    offsets: Array
-    velocities: Array
-    orientations: Array
+    offsets: Floats
+    velocities: Floats
+    orientations: Floats
     in_play: NDArray[np.bool_]
     pocketed_by: NDArray[np.int64]
-    cue: Array
-    sunk_s: Array
-    marks: Array
+    cue: Floats
+    sunk_s: Floats
+    marks: Floats
 
 
 class LectureTableModel(Part):
@@ -63,7 +62,7 @@ class LectureTableModel(Part):
         self.played_s = 0.0
         self.struck_s = -math.inf  # when the cue last met the cue ball, of the time played
 
-    def state(self, cue: Array) -> LectureTableState:
+    def state(self, cue: Floats) -> LectureTableState:
         """All that later steps depend on, with that of the cue."""
         state = self.table.state
         return LectureTableState(

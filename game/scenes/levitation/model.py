@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.acoustics import Levitator, LevitatorSettings, escape_estimate, facing_rows
 from game.physics.acoustics.grains import VX, GrainState
 from game.physics.acoustics.levitator import AIR, FREQUENCY, POLYSTYRENE
@@ -16,7 +17,6 @@ from game.scenes.levitation.level import LevitationContent
 from game.scenes.levitation.parameters import LevitationParameters
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 COUNT, PITCH, APART = 17, 0.010, 0.20  # transducers of a row, m from one to the next, m between facing rows
 WAVE = AIR.sound / FREQUENCY  # m
 TRAIL = 240  # places that are remembered of each grain

@@ -9,8 +9,9 @@ import numpy as np
 from game.lab.timing import least_time
 from game.physics.acoustics import Levitator, LevitatorSettings, facing_rows
 from game.physics.acoustics.levitator import POLYSTYRENE
+from game.scenes.levitation import model
 from game.scenes.levitation.figure import draw_focus, draw_standing_wave
-from game.scenes.levitation.model import APART, COUNT, FAR, PITCH, WAVE
+from game.scenes.levitation.model import WAVE
 from game.scenes.shared.marks import dot
 from game.ui.canvas.pen import Pen
 from game.ui.widgets.paper import Comparison, Paper, Step
@@ -24,7 +25,7 @@ def _levitator(
 ) -> Levitator:
     """One grain in the trap of a focus that is led so fast."""
     levitator = Levitator(
-        facing_rows(2, COUNT, PITCH, APART, strength), [], figure=figure, size=size,
+        facing_rows(2, model.COUNT, model.PITCH, model.APART, strength), [], figure=figure, size=size,
         settings=LevitatorSettings(substeps=16, speed=speed, acceleration=1.0),
     )  # fmt: skip
     levitator.add(levitator.place)
@@ -36,7 +37,7 @@ def _carries(speed: float, figure: str) -> bool:
     levitator = _levitator(speed, figure)
     for _ in range(960):
         levitator.step(DT)
-        if np.hypot(*(levitator.positions[0] - levitator.place)) > FAR:
+        if np.hypot(*(levitator.positions[0] - levitator.place)) > model.FAR:
             return False
     return True
 
@@ -94,7 +95,7 @@ def _measure() -> Iterator[Comparison]:
             f"{heaviest / 1000.0:.2g} g/cm³; {let_go / 1000.0:.2g} g/cm³",
         )
     cost = least_time(lambda: still.step(DT), 30) / 16
-    yield Comparison(f"one grain, one substep, {2 * COUNT} transducers", "", f"{1e6 * cost:.1f} µs")
+    yield Comparison(f"one grain, one substep, {2 * model.COUNT} transducers", "", f"{1e6 * cost:.1f} µs")
 
 
 def _heaviest(strength: float) -> float:
@@ -120,7 +121,7 @@ def _heaviest_let_go(strength: float, most: float) -> float:
         levitator.set_grain(POLYSTYRENE._replace(density=middle))
         for _ in range(480):
             levitator.step(DT)
-        stays = np.hypot(*(levitator.positions[0] - levitator.place)) < FAR
+        stays = np.hypot(*(levitator.positions[0] - levitator.place)) < model.FAR
         low, high = (middle, high) if stays else (low, middle)
     return low
 

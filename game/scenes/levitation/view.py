@@ -12,7 +12,6 @@ from game.physics.acoustics.grains import FOCUS_X, FOCUS_Y
 from game.scenes.levitation.model import APART, TRAIL, WAVE, LevitationModel, LevitationState
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
 COLUMNS, ROWS = 140, 140  # cells of the field that is drawn
 HALF = 0.5 * APART
 FULL = 2_600.0  # Pa, drawn in the last colour at the usual strength

@@ -13,7 +13,7 @@ import numpy as np
 
 from game.arrays import Flags, Floats, Longs, Point
 from game.physics.solids import Disc, Material, SolidWorld
-from game.physics.solids.state import DYNAMIC
+from game.physics.solids.arrays.state import DYNAMIC
 from game.physics.solids.tracks import DISC
 from game.physics.solids.tracks import motion as m
 from game.scenes.metal.level import MOST_BALLS, BallEntry, Box

@@ -8,9 +8,8 @@ from typing import NamedTuple
 
 from game.arrays import Floats
 from game.physics.kernels import elementary
-from game.physics.solids.tracks import DISC
+from game.physics.solids.tracks import DISC, motion
 from game.physics.solids.tracks import descent as d
-from game.physics.solids.tracks.motion import RADIUS, VX, VY, X, Y
 from game.scenes.metal.balls import NOT_YET, Table
 from game.scenes.metal.level import GaugeEntry, MetalContent
 from game.worlds.entries.tracks import TrackEntry
@@ -42,13 +41,15 @@ class Moment(NamedTuple):
 
     def crossing(self, level: float) -> tuple[float, float] | None:
         """When (s) and how high (m) it passed x = level in this step, to the right or the left."""
-        x0, x1 = float(self.before[X]), float(self.row[X])
+        x0, x1 = float(self.before[motion.X]), float(self.row[motion.X])
         if x0 == x1 or not min(x0, x1) < level <= max(x0, x1):
             return None
         share = d.crossing_share(
-            x0, x1, float(self.before[VX]) * self.dt, float(self.row[VX]) * self.dt, level
+            x0, x1, float(self.before[motion.VX]) * self.dt, float(self.row[motion.VX]) * self.dt, level
         )
-        y = float(self.before[Y]) + (level - x0) / (x1 - x0) * float(self.row[Y] - self.before[Y])
+        y = float(self.before[motion.Y]) + (level - x0) / (x1 - x0) * float(
+            self.row[motion.Y] - self.before[motion.Y]
+        )
         return self.time - (1.0 - share) * self.dt, y
 
 
@@ -79,7 +80,7 @@ def _is_loop(content: MetalContent, number: int) -> bool:
 def measure(gauge: GaugeEntry, noted: Floats, track: TrackEntry | None, now: Moment) -> None:
     """One step of one ball, into a gauge's numbers (3,)."""
     if gauge.measure == "speed":
-        noted[VALUE] = elementary.hypot(float(now.row[VX]), float(now.row[VY]))
+        noted[VALUE] = elementary.hypot(float(now.row[motion.VX]), float(now.row[motion.VY]))
     elif now.own.freed[now.ball] == NOT_YET:
         return
     elif gauge.measure == "rises":
@@ -96,11 +97,11 @@ def _note_leaving(noted: Floats, track: TrackEntry, now: Moment) -> None:
         return
     places = []
     for row in (now.before, now.row):
-        x, y = float(row[X]) - track.at[0], float(row[Y]) - track.at[1] - track.size[0]
+        x, y = float(row[motion.X]) - track.at[0], float(row[motion.Y]) - track.at[1] - track.size[0]
         if elementary.hypot(x, y) >= track.size[0]:
             return
-        speed = elementary.square(float(row[VX])) + elementary.square(float(row[VY]))
-        push = speed / (track.size[0] - float(row[RADIUS])) - now.gravity * y / elementary.hypot(x, y)
+        speed = elementary.square(float(row[motion.VX])) + elementary.square(float(row[motion.VY]))
+        push = speed / (track.size[0] - float(row[motion.RADIUS])) - now.gravity * y / elementary.hypot(x, y)
         places.append((elementary.atan2(x, y), push))
     (angle, push), (after, pull) = places
     share = push / (push - pull) if push > 0.0 > pull else 1.0
@@ -138,11 +139,11 @@ def exact_of(
         return math.nan
     if gauge.measure == "leaves":
         drop = drop_of(track, own, ball, row)
-        return math.degrees(d.leaving_angle(drop, track.size[0], float(row[RADIUS]), DISC))
+        return math.degrees(d.leaving_angle(drop, track.size[0], float(row[motion.RADIUS]), DISC))
     if gauge.measure == "drop":
-        return d.loop_drop(track.size[0], float(row[RADIUS]), DISC)
+        return d.loop_drop(track.size[0], float(row[motion.RADIUS]), DISC)
     if gauge.measure == "arrives" and track.form in DESCENTS:
-        start = (own.x[ball], own.y[ball]) if own.freed[ball] != NOT_YET else (row[X], row[Y])
+        start = (own.x[ball], own.y[ball]) if own.freed[ball] != NOT_YET else (row[motion.X], row[motion.Y])
         if elementary.dist(start, track.at) < AT_ITS_START:
             return DESCENTS[track.form](*track.size, gravity, DISC)
     return math.nan
@@ -150,5 +151,5 @@ def exact_of(
 
 def drop_of(track: TrackEntry, own: Table, ball: int, row: Floats) -> float:
     """How far (m) a ball's centre begins above its place at a loop's foot."""
-    y = float(own.y[ball] if own.freed[ball] != NOT_YET else row[Y])
-    return y - track.at[1] - float(row[RADIUS])
+    y = float(own.y[ball] if own.freed[ball] != NOT_YET else row[motion.Y])
+    return y - track.at[1] - float(row[motion.RADIUS])

@@ -7,7 +7,7 @@ import numpy as np
 from game.arrays import Flags, Floats
 from game.physics.kernels import elementwise
 from game.physics.solids import SolidWorld
-from game.physics.solids.state import DISC, SEGMENT
+from game.physics.solids.arrays.state import DISC, SEGMENT
 from game.worlds.hearing import impacts
 
 STEEL, WOOD, RAIL, ROLL = range(4)

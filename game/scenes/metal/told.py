@@ -10,9 +10,9 @@ import numpy as np
 from game.arrays import Floats, Point
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import motion as m
+from game.scenes.metal import hearing as h
 from game.scenes.metal.balls import NONE, NOT_YET, RIDES
 from game.scenes.metal.gauges import VALUE, exact_of, names_of
-from game.scenes.metal.hearing import RAIL, ROLL, STEEL, WOOD
 from game.scenes.metal.level import BallEntry, GaugeEntry, MetalContent
 from game.scenes.metal.world import MetalWorld
 from game.stage import Hearing, Readout
@@ -24,7 +24,7 @@ UNITS = {
 COUNTED = ("rode", "inside", "fallen")
 COMPARED = ("speeds up", "arrives")  # with a formula, so that there is an error
 WITH_EXACT = (*COMPARED, "drop", "leaves")
-NAMES = {STEEL: "steel", WOOD: "wood", RAIL: "rail", ROLL: "roll"}
+NAMES = {h.STEEL: "steel", h.WOOD: "wood", h.RAIL: "rail", h.ROLL: "roll"}
 
 
 def readouts(model: MetalWorld) -> list[Readout]:

@@ -13,9 +13,10 @@ from game.physics.kernels import elementwise
 from game.physics.solids import SolidState
 from game.physics.solids.tracks import Curve, TrackState
 from game.physics.solids.tracks import motion as m
+from game.scenes.metal import gauges as g
 from game.scenes.metal import making
 from game.scenes.metal.balls import NONE, NOT_YET, RIDES, Balls
-from game.scenes.metal.gauges import GAUGE_WIDTH, NOTE, SECOND, VALUE, Moment, balls_of, drop_of, measure
+from game.scenes.metal.gauges import Moment, balls_of, drop_of, measure
 from game.scenes.metal.hearing import MOST, impacts_now, landings, rolling
 from game.scenes.metal.level import BallEntry, GaugeEntry, MetalContent
 from game.scenes.metal.parameters import MetalParameters
@@ -62,8 +63,8 @@ class Machine(Member):
     def __init__(self, content: MetalContent, plugs: list[int]):
         self.gates: Floats = np.full(len(content.gates), NOT_YET)
         self.plugs: Longs = np.array(plugs, dtype=np.int64)
-        self.gauges: Floats = np.zeros((len(content.gauges), GAUGE_WIDTH))
-        self.gauges[:, VALUE] = NOT_YET
+        self.gauges: Floats = np.zeros((len(content.gauges), g.GAUGE_WIDTH))
+        self.gauges[:, g.VALUE] = NOT_YET
 
     def state(self) -> tuple[Any, ...]:
         return self.gates, self.plugs, self.gauges
@@ -262,7 +263,7 @@ class MetalWorld(World):
             track = tracks[gauge.track] if gauge.track < len(tracks) else None
             if gauge.measure == "drop":
                 assert track is not None  # balls_of has seen to it
-                noted[VALUE] = drop_of(track, table, ball, rows[ball])
+                noted[g.VALUE] = drop_of(track, table, ball, rows[ball])
             elif ball >= 0:
                 now = Moment(
                     rows[ball], before[ball], bool(rolls[ball]), bool(rolled[ball]), table, ball, self.time,
@@ -277,16 +278,16 @@ class MetalWorld(World):
         if gauge.measure == "inside" and gauge.box is not None:
             one, x, y = gauge.box, rows[:, m.X], rows[:, m.Y]
             inside = (x >= one.left) & (x <= one.right) & (y >= one.bottom) & (y <= one.top)
-            noted[VALUE] = np.count_nonzero(inside)
+            noted[g.VALUE] = np.count_nonzero(inside)
         elif gauge.measure == "fallen":
-            noted[VALUE] = self.fallen()
+            noted[g.VALUE] = self.fallen()
         elif gauge.measure == "kept" and self.cradle_balls:
             first, last = self.cradle_balls[0][0], self.cradle_balls[0][-1]
             speeds = elementwise.hypot(*rows[[first, last], m.VX : m.VY + 1].T)
             if table.rod[last] != NONE:
-                noted[NOTE], noted[SECOND] = np.maximum(noted[[NOTE, SECOND]], speeds)
-            swung = noted[NOTE] > CRAWL and noted[SECOND] > CRAWL
-            noted[VALUE] = 100.0 * noted[SECOND] / noted[NOTE] if swung else NOT_YET
+                noted[g.NOTE], noted[g.SECOND] = np.maximum(noted[[g.NOTE, g.SECOND]], speeds)
+            swung = noted[g.NOTE] > CRAWL and noted[g.SECOND] > CRAWL
+            noted[g.VALUE] = 100.0 * noted[g.SECOND] / noted[g.NOTE] if swung else NOT_YET
 
     def fallen(self) -> int:
         """How many blocks have left their place."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from game.scenes.plates.model import CEILING, FLOOR, LEFT, MOST_PLATES, RIGHT, PlatesModel
+from game.scenes.plates import model as m
+from game.scenes.plates.model import PlatesModel
 from game.stage import Part, Pointer
 
 REACH = 0.04  # m, how near to a plate a click takes it as the one that is measured
@@ -19,12 +20,12 @@ class PlatesHand(Part):
 
     def take(self, event: Pointer) -> str:
         """A pointer event; what there is to say about it, or ""."""
-        at = (min(max(event.x, LEFT), RIGHT), min(max(event.y, FLOOR), CEILING))
+        at = (min(max(event.x, m.LEFT), m.RIGHT), min(max(event.y, m.FLOOR), m.CEILING))
         if event.kind == "down" and event.button == 3:
             number = self.model.near(at, 2.0 * REACH)
             if number >= 0:
                 self.model.remove(number)
-        elif event.kind == "down" and event.button == 1 and LEFT <= event.x <= RIGHT:
+        elif event.kind == "down" and event.button == 1 and m.LEFT <= event.x <= m.RIGHT:
             number = self.model.near(at, REACH)
             if number >= 0:
                 self.model.chosen = number
@@ -41,8 +42,8 @@ class PlatesHand(Part):
         return ""
 
     def _drop(self) -> str:
-        if len(self.model.plates) >= MOST_PLATES:
-            return f"At most {MOST_PLATES} plates: take some away with the right button."
+        if len(self.model.plates) >= m.MOST_PLATES:
+            return f"At most {m.MOST_PLATES} plates: take some away with the right button."
         velocity = THROW * (self.x - self.from_x), THROW * (self.y - self.from_y)
         tilt = self.model.parameters.tilt
         self.model.add(self.model.own_plate(), (self.from_x, self.from_y), tilt, velocity, 0.0)

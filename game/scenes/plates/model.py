@@ -8,17 +8,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.fields import GROUND
 from game.physics.kernels import elementwise
-from game.physics.plates import GustyWind, Plate, Plates, PlateSettings, PlateState
-from game.physics.plates.law import BEND, HALF, MASS_Y, RADIUS, THETA, UNIT, X, Y
+from game.physics.plates import GustyWind, Plate, Plates, PlateSettings, PlateState, law
 from game.physics.plates.watch import NO_COURSE, Course, Watch
 from game.scenes.plates.level import PlatesContent
 from game.scenes.plates.parameters import OF_PLATE, PlatesParameters
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 LEFT, RIGHT, FLOOR, CEILING = (
     -0.9,
     0.9,
@@ -137,7 +136,7 @@ class PlatesModel(Part):
             self.flashed += 1
 
     def _poses(self) -> Floats:
-        return self.plates.rows[[X, Y, THETA, BEND]]
+        return self.plates.rows[[law.X, law.Y, law.THETA, law.BEND]]
 
     # -- what is there --------------------------------------------------------------------------------
 
@@ -170,12 +169,12 @@ class PlatesModel(Part):
     def numbers_of(self, number: int) -> tuple[float, float, float, float]:
         """Inertia and thickness, half chord (m) and speed unit (m/s) of a plate."""
         laws = self.plates.laws
-        half = float(laws[HALF, number])
+        half = float(laws[law.HALF, number])
         return (
-            float(laws[MASS_Y, number]) - 1.0,
-            float(laws[RADIUS, number]) / half,
+            float(laws[law.MASS_Y, number]) - 1.0,
+            float(laws[law.RADIUS, number]) / half,
             half,
-            float(laws[UNIT, number]),
+            float(laws[law.UNIT, number]),
         )
 
     def reference(self, number: int) -> tuple[float, float, float]:

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from game.physics.kernels import elementary, elementwise
+from game.physics.plates import watch
 from game.physics.plates.law import SPIN
-from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, TUMBLE
 from game.scenes.plates.model import PlatesModel
 from game.stage import Readout
 
@@ -38,10 +38,10 @@ def readouts_of(model: PlatesModel) -> tuple[Readout, ...]:
         Readout("amplitude", amplitude, "°"),
         Readout("speed", speed, "U"),
         Readout("spin now", now, "U/a"),
-        Readout("flutter", courses.count(FLUTTER)),
-        Readout("tumble", courses.count(TUMBLE)),
-        Readout("glide", courses.count(GLIDE)),
-        Readout("irregular", courses.count(CHAOS)),
+        Readout("flutter", courses.count(watch.FLUTTER)),
+        Readout("tumble", courses.count(watch.TUMBLE)),
+        Readout("glide", courses.count(watch.GLIDE)),
+        Readout("irregular", courses.count(watch.CHAOS)),
         Readout("at rest", int(np.count_nonzero(fast < 5e-3))),
         Readout("fastest", float(np.max(fast, initial=0.0)), "m/s"),
         Readout("energy gained", model.gains[0] / max(float(model.gains[1]), 1e-12)),

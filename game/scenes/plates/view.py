@@ -6,26 +6,24 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.fields import GROUND
-from game.physics.plates.law import BEND, HALF, RADIUS, THETA, X, Y
+from game.physics.plates import law, watch
 from game.physics.plates.regimes import BORDERS, THICKEST
-from game.physics.plates.watch import CHAOS, FLUTTER, GLIDE, NAMES, NOTHING, TUMBLE
+from game.physics.plates.watch import NAMES
+from game.scenes.plates import model as m
 from game.scenes.plates.hand import PlatesHand
-from game.scenes.plates.model import (
-    CEILING,
-    FLASHES,
-    FLOOR,
-    LEFT,
-    RIGHT,
-    PlatesModel,
-    PlatesState,
-)
+from game.scenes.plates.model import PlatesModel, PlatesState
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
-COLORS = {NOTHING: "text2", FLUTTER: "chalk", TUMBLE: "amber", CHAOS: "vermilion", GLIDE: "green"}
+COLORS = {
+    watch.NOTHING: "text2",
+    watch.FLUTTER: "chalk",
+    watch.TUMBLE: "amber",
+    watch.CHAOS: "vermilion",
+    watch.GLIDE: "green",
+}
 MAP_LEFT, MAP_RIGHT, MAP_LOW, MAP_HIGH = 1.02, 1.86, -0.40, 0.40  # m, where the map stands
 LEAST, MOST = 0.08, 12.0  # inertias on the map
 TOP = 0.5  # thickness at the upper edge of the map
@@ -56,7 +54,7 @@ class PlatesView:
             rows = previous.plates.rows + alpha * (rows - previous.plates.rows)
         regimes = [self.model.course(i).regime for i in range(rows.shape[1])]
         self._draw_tank(canvas)
-        with canvas.within((LEFT, FLOOR), (RIGHT, CEILING)):
+        with canvas.within((m.LEFT, m.FLOOR), (m.RIGHT, m.CEILING)):
             if self.model.parameters.traces:
                 self._draw_flashes(canvas, regimes)
             self._draw_plates(canvas, rows, regimes)
@@ -74,20 +72,21 @@ class PlatesView:
         down = np.linspace(0.0, 1.0, 24)[::-1]
         across = np.linspace(-1.0, 1.0, 32)
         light = np.exp(-2.2 * down)[:, None] * np.exp(-1.4 * (across - 0.3 * (down[:, None] - 0.5)) ** 2)
-        canvas.field(light, (LEFT, FLOOR), (RIGHT, CEILING), ((0.0, "stage"), (1.0, "panel")))
-        for x in (LEFT, RIGHT):
-            canvas.line((x, FLOOR), (x, CEILING), "line2", 1.0)
+        canvas.field(light, (m.LEFT, m.FLOOR), (m.RIGHT, m.CEILING), ((0.0, "stage"), (1.0, "panel")))
+        for x in (m.LEFT, m.RIGHT):
+            canvas.line((x, m.FLOOR), (x, m.CEILING), "line2", 1.0)
         if GROUND in self.model.plates.effects:
             canvas.polygon(
-                [(LEFT, FLOOR), (RIGHT, FLOOR), (RIGHT, FLOOR - 0.02), (LEFT, FLOOR - 0.02)], fill="body"
+                [(m.LEFT, m.FLOOR), (m.RIGHT, m.FLOOR), (m.RIGHT, m.FLOOR - 0.02), (m.LEFT, m.FLOOR - 0.02)],
+                fill="body",
             )
-            canvas.line((LEFT, FLOOR), (RIGHT, FLOOR), "text3", 1.6)
+            canvas.line((m.LEFT, m.FLOOR), (m.RIGHT, m.FLOOR), "text3", 1.6)
         for x0, y0, x1, y1 in self.model.content.walls:
             canvas.line((x0, y0), (x1, y1), "text2", 3.0)
 
     def _blades(self, poses: Floats, number: int) -> Floats:
         """Both halves (k, 3, 2) m of a plate in poses (k, 4): its left end, its middle, its right end."""
-        half = float(self.model.plates.laws[HALF, number])
+        half = float(self.model.plates.laws[law.HALF, number])
         x, y, theta, q = poses.T
         c, s = np.cos(theta), np.sin(theta)
         found = np.empty((len(poses), 3, 2))
@@ -99,7 +98,7 @@ class PlatesView:
 
     def _draw_flashes(self, canvas: Canvas, regimes: list[int]) -> None:
         flashed = self.model.flashed
-        order = np.arange(max(flashed - FLASHES, 0), flashed) % FLASHES
+        order = np.arange(max(flashed - m.FLASHES, 0), flashed) % m.FLASHES
         if not len(order):
             return
         for i, regime in enumerate(regimes):
@@ -113,13 +112,13 @@ class PlatesView:
 
     def _draw_plates(self, canvas: Canvas, rows: Floats, regimes: list[int]) -> None:
         for i, regime in enumerate(regimes):
-            left, middle, right = self._blades(rows[[X, Y, THETA, BEND], i][None], i)[0]
-            thick = max(float(self.model.plates.laws[RADIUS, i]), canvas.px(1.6))
+            left, middle, right = self._blades(rows[[law.X, law.Y, law.THETA, law.BEND], i][None], i)[0]
+            thick = max(float(self.model.plates.laws[law.RADIUS, i]), canvas.px(1.6))
             width = 2.0 * thick / canvas.px(1.0)
             canvas.polyline(np.array([left, middle, right]), COLORS[regime], width + 1.6)
             canvas.polyline(np.array([left, middle, right]), "text1", max(width - 1.0, 1.4))
             if i == self.model.chosen:
-                half = float(self.model.plates.laws[HALF, i])
+                half = float(self.model.plates.laws[law.HALF, i])
                 canvas.circle(0.5 * (left + right), 1.25 * half, outline="amber", width=1.4, alpha=0.8)
                 if self.model.parameters.forces:
                     canvas.arrow(middle, 0.12 * self.model.plates.velocities[i], "chalk", "v")
@@ -127,7 +126,7 @@ class PlatesView:
     def _draw_wind(self, canvas: Canvas) -> None:
         """Arrows of the wind over the tank, where it blows."""
         x, y = np.meshgrid(
-            np.linspace(LEFT + 0.09, RIGHT - 0.09, 11), np.linspace(FLOOR + 0.1, CEILING - 0.1, 7)
+            np.linspace(m.LEFT + 0.09, m.RIGHT - 0.09, 11), np.linspace(m.FLOOR + 0.1, m.CEILING - 0.1, 7)
         )
         places = np.stack([x.ravel(), y.ravel()], axis=1)
         wind = self.model.wind.sample(places, self.model.plates.time)

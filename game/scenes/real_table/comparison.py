@@ -12,8 +12,8 @@ from functools import lru_cache
 from time import perf_counter
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.fitting.errors import Goal
 from game.billiards.fitting.fitting import FittedShot, FittedStroke, computed_shot
 from game.billiards.fitting.strokes import EVERYTHING, PLAIN, QUICK, Bench, fit_stroke
@@ -23,8 +23,6 @@ from game.billiards.shot.physics import ShotError
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate
 from game.physics.kernels import elementary, elementwise
-
-Array = NDArray[np.float64]
 
 MODELS = ("han", "mathavan", "stronge", "stepped", "lecture")
 LABELS = {
@@ -52,7 +50,7 @@ class Played:
             for ball, track in enumerate(shot.tracks)
         ]
 
-    def places(self, times: Array) -> Array:
+    def places(self, times: Floats) -> Floats:
         """Places (m, n, 2) at times (m,) of the track's clock."""
         start = self.stroke.start
         return np.array([self.trajectory.state_at(time - start).positions for time in times.tolist()])
@@ -125,6 +123,6 @@ class _ByName:
 
 
 @lru_cache(maxsize=64)
-def _first_stroke(key: _ByName, table: FittedTable) -> Array:
+def _first_stroke(key: _ByName, table: FittedTable) -> Floats:
     """The stroke (5,) that explains a track best on a table."""
     return fit_stroke(Bench(target_of(key.shot, table)), table.ground, QUICK)[0].stroke

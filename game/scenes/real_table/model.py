@@ -6,8 +6,8 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.fitting.fitting import FittedStroke
 from game.billiards.fitting.made import make_tracks
 from game.billiards.fitting.tables import START_OF_CAROM, FittedTable
@@ -17,8 +17,6 @@ from game.scenes.real_table.comparison import Comparison
 from game.scenes.real_table.level import MadeTracks, RealTableContent
 from game.scenes.real_table.parameters import CUSHIONS, RealTableParameters
 from game.stage import Part
-
-Array = NDArray[np.float64]
 
 PAUSE_S = 1.5  # between the end of a shot and its beginning again
 
@@ -89,7 +87,7 @@ class RealTableModel(Part):
         return self._shelf.get(self.shot, tables, base, self.parameters.stepped_step)
 
     @property
-    def computed(self) -> tuple[Array, Array]:
+    def computed(self) -> tuple[Floats, Floats]:
         """The stroke (5,) on Han's table, and where its balls are now: places (16, 2) m, 0 for none."""
         places = np.zeros((MAX_BALLS, 2))
         played = self.compared.models.get("han")

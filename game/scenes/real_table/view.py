@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.table.table import Table
 from game.scenes.real_table.comparison import LABELS, MODELS, Played
 from game.scenes.real_table.model import RealTableModel
@@ -15,8 +15,6 @@ from game.scenes.shared.tables.view import SURROUND, Balls
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_LINE, FELT_WARM
-
-Array = NDArray[np.float64]
 
 COLORS = {"han": "chalk", "mathavan": "green", "stronge": "violet", "stepped": "yellow", "lecture": "pink"}
 NUMBERS = (0, 1, 3)  # a white, a yellow and a red ball
@@ -136,7 +134,7 @@ def _draw_chart(canvas: Canvas, model: RealTableModel, time: float) -> None:
         canvas.label(at, "0 s" if second == 0 else str(second), "text3", 11)
 
 
-def _depth(errors: Array) -> Array:
+def _depth(errors: Floats) -> Floats:
     """How far below the chart's upper edge distances (m) stand, on a logarithmic axis."""
     share = np.log10(np.clip(errors, LEAST, MOST) / LEAST) / math.log10(MOST / LEAST)
     return (1.0 - share) * CHART

@@ -11,14 +11,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import linear
 from game.physics.rigid import RigidBody, mass_properties, quaternion_to_matrix
 from game.physics.rigid.turning import measure
 from game.scenes.rigid_body.level import RADIUS, SHARE
 
-Array = NDArray[np.float64]
 A, B, EXACT = range(3)
 MADE_ENERGY, MADE_MOMENTUM, FLIPS, SIDE, ACCOUNT = 0, 1, 2, 3, 4  # columns of an account
 ALIKE = 1e-9  # of a moment: others that differ by less are the same
@@ -30,7 +29,7 @@ FINE = 8  # steps of the exact body in one of the others while something turns i
 class Bodies:
     """Three bodies of one design (n, 6), of a density in kg/m³."""
 
-    def __init__(self, design: Array, density: float):
+    def __init__(self, design: Floats, density: float):
         self.design, self.density = design, density
         self.accounts = np.zeros((3, ACCOUNT))
         self._make()
@@ -45,7 +44,7 @@ class Bodies:
         for index, one in enumerate(self.all):
             one.states = self.rows[index : index + 1]
 
-    def take(self, rows: Array, design: Array, density: float) -> None:
+    def take(self, rows: Floats, design: Floats, density: float) -> None:
         """Take over states (3, 13) of bodies of a design."""
         rows = rows.copy()
         if density != self.density or not np.array_equal(design, self.design):
@@ -76,7 +75,7 @@ class Bodies:
         self.take(self.rows, self.design, density)  # constants those of the design, to the bit
         self.accounts[:, :FLIPS] = 0.0
 
-    def reshape(self, design: Array) -> None:
+    def reshape(self, design: Floats) -> None:
         """Other spheres; place, turn, velocity and spin of the body's matter stay as they are."""
         before, center, accounts = self.all, self.center, self.accounts.copy()
         self.design = design.copy()
@@ -90,12 +89,12 @@ class Bodies:
         self.accounts[:, :FLIPS] = 0.0
         self.accounts[:, SIDE] = [side_of(body) for body in self.all]  # of another middle axis
 
-    def point_of(self, index: int, arm: Sequence[float]) -> Array:
+    def point_of(self, index: int, arm: Sequence[float]) -> Floats:
         """Where (3,) m a point of the design's frame is on a body; arm (3,) m from the centre of mass."""
         body = self.all[index]
         return body.position + linear.product(quaternion_to_matrix(body.orientation), np.asarray(arm))
 
-    def arm_of(self, index: int, point: Array) -> tuple[float, float, float]:
+    def arm_of(self, index: int, point: Floats) -> tuple[float, float, float]:
         """The opposite: where a point of the world is in the body's own axes, from its centre of mass."""
         body = self.all[index]
         x, y, z = (linear.product(point - body.position, quaternion_to_matrix(body.orientation))).tolist()
@@ -119,7 +118,7 @@ class Bodies:
                 account[MADE_MOMENTUM] += after[2] - before[2]
             self._count_flips(body, account)
 
-    def _count_flips(self, body: RigidBody, account: Array) -> None:
+    def _count_flips(self, body: RigidBody, account: Floats) -> None:
         """Count a flip where L has come from one side of the middle axis to the other.
 
         A sign that changes is not enough: about another axis the body wobbles, and its spin about the middle

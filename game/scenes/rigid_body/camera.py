@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, linear
 
-Array = NDArray[np.float64]
 HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
 
 
-def camera_matrix(turn: float, tilt: float) -> Array:
+def camera_matrix(turn: float, tilt: float) -> Floats:
     """(3, 3) whose rows are, in the world's frame, the picture's right, up, and the direction to the viewer.
 
     turn, tilt: degrees; tilt above 0 looks from above.
@@ -24,8 +23,8 @@ def camera_matrix(turn: float, tilt: float) -> Array:
 
 
 def hit_sphere(
-    view: Array, places: Array, radii: Array, point: tuple[float, float]
-) -> tuple[int, Array] | None:
+    view: Floats, places: Floats, radii: Floats, point: tuple[float, float]
+) -> tuple[int, Floats] | None:
     """The foremost sphere at a point of the picture and the place (3,) m on its surface; None beside all.
 
     view: of `camera_matrix`; places (n, 3) m; point: picture coordinates, m.
@@ -40,12 +39,12 @@ def hit_sphere(
     return index, linear.product(view.T, np.array((point[0], point[1], near[index])))
 
 
-def on_plane(view: Array, center: Array, point: tuple[float, float]) -> Array:
+def on_plane(view: Floats, center: Floats, point: tuple[float, float]) -> Floats:
     """The place (3,) m at a point of the picture in the plane across the view through ``center``."""
     return linear.product(view.T, np.array((point[0], point[1], float(linear.product(view[2], center)))))
 
 
-def box_edges(half: Array) -> Array:
+def box_edges(half: Floats) -> Floats:
     """(12, 2, 3): the edges of a box about the origin."""
     edges = []
     for axis in range(3):

@@ -6,12 +6,11 @@ from typing import Annotated, Literal
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.worlds.entries.entry import LevelEntry
 from game.worlds.expectations import Expectations
 
-Array = NDArray[np.float64]
 Metre = Annotated[float, msgspec.Meta(ge=-10_000_000.0, le=10_000_000.0)]
 Length = Annotated[float, msgspec.Meta(ge=1e-6, le=10_000.0)]
 FARTHEST = 1e15  # m, m/s, rad/s: what a level keeps of a body that a method has let run away
@@ -65,7 +64,7 @@ class RigidContent(LevelEntry, frozen=True, kw_only=True):
     expected: Expectations = ()
 
 
-def design_of(content: RigidContent) -> Array:
+def design_of(content: RigidContent) -> Floats:
     """The spheres of a content, (n, 6). ValueError if there is none, or too many."""
     rows: list[tuple[float, ...]] = []
     for entry in content.spheres:
@@ -78,7 +77,7 @@ def design_of(content: RigidContent) -> Array:
     return np.array(rows, dtype=np.float64)
 
 
-def entries_of(design: Array) -> tuple[SphereEntry, ...]:
+def entries_of(design: Floats) -> tuple[SphereEntry, ...]:
     """A design as entries of a level file."""
     return tuple(
         SphereEntry(position=(x, y, z), radius=radius, density=share, color=COLORS[int(color)])  # type: ignore[arg-type]

@@ -6,20 +6,20 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.rigid import METHODS
 from game.physics.rigid.motion import INVERSES, MOMENTS, P
 from game.physics.rigid.turning import measure
-from game.scenes.rigid_body.bodies import EXACT, FLIPS, A, B, Bodies, is_about_middle_axis
+from game.scenes.rigid_body import bodies
+from game.scenes.rigid_body.bodies import Bodies, is_about_middle_axis
 from game.scenes.rigid_body.level import RigidContent, design_of
 from game.scenes.rigid_body.panes import Panes
 from game.scenes.rigid_body.parameters import LABELS, SHOWN_ONLY, RigidBodyParameters
 from game.stage import Part
 from game.stage.messages import Messages
 
-Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
 TRAIL = 400  # steps that the trail of L on its sphere goes back
 
@@ -61,7 +61,7 @@ class RigidModel(Part):
 
     def method_label(self, pane: int) -> str:
         """Words for the method of a body."""
-        return LABELS[METHODS.index(self.parameters.second if pane == B else self.parameters.method)]
+        return LABELS[METHODS.index(self.parameters.second if pane == bodies.B else self.parameters.method)]
 
     def configure(self) -> None:
         """Hand the parameters to the bodies."""
@@ -72,7 +72,7 @@ class RigidModel(Part):
                 effects=self.active,
                 gravity=p.gravity,
                 damping=p.damping,
-                normalizing=p.normalizing or index == EXACT,
+                normalizing=p.normalizing or index == bodies.EXACT,
                 wall=p.wall,
                 restitution=p.restitution,
                 lower=-half,
@@ -95,12 +95,12 @@ class RigidModel(Part):
 
     def advance(self, dt: float, held: Pull | None) -> None:
         """Go on by dt s; held: what the hand pulls with, or None."""
-        body, flips = self.bodies.all[A], self.bodies.accounts[A, FLIPS]
+        body, flips = self.bodies.all[bodies.A], self.bodies.accounts[bodies.A, bodies.FLIPS]
         bounces = body.bounces
         self.bodies.step(dt, self.parameters.twin, self._force_and_arm(dt, held))
         self.steps += 1
         self._note()
-        first = flips == 0.0 < self.bodies.accounts[A, FLIPS] and body.bounces == bounces
+        first = flips == 0.0 < self.bodies.accounts[bodies.A, bodies.FLIPS] and body.bounces == bounces
         if first and body.is_free and is_about_middle_axis(body):
             self.messages.say("The body has turned over, with no torque on it.")
 
@@ -117,7 +117,7 @@ class RigidModel(Part):
 
     def _note(self) -> None:
         """Write where L is, seen from the bodies, into the trail."""
-        for index in (A, B):
+        for index in (bodies.A, bodies.B):
             body = self.bodies.all[index]
             _, _, momentum, _, *spin = measure(body.state, body.constants[0])
             place = self.trail[index, self.steps % TRAIL]
@@ -125,7 +125,7 @@ class RigidModel(Part):
             if momentum > 0.0:
                 place *= body.constants[0, MOMENTS:INVERSES] / momentum
 
-    def trail_of(self, index: int) -> Array:
+    def trail_of(self, index: int) -> Floats:
         """Directions (k, 3) of L that a body has had, from the oldest on."""
         trail = self.trail[index]
         count = min(self.steps + 1, TRAIL)
@@ -133,7 +133,7 @@ class RigidModel(Part):
 
     # -- what comes from outside --------------------------------------------------------------------
 
-    def reshape(self, design: Array) -> None:
+    def reshape(self, design: Floats) -> None:
         """Go on with other spheres (n, 6); a push ends."""
         self.bodies.reshape(design)
         self.push = None

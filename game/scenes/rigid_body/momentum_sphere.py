@@ -9,14 +9,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.rigid_body.bodies import A, B
 from game.scenes.rigid_body.camera import camera_matrix
 from game.scenes.rigid_body.model import RigidModel
 from game.ui.canvas.canvas import Canvas
 
-Array = NDArray[np.float64]
 RADIUS_PX, MARGIN_PX, SIDE_PX = 52.0, 26.0, 20.0
 LOOK = camera_matrix(-35.0, 24.0) @ np.array(
     ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
@@ -46,7 +45,7 @@ def draw_momentum_sphere(model: RigidModel, canvas: Canvas) -> None:
     canvas.label(below, "L in the body", "text3", 11, anchor="top", offset=(0.0, 5.0))
 
 
-def separatrix(moments: Array) -> list[Array]:
+def separatrix(moments: Floats) -> list[Floats]:
     """The two great circles (73, 3) through axis 2, if all three moments differ."""
     i1, i2, i3 = moments.tolist()
     if not 0.0 < i1 < i2 < i3:
@@ -59,7 +58,7 @@ def separatrix(moments: Array) -> list[Array]:
 
 
 def _draw_on_sphere(
-    canvas: Canvas, center: Array, radius: float, curve: Array, color: str, width: float
+    canvas: Canvas, center: Floats, radius: float, curve: Floats, color: str, width: float
 ) -> None:
     """A curve (n, 3) on the unit sphere: strong before, weak behind."""
     seen = curve @ LOOK.T
@@ -69,7 +68,7 @@ def _draw_on_sphere(
         canvas.polyline(part, color, width, alpha=strength)
 
 
-def _outwards(tip: Array) -> Array:
+def _outwards(tip: Floats) -> Floats:
     """Where to write beside a point of the sphere: away from its middle, at least a little."""
     length = math.sqrt(float(tip[0] * tip[0] + tip[1] * tip[1]))
     return tip[:2] / length if length > 1e-9 else np.array((0.0, 1.0))

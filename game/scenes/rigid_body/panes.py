@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.physics.kernels import linear
 from game.scenes.rigid_body.bodies import A, B
 from game.scenes.rigid_body.camera import HOME, box_edges, camera_matrix
 from game.stage import Frame
 
-Array = NDArray[np.float64]
 TITLE_HEIGHT = 0.25  # m
 SPHERE_ROOM = 1.15  # m
 GAP = 0.12  # m, between the boxes of the twin view

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.rigid_body.bodies import A
 from game.scenes.rigid_body.level import FARTHEST, RigidContent, entries_of
 from game.scenes.rigid_body.model import RigidModel
 
-Array = NDArray[np.float64]
 
-
-def _kept_within(vector: Array) -> tuple[float, float, float]:
+def _kept_within(vector: Floats) -> tuple[float, float, float]:
     """What a level file keeps of a place or velocity: what is beyond `FARTHEST` stays there."""
     x, y, z = np.clip(vector, -FARTHEST, FARTHEST).tolist()
     return x, y, z

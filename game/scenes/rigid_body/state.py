@@ -5,21 +5,19 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.rigid_body.model import RigidModel
-
-Array = NDArray[np.float64]
 
 
 class RigidState(NamedTuple):
     """What moves, of what it is made, and what is remembered of it."""
 
-    rows: Array  # (3, 13)
-    accounts: Array  # (3, 4)
-    design: Array  # (n, 6)
+    rows: Floats  # (3, 13)
+    accounts: Floats  # (3, 4)
+    design: Floats  # (n, 6)
     density: float  # kg/m³
-    trail: Array  # (2, TRAIL, 3): direction of L in the body's frame, by step number modulo TRAIL
+    trail: Floats  # (2, TRAIL, 3): direction of L in the body's frame, by step number modulo TRAIL
 
 
 def state_of(model: RigidModel) -> RigidState:

@@ -6,12 +6,13 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.fields import GRAVITY
 from game.physics.rigid import ROTATION, WINDOW, quaternion_to_matrix
 from game.physics.rigid.motion import P, Q, X
-from game.scenes.rigid_body.bodies import EXACT, FLIPS, A, B, Bodies
+from game.scenes.rigid_body import bodies as bo
+from game.scenes.rigid_body.bodies import Bodies
 from game.scenes.rigid_body.camera import camera_matrix
 from game.scenes.rigid_body.hand import Hand
 from game.scenes.rigid_body.level import COLOR, COLORS, RADIUS
@@ -23,7 +24,6 @@ from game.stage import blend, blend_quaternions
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.painters.spheres import OUTLINE_CORNERS, SpherePainter, trace_outline
 
-Array = NDArray[np.float64]
 INKS = {"ivory": 0xE9E0CF, "stone": 0xA79C8E}  # beside the colours of the theme
 VELOCITY_M, ACCELERATION_M, SPIN_M = 0.22, 0.04, 0.22  # m for each m/s, m/s², rad/s
 LONGEST_M = 2.2  # of an arrow in the picture
@@ -48,12 +48,12 @@ class RigidView:
         if shown.ghost:
             rows.append(("dash:text1", "exact", ""))
         if shown.vectors:
-            body = model.bodies.all[A]
+            body = model.bodies.all[bo.A]
             if np.abs(body.momentum).max() > 1e-9 * body.mass:
                 rows.append(("arrow:chalk", "velocity v, momentum P", ""))
-            if GRAVITY in model.active or self._force(A)[1] is not None:
+            if GRAVITY in model.active or self._force(bo.A)[1] is not None:
                 rows.append(("arrow:violet", "acceleration a", ""))
-            if self.hand.grip == "push" or self._force(A)[1] is not None:
+            if self.hand.grip == "push" or self._force(bo.A)[1] is not None:
                 rows.append(("arrow:amber", "force f", ""))
             if ROTATION in model.active:
                 rows.append(("arrow:pink", "spin ω", ""))
@@ -90,7 +90,7 @@ class RigidView:
         if shown.momentum_sphere and ROTATION in model.active:
             draw_momentum_sphere(model, canvas)
 
-    def _between(self, before: RigidState | None, alpha: float) -> Array:
+    def _between(self, before: RigidState | None, alpha: float) -> Floats:
         """States (3, 13) between the last two steps."""
         now = self.model.bodies.rows
         if (
@@ -106,7 +106,7 @@ class RigidView:
 
     # -- bodies -------------------------------------------------------------------------------------
 
-    def _draw_spheres(self, canvas: Canvas, view: Array, rows: Array, panes: Sequence[int]) -> None:
+    def _draw_spheres(self, canvas: Canvas, view: Floats, rows: Floats, panes: Sequence[int]) -> None:
         """All spheres of all panes in one go."""
         design, n = self.model.bodies.design, len(self.model.bodies.design)
         scale = canvas.pixels_per_unit
@@ -125,10 +125,10 @@ class RigidView:
             np.repeat(np.arange(len(panes)), n), np.tile(colors, len(panes)),
         )  # fmt: skip
 
-    def _draw_exact(self, canvas: Canvas, view: Array, rows: Array, shift: Array) -> None:
+    def _draw_exact(self, canvas: Canvas, view: Floats, rows: Floats, shift: Floats) -> None:
         """Outlines of the exact body's spheres."""
         radii = self.model.bodies.design[:, RADIUS]
-        centers = _seen(self.model.bodies, view, rows[EXACT])[0][:, :2] + shift
+        centers = _seen(self.model.bodies, view, rows[bo.EXACT])[0][:, :2] + shift
         if len(centers) > MOST_OUTLINES:
             points = hull_of_discs(centers, radii)
         else:
@@ -138,7 +138,7 @@ class RigidView:
 
     # -- around them --------------------------------------------------------------------------------
 
-    def _draw_box(self, canvas: Canvas, view: Array, pane: int, behind: bool) -> None:
+    def _draw_box(self, canvas: Canvas, view: Floats, pane: int, behind: bool) -> None:
         """Edges of the window: those behind the body, or those before it."""
         edges = self.model.panes.box @ view.T
         depth = edges[:, :, 2].mean(axis=1)
@@ -149,7 +149,7 @@ class RigidView:
         color = "line2" if WINDOW in self.model.active else "line"
         canvas.segments(chosen[:, 0], chosen[:, 1], color, 1.2, 0.9 if behind else 0.5)
 
-    def _draw_axes(self, canvas: Canvas, view: Array, row: Array, shift: Array) -> None:
+    def _draw_axes(self, canvas: Canvas, view: Floats, row: Floats, shift: Floats) -> None:
         """The three principal axes, with their numbers."""
         turn = view @ quaternion_to_matrix(row[Q:P])
         center = view @ row[X:Q]
@@ -160,12 +160,14 @@ class RigidView:
             canvas.line(a, b, "text3", 1.2, (5.0, 4.0))
             canvas.label(b + 0.12 * turn[:2, k], str(k + 1), "text2", 12, "semibold")
 
-    def _draw_vectors(self, canvas: Canvas, view: Array, row: Array, pane: int, shift: Array) -> None:
+    def _draw_vectors(self, canvas: Canvas, view: Floats, row: Floats, pane: int, shift: Floats) -> None:
         """v, P, a, f at the centre or their point; ω and L."""
         body = self.model.bodies.all[pane]
         center = (view @ row[X:Q])[:2] + shift
 
-        def arrow(vector: Array, scale: float, color: str, label: str, unit: str, width: float = 2.4) -> None:
+        def arrow(
+            vector: Floats, scale: float, color: str, label: str, unit: str, width: float = 2.4
+        ) -> None:
             """One that would leave the picture is cut short, and says how much it is."""
             shaft = scale * (view @ vector)[:2]
             length = math.sqrt(float(shaft @ shaft))
@@ -198,14 +200,14 @@ class RigidView:
             canvas.arrow(tail, FORCE_M * (view @ force)[:2], "amber", "f")
             canvas.dot(tail, 4.5, "amber")
 
-    def _force(self, pane: int) -> tuple[Array, Array | None]:
+    def _force(self, pane: int) -> tuple[Floats, Floats | None]:
         """Force (3,) N by hand that acts on a body now, and its point (3,) m."""
         pull = self.hand.acting()
         if pull is None:
             return np.zeros(3), None
         return np.array(pull.force), self.model.bodies.point_of(pane, pull.arm)
 
-    def _draw_hand(self, canvas: Canvas, view: Array) -> None:
+    def _draw_hand(self, canvas: Canvas, view: Floats) -> None:
         """The force that is being drawn, or the sphere that is being added."""
         if self.hand.grip not in ("push", "sphere"):
             return
@@ -228,29 +230,32 @@ class RigidView:
 
     def _draw_titles(self, canvas: Canvas, panes: Sequence[int]) -> None:
         """Letter and method above each box, and how often the body in it has turned over."""
-        top, exact = self.model.panes.frame().top, int(self.model.bodies.accounts[EXACT, FLIPS])
+        top, exact = self.model.panes.frame().top, int(self.model.bodies.accounts[bo.EXACT, bo.FLIPS])
         for pane in panes:
             words = f"{'AB'[pane]}  {self.model.method_label(pane)}"
-            color = "green" if pane == B else "chalk"
-            place, flips = (self.model.panes.shift(pane), top), int(self.model.bodies.accounts[pane, FLIPS])
+            color = "green" if pane == bo.B else "chalk"
+            place, flips = (
+                (self.model.panes.shift(pane), top),
+                int(self.model.bodies.accounts[pane, bo.FLIPS]),
+            )
             canvas.label(place, words, color, 13, "semibold", "top")
             if flips or exact:
                 words = f"{flips} flip{'s' if flips != 1 else ''}, exact {exact}"
                 canvas.label(place, words, "text2", 12, "medium", "top", offset=(0.0, 18.0))
 
 
-def _units(q: Array) -> Array:
+def _units(q: Floats) -> Floats:
     """Quaternions (n, 4) at length 1."""
     return q / np.sqrt((q * q).sum(axis=1, keepdims=True))
 
 
-def _seen(bodies: Bodies, view: Array, row: Array) -> tuple[Array, Array]:
+def _seen(bodies: Bodies, view: Floats, row: Floats) -> tuple[Floats, Floats]:
     """Centres (n, 3) m of a body's spheres in the picture's frame, and its turn there (3, 3)."""
     turn = view @ quaternion_to_matrix(row[Q:P])
-    return bodies.all[A].offsets @ turn.T + view @ row[X:Q], turn
+    return bodies.all[bo.A].offsets @ turn.T + view @ row[X:Q], turn
 
 
-def hull_of_discs(centers: Array, radii: Array) -> Array:
+def hull_of_discs(centers: Floats, radii: Floats) -> Floats:
     """Points (k, 2), closed, of the convex outline of discs (n, 2), (n,): the farthest in each direction."""
     angles = np.linspace(0.0, 2.0 * math.pi, HULL_CORNERS + 1)
     directions = np.column_stack((np.cos(angles), np.sin(angles)))
@@ -260,5 +265,5 @@ def hull_of_discs(centers: Array, radii: Array) -> Array:
 
 def _reach(bodies: Bodies) -> float:
     """Radius (m) about the centre of mass within which the body is."""
-    offsets = bodies.all[A].offsets
+    offsets = bodies.all[bo.A].offsets
     return float((np.sqrt((offsets * offsets).sum(axis=1)) + bodies.design[:, RADIUS]).max())

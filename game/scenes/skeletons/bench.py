@@ -10,13 +10,12 @@ from typing import NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.level import FigureContent, Point
 from game.scenes.skeletons.rig import Rig
 
-Array = NDArray[np.float64]
 HISTORY = 64  # edits that can be taken back
 REACH = 0.03  # of the height in view: how near to a thing the pointer takes it
 
@@ -53,7 +52,7 @@ class Turn(NamedTuple):
     """What came of an event: the bench, and the pose (n + 2,) that the figure is to take, or None."""
 
     bench: Bench
-    pose: Array | None = None
+    pose: Floats | None = None
 
 
 def reach_of(figure: FigureContent) -> float:
@@ -66,7 +65,7 @@ def with_message(bench: Bench, words: str) -> Bench:
     return msgspec.structs.replace(bench, message=words)
 
 
-def remembered(bench: Bench, pose: Array) -> Bench:
+def remembered(bench: Bench, pose: Floats) -> Bench:
     """The bench with its present figure and pose to go back to."""
     memo = Memo(bench.figure, tuple(pose.tolist()))
     return msgspec.structs.replace(bench, past=(*bench.past, memo)[-HISTORY:], future=())

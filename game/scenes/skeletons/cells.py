@@ -6,12 +6,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.skeletons.level import View
 from game.stage import Frame
 
-Array = NDArray[np.float64]
 COLUMNS, ROWS = 3, 2
 
 
@@ -22,7 +21,7 @@ class Cell(NamedTuple):
     y: float = 0.0
     scale: float = 1.0
 
-    def out(self, points: Array) -> Array:
+    def out(self, points: Floats) -> Floats:
         """Places in the picture of points (m, 2) of the figure."""
         if self is WHOLE:
             return points

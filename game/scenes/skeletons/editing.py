@@ -9,7 +9,6 @@ import math
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from game.physics.animation import Skeleton
 from game.physics.animation.skeleton_editing import NOWHERE, SHORTEST, bone_at
@@ -28,7 +27,6 @@ from game.scenes.skeletons.level import (
 from game.scenes.skeletons.rig import Rig
 from game.stage import Pointer
 
-Array = NDArray[np.float64]
 FARTHEST = 5_000.0  # m
 DRAWN_FILL = "chalk"
 PARENT = "click the parent bone; with Shift, where on it the new one begins"

@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.physics.effects import EffectSet
 from game.scenes.skeletons import bench as skeleton_bench
@@ -18,7 +19,6 @@ from game.stage.messages import Messages
 from game.stage.part import Part
 from game.worlds.stopwatch import Stopwatch
 
-Array = NDArray[np.float64]
 UNCHANGED: NDArray[np.uint8] = np.zeros(0, dtype=np.uint8)
 
 
@@ -53,7 +53,7 @@ class FigureModel(Part):
     def refresh(self) -> None:
         """What a subclass makes of a new rig."""
 
-    def take_pose(self, pose: Array) -> None:
+    def take_pose(self, pose: Floats) -> None:
         """Let the figure stand so (n + 2,)."""
         self.rig.pose(pose)
 
@@ -113,11 +113,11 @@ class FigureModel(Part):
         """Take over a state."""
         raise NotImplementedError
 
-    def poses(self) -> Array:
+    def poses(self) -> Floats:
         """The pose or poses of the state."""
         return self.rig.now
 
-    def take_poses(self, poses: Array) -> None:
+    def take_poses(self, poses: Floats) -> None:
         """Take over what `poses` gave."""
         self.take_pose(poses)
 

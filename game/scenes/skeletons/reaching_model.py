@@ -9,11 +9,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import JOINT_LIMITS, SKINNING, Solution, Solver
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
 from game.scenes.skeletons.level import FigureContent, bone_named
-from game.scenes.skeletons.model import Array, FigureModel
+from game.scenes.skeletons.model import FigureModel
 from game.scenes.skeletons.parameters import SHOWN, ReachingParameters
 
 TRAIL = 90  # steps of errors that a figure shows
@@ -26,10 +27,10 @@ UNSOLVED = Solution(0.0, 0, 0, "")
 class ReachingState(NamedTuple):
     """Poses (6, n + 2) of the methods, target (2,) m, time (1,) s, errors (6, TRAIL) m, and the figure."""
 
-    poses: Array
-    target: Array
-    clock: Array
-    trail: Array
+    poses: Floats
+    target: Floats
+    clock: Floats
+    trail: Floats
     figure: NDArray[np.uint8]
 
 
@@ -82,14 +83,14 @@ class ReachingModel(FigureModel):
         x, y = self.target.tolist()
         return msgspec.structs.replace(figure, chain=msgspec.structs.replace(figure.chain, target=(x, y)))
 
-    def take_pose(self, pose: Array) -> None:
+    def take_pose(self, pose: Floats) -> None:
         super().take_pose(pose)
         self.methods[:] = pose
 
-    def poses(self) -> Array:
+    def poses(self) -> Floats:
         return self.methods.copy()
 
-    def take_poses(self, poses: Array) -> None:
+    def take_poses(self, poses: Floats) -> None:
         self.methods = np.array(poses)
         self.stand_as_chosen()
 

@@ -13,13 +13,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import Binding, Skeleton, Skinner, bind_given, bind_weights
 from game.physics.animation.outlines import points_inside, rounded, sum_areas
 from game.physics.animation.weights import distances_to_bones, weigh
 from game.physics.kernels import elementary, elementwise
 from game.scenes.skeletons.level import FigureContent, SkinEntry, bone_named
 
-Array = NDArray[np.float64]
 INSIDE = 1_400  # points within all skins that show their weights, about
 COARSE = (24, 90, 300)  # points of an outline, above which a small figure has every 2nd, 4th, 6th one
 ROUND = 0.006  # of the height in view: spacing of the points of a rounded skin
@@ -56,7 +56,7 @@ class Rig:
         self._spare: Skinner | None = None
         self._few: Skinner | None = None
         self.few_starts = np.zeros(1, dtype=np.int64)  # of the outlines in `show_few`
-        self._dense: Array | None = None
+        self._dense: Floats | None = None
         self.binding: Binding | None = None
         self.skinned, self.areas = np.zeros((0, 2)), np.zeros(len(figure.skins))
         self._bind()
@@ -64,37 +64,37 @@ class Rig:
         self.shown = self.skeleton.copy()  # for pictures between two steps
 
     @property
-    def start(self) -> Array:
+    def start(self) -> Floats:
         """The pose (n + 2,) at the beginning: angles (rad) and the shift of the root (m)."""
         turns = np.radians([bone.turn for bone in self.figure.bones])
         return np.concatenate([self.rest + turns, self.figure.shift])
 
     @property
-    def bound(self) -> Array:
+    def bound(self) -> Floats:
         """The pose (n + 2,) in which skins are bound."""
         return np.concatenate([self.rest, (0.0, 0.0)])
 
     @property
-    def now(self) -> Array:
+    def now(self) -> Floats:
         """The present pose (n + 2,)."""
         shift = self.skeleton.offsets[self._roots[0]] - self._places[0]
         return np.concatenate([self.skeleton.angles, shift])
 
-    def frames_bound(self) -> Array:
+    def frames_bound(self) -> Floats:
         """Frames (n, 3, 3) of the bones as the skins were bound."""
         bound = self.skeleton.copy()
         self._put(bound, self.bound)
         return bound.world
 
-    def pose(self, pose: Array) -> None:
+    def pose(self, pose: Floats) -> None:
         """Take angles and shift (n + 2,); the skin stays until it is moved."""
         self._put(self.skeleton, pose)
 
-    def _put(self, skeleton: Skeleton, pose: Array) -> None:
+    def _put(self, skeleton: Skeleton, pose: Floats) -> None:
         skeleton.offsets[self._roots] = self._places + pose[-2:]
         skeleton.pose(pose[:-2])
 
-    def swung(self, time: float) -> Array:
+    def swung(self, time: float) -> Floats:
         """The pose (n + 2,) in which the figure is at a time (s), moving by itself."""
         by, rate, phase = self.swings.T
         pose = self.start
@@ -105,7 +105,7 @@ class Rig:
         return pose
 
     @property
-    def weights(self) -> Array:
+    def weights(self) -> Floats:
         """Weights (v, n) of all points on all bones."""
         if self._dense is None:
             bound = self.binding
@@ -114,31 +114,31 @@ class Rig:
 
     # -- the skin -----------------------------------------------------------------------------------
 
-    def move(self, blend: str) -> Array:
+    def move(self, blend: str) -> Floats:
         """Let the skin follow the bones; gives all of its points (v, 2) m."""
         if self.skinner is None:
             return self.skinned
         self.skinned = self.skinner(self.skeleton.world, blend)
         return self.skinned
 
-    def show(self, pose: Array, blend: str) -> Array:
+    def show(self, pose: Floats, blend: str) -> Floats:
         """Pose `shown` so and give the points (v, 2) of its skin, for a picture; good until the next call."""
         self._stand(pose)
         return self.skinned if self._spare is None else self._spare(self.shown.world, blend)
 
-    def show_few(self, pose: Array, blend: str) -> Array:
+    def show_few(self, pose: Floats, blend: str) -> Floats:
         """As `show`, with the points of the outlines alone, fewer of those that have many."""
         self._stand(pose)
         return self.skinned if self._few is None else self._few(self.shown.world, blend)
 
-    def _stand(self, pose: Array) -> None:
+    def _stand(self, pose: Floats) -> None:
         """Pose `shown`, from a state whose numbers are finite: `Skeleton.pose` would look at them again."""
         shown = self.shown
         shown.offsets[self._roots] = self._places + pose[-2:]
         shown.angles[:] = pose[:-2]
         shown.update()
 
-    def skin_shown(self, blend: str) -> Array:
+    def skin_shown(self, blend: str) -> Floats:
         """The points (v, 2) of the skin of `shown` by another blend, of their own."""
         return self.skinned if self._spare is None else self._spare(self.shown.world, blend).copy()
 
@@ -146,7 +146,7 @@ class Rig:
         """Which of the points are the outline of a skin."""
         return slice(int(self.starts[skin]), int(self.starts[skin + 1]))
 
-    def areas_now(self) -> Array:
+    def areas_now(self) -> Floats:
         """Areas (m,) m² of the outlines as they are now."""
         areas = np.empty(len(self.figure.skins))
         if len(areas):
@@ -175,11 +175,11 @@ class Rig:
         self.skinned = binding.points.copy()
         sum_areas(self.skinned, self.starts, self.areas)
 
-    def _outline(self, skin: SkinEntry, spacing: float) -> Array:
+    def _outline(self, skin: SkinEntry, spacing: float) -> Floats:
         points = np.array(skin.points)
         return rounded(points, spacing) if self.rules.smooth and skin.weights is None else points
 
-    def _bound_together(self, skins: tuple[SkinEntry, ...], parts: list[Array]) -> Binding:
+    def _bound_together(self, skins: tuple[SkinEntry, ...], parts: list[Floats]) -> Binding:
         """All points in one binding, so that one call moves them."""
         width = min(self.rules.influences, self.skeleton.count)
         bones, weights, points = [], [], []
@@ -192,7 +192,7 @@ class Rig:
             np.concatenate(points), np.concatenate(bones), np.concatenate(weights), self.skeleton.world
         )
 
-    def _bound(self, skin: SkinEntry | None, points: Array) -> Binding:
+    def _bound(self, skin: SkinEntry | None, points: Floats) -> Binding:
         rules, skeleton = self.rules, self.skeleton
         if skin is not None and skin.weights is not None:
             return bind_given(skeleton, points, skin.weights, rules.influences)
@@ -220,7 +220,7 @@ def _padded(rows: NDArray, width: int) -> NDArray:
     return np.ascontiguousarray(np.pad(rows, ((0, 0), (0, width - rows.shape[1]))))
 
 
-def _inside(skins: tuple[SkinEntry, ...], outlines: list[Array]) -> Array:
+def _inside(skins: tuple[SkinEntry, ...], outlines: list[Floats]) -> Floats:
     """Points within the first skin that is bound by distance: it shows weights, and is the body."""
     for skin, outline in zip(skins, outlines, strict=True):
         if not skin.bones and skin.weights is None:
@@ -231,7 +231,7 @@ def _inside(skins: tuple[SkinEntry, ...], outlines: list[Array]) -> Array:
     return np.zeros((0, 2))
 
 
-def _skeleton_of(figure: FigureContent, angles: Array) -> Skeleton:
+def _skeleton_of(figure: FigureContent, angles: Floats) -> Skeleton:
     names = [bone.name for bone in figure.bones]
     if len(set(names)) != len(names):
         double = next(name for name in names if names.count(name) > 1)

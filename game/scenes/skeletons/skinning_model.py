@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise
-from game.scenes.skeletons.model import Array, FigureModel
+from game.scenes.skeletons.model import FigureModel
 from game.scenes.skeletons.parameters import SkinningParameters
 
 ROUNDING = 1e-13  # of the farthest coordinate: blends that differ by less agree
@@ -20,8 +21,8 @@ ROUNDING = 1e-13  # of the farthest coordinate: blends that differ by less agree
 class SkinningState(NamedTuple):
     """Angles (n,) rad and shift (2,) m in a row, time (1,) s, and the figure if it is not the level's."""
 
-    pose: Array
-    clock: Array
+    pose: Floats
+    clock: Floats
     figure: NDArray[np.uint8]
 
 

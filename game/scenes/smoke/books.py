@@ -6,19 +6,8 @@ import math
 from typing import NamedTuple
 
 from game.physics.combustion.burning import RADIATED, RELEASED
-from game.physics.gas.ledger import (
-    CARRIED_THROUGH,
-    CARRYING,
-    DRAG,
-    FORCES,
-    HELD,
-    SCHEME,
-    SIDES,
-    SOLIDS,
-    SPREAD_THROUGH,
-    THROUGH,
-    Book,
-)
+from game.physics.gas import ledger
+from game.physics.gas.ledger import Book
 from game.scenes.smoke.model import TALL, WARM, SmokeModel
 from game.stage import Readout
 from game.ui.canvas.canvas import Canvas
@@ -26,9 +15,14 @@ from game.ui.look.numerals import format_number
 
 AIR, CAPACITY = 1.2, 1212.0  # kg/m³, J/(m³ K)
 MOMENTUM = (
-    ("lift", FORCES), ("solids", SOLIDS), ("sides", SIDES), ("viscosity", DRAG), ("held at sides", HELD),
-    ("flows in", THROUGH), ("carrying", CARRYING),
-)  # fmt: skip
+    ("lift", ledger.FORCES),
+    ("solids", ledger.SOLIDS),
+    ("sides", ledger.SIDES),
+    ("viscosity", ledger.DRAG),
+    ("held at sides", ledger.HELD),
+    ("flows in", ledger.THROUGH),
+    ("carrying", ledger.CARRYING),
+)
 HEAT = ("given", "radiated", "through sides", "spread in", "carrying")
 LEAST = 1e-4  # of the largest number of a page: less is drawn as nothing
 LINE, FIRST, COLUMN, NAMES = 17.0, 15.0, 62.0, 92.0  # design px
@@ -73,7 +67,7 @@ def heat_page(model: SmokeModel) -> Page:
                    for row in (RELEASED, RADIATED))  # fmt: skip
     numbers = (
         scale * model.given + fire, -light, *(scale * float(book.rows[row, WARM])
-                                   for row in (CARRIED_THROUGH, SPREAD_THROUGH, SCHEME)),
+                                   for row in (ledger.CARRIED_THROUGH, ledger.SPREAD_THROUGH, ledger.SCHEME)),
     )  # fmt: skip
     rows: list[tuple[str, tuple[float, ...]]] = [
         (name, (number,)) for name, number in zip(HEAT, numbers, strict=True)

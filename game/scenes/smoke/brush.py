@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
-from game.scenes.smoke.model import FRESH, FUEL, ROOM, SMOKE, WARM, SmokeModel
+from game.scenes.smoke import model as m
+from game.scenes.smoke.model import SmokeModel
 
-Floats = NDArray[np.float64]
 Place = tuple[float, float]  # m
 
 
@@ -39,9 +39,9 @@ def paint(model: SmokeModel, point: Place, what: str) -> None:
     share = _share(model.grid.centres(), point, model.parameters.brush)
     cells = model.scalars
     if what == "dye":
-        cells[..., SMOKE] = np.maximum(cells[..., SMOKE], np.minimum(1.0, 1.6 * share))
+        cells[..., m.SMOKE] = np.maximum(cells[..., m.SMOKE], np.minimum(1.0, 1.6 * share))
     elif what == "fire":
-        cells[..., FUEL] += 0.03 * share
-        cells[..., WARM] = np.maximum(cells[..., WARM], ROOM + 900.0 * np.minimum(1.0, 1.5 * share))
+        cells[..., m.FUEL] += 0.03 * share
+        cells[..., m.WARM] = np.maximum(cells[..., m.WARM], m.ROOM + 900.0 * np.minimum(1.0, 1.5 * share))
     else:
-        cells[share > 0.05] = 0.0, ROOM, 0.0, FRESH, 0.0
+        cells[share > 0.05] = 0.0, m.ROOM, 0.0, m.FRESH, 0.0

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.surfaces.surface import Sample, empty_sample
 
-Floats = NDArray[np.float64]
 X, Y, RADIUS, VX, VY = range(5)  # columns of a disc: place m, radius m, velocity m/s
 
 

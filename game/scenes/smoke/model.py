@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.combustion import Flames, GasFuel
 from game.physics.combustion.effects import COMBUSTION, EXPANSION
 from game.physics.effects import EffectSet
@@ -17,13 +18,13 @@ from game.physics.gas.forces import buoyancy
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
 from game.physics.stable_fluids import PrintedFluid
-from game.scenes.smoke.discs import VX, VY, DiscObstacles, X, Y
+from game.scenes.smoke import discs
+from game.scenes.smoke.discs import DiscObstacles
 from game.scenes.smoke.level import MOST_SOLIDS, SmokeContent
 from game.scenes.smoke.parameters import PRINTED, SmokeParameters
 from game.stage import Part
 from game.worlds.stopwatch import Stopwatch
 
-Floats = NDArray[np.float64]
 WIDE, TALL = 2.0, 1.0  # m
 FIELDS = ("smoke", "temperature", "fuel", "oxygen", "soot")
 SMOKE, WARM, FUEL, OXYGEN, SOOT = range(5)
@@ -221,14 +222,14 @@ class SmokeModel(Part):
     def lead_solid(self, number: int, point: tuple[float, float], dt: float) -> None:
         """Move a disc to a point within a step; it pushes the gas with the velocity that this takes."""
         row = self.obstacles.rows[number]
-        row[VX], row[VY] = (point[0] - row[X]) / dt, (point[1] - row[Y]) / dt
-        row[X], row[Y] = point
+        row[discs.VX], row[discs.VY] = (point[0] - row[discs.X]) / dt, (point[1] - row[discs.Y]) / dt
+        row[discs.X], row[discs.Y] = point
         self.take_solids()
 
     def rest_solids(self) -> None:
         """What is not led stands still."""
-        if len(self.obstacles.rows) and np.any(self.obstacles.rows[:, VX:]):
-            self.obstacles.rows[:, VX:] = 0.0
+        if len(self.obstacles.rows) and np.any(self.obstacles.rows[:, discs.VX :]):
+            self.obstacles.rows[:, discs.VX :] = 0.0
             self.take_solids()
 
     def clear(self) -> None:

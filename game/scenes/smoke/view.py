@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
+from game.arrays import Floats
+from game.scenes.smoke import model as m
 from game.scenes.smoke.books import draw_books
 from game.scenes.smoke.hand import SmokeHand
-from game.scenes.smoke.model import ROOM, SMOKE, SOOT, TALL, WARM, WIDE, SmokeModel
+from game.scenes.smoke.model import SmokeModel
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.painting.flames import FlameLook, see_gas
 
-Floats = NDArray[np.float64]
-BOX = ((0.0, 0.0), (WIDE, TALL))
+BOX = ((0.0, 0.0), (m.WIDE, m.TALL))
 FLAME = (
     (0.0, pygame.Color(0, 0, 0)), (0.16, pygame.Color(70, 8, 0)), (0.36, pygame.Color(196, 52, 4)),
     (0.6, pygame.Color(250, 130, 20)), (0.82, pygame.Color(255, 206, 92)), (1.0, pygame.Color(255, 246, 206)),
@@ -56,7 +56,7 @@ class SmokeView:
         if view == "smoke":
             self._draw_smoke(canvas, dark, cells)
         elif view == "temperature":
-            canvas.field((cells[..., WARM] - ROOM) / (1000.0 - ROOM), *BOX, HEAT)
+            canvas.field((cells[..., m.WARM] - m.ROOM) / (1000.0 - m.ROOM), *BOX, HEAT)
         elif view == "speed":
             flow = self.model.velocity()
             canvas.field(np.sqrt(flow[..., 0] ** 2 + flow[..., 1] ** 2) / FULL["speed"], *BOX, SPEED)
@@ -72,14 +72,14 @@ class SmokeView:
             self._draw_arrows(canvas)
         if self.model.parameters.books and canvas.teaching:
             draw_books(canvas, self.model)
-        corners = ((0.0, 0.0), (WIDE, 0.0), (WIDE, TALL), (0.0, TALL))
+        corners = ((0.0, 0.0), (m.WIDE, 0.0), (m.WIDE, m.TALL), (0.0, m.TALL))
         canvas.polygon(np.array(corners), outline="line2", width=1.4)
         if self.hand.point is not None:
             canvas.circle(self.hand.point, self.model.parameters.brush, outline="accent", width=1.4)
 
     def _draw_smoke(self, canvas: Canvas, dark: bool, cells: Floats) -> None:
-        see_gas(LOOK, cells[..., WARM], cells[..., SOOT], self._whole, self._veil)
-        dyed = np.clip(0.9 * cells[..., SMOKE], 0.0, 0.92)
+        see_gas(LOOK, cells[..., m.WARM], cells[..., m.SOOT], self._whole, self._veil)
+        dyed = np.clip(0.9 * cells[..., m.SMOKE], 0.0, 0.92)
         self._veil[..., 0] = np.minimum(self._veil[..., 0] + dyed, 0.94)
         canvas.veil(self._veil, *BOX, SMOKE_INK[dark], FLAME, dark)
         self._draw_light(canvas)
@@ -93,7 +93,7 @@ class SmokeView:
         )
         j, i = np.nonzero(means > 0.03)
         if len(j):
-            step = WIDE / light.shape[1] * block
+            step = m.WIDE / light.shape[1] * block
             at = np.stack([(i + 0.5) * step, (j + 0.5) * step], axis=1)
             inks = np.full(len(j), 0xFF8A30, dtype=np.uint32)
             canvas.soft_glow(at, np.full(len(j), 2.4 * step), inks, 0.4 * means[j, i])
@@ -101,7 +101,7 @@ class SmokeView:
 
     def _schlieren(self, cells: Floats) -> Floats:
         """How steep the density of hot gas is, and that of smoke a little: as a knife edge shows it."""
-        density = ROOM / np.maximum(cells[..., WARM], 1.0) + 0.04 * cells[..., SMOKE]
+        density = m.ROOM / np.maximum(cells[..., m.WARM], 1.0) + 0.04 * cells[..., m.SMOKE]
         up, across = np.gradient(density, self.model.cell)
         return np.asarray(np.clip(0.2 + 0.06 * (across + up), 0.0, 1.0))
 

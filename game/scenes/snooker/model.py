@@ -6,7 +6,6 @@ import hashlib
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame, Played, Struck
@@ -24,8 +23,6 @@ from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.scenes.snooker.level import SnookerContent, begun
 from game.scenes.snooker.parameters import SnookerParameters
 from game.stage import Part
-
-Array = NDArray[np.float64]
 
 
 class SnookerModel(Part):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
@@ -35,8 +34,6 @@ from game.stage import (
     Strip,
     WarmUp,
 )
-
-Array = NDArray[np.float64]
 
 
 class SnookerScene(CueGameScene):

@@ -9,27 +9,9 @@ import numpy as np
 
 from game.physics.kernels import elementary, linear
 from game.physics.solids import Capsule, Chain, Disc, Material, Polygon, SolidWorld
-from game.physics.solids.joints.layout import (
-    ANGLE,
-    AXIS_X,
-    AXIS_Y,
-    BREAK_FORCE,
-    BREAK_TORQUE,
-    BROKEN,
-    COLLIDING,
-    DAMPING,
-    HERTZ,
-    JOINT_NAMES,
-    LENGTH,
-    LOWER,
-    MOST,
-    MOUSE,
-    NO_JOINT,
-    SPEED,
-    UPPER,
-)
+from game.physics.solids.arrays import layout, state
+from game.physics.solids.arrays.layout import JOINT_NAMES
 from game.physics.solids.shapes import Shape
-from game.physics.solids.state import DISC, DYNAMIC, KEY_FRAMED, SEGMENT
 from game.scenes.solids.level import BodyEntry, Colour, JointEntry, Point, ShapeEntry
 
 COLOURS: tuple[Colour, ...] = (
@@ -108,7 +90,7 @@ def entry_of(world: SolidWorld, body: int, tint: int) -> BodyEntry:
     flags = int(rows.flags[body])
     first = slots[0]
     (x, y), (vx, vy) = rows.positions[body].tolist(), rows.velocities[body].tolist()
-    kind: Any = "dynamic" if flags & DYNAMIC else "key-framed" if flags & KEY_FRAMED else "fixed"
+    kind: Any = "dynamic" if flags & state.DYNAMIC else "key-framed" if flags & state.KEY_FRAMED else "fixed"
     return BodyEntry(
         shapes=tuple(_joined([_shape_entry(world, slot) for slot in slots])),
         position=(x, y),
@@ -147,9 +129,9 @@ def _shape_entry(world: SolidWorld, slot: int) -> ShapeEntry:
     start, count = int(shapes.starts[slot]), int(shapes.counts[slot])
     corners = [(float(x), float(y)) for x, y in world.pool.corners[start : start + count]]
     radius = float(shapes.radii[slot])
-    if shapes.kinds[slot] == DISC:
+    if shapes.kinds[slot] == state.DISC:
         return ShapeEntry(disc=radius, at=corners[0])
-    if shapes.kinds[slot] == SEGMENT:
+    if shapes.kinds[slot] == state.SEGMENT:
         return ShapeEntry(chain=tuple(corners[1:3]))
     if count == 2:
         return ShapeEntry(capsule=(corners[0], corners[1]), radius=radius)
@@ -168,7 +150,7 @@ def place_of(world: SolidWorld, joint: int, end: int) -> Point:
 def whole_joints(world: SolidWorld) -> list[int]:
     """Numbers of all joints that hold, mice left out."""
     rows = world.joints
-    whole = (rows.kinds != NO_JOINT) & (rows.kinds != MOUSE) & (rows.flags & BROKEN == 0)
+    whole = (rows.kinds != layout.NO_JOINT) & (rows.kinds != layout.MOUSE) & (rows.flags & layout.BROKEN == 0)
     return [int(k) for k in np.flatnonzero(whole)]
 
 
@@ -181,23 +163,23 @@ def joint_entry(world: SolidWorld, joint: int, numbers: dict[int, int]) -> Joint
         return float(own[column]) if math.isfinite(own[column]) else None
 
     kind: Any = JOINT_NAMES[int(world.joints.kinds[joint])]
-    low, high = finite(LOWER), finite(UPPER)
+    low, high = finite(layout.LOWER), finite(layout.UPPER)
     angles, (c, s) = world.bodies.angles, world.bodies.rotations[a].tolist()
-    turned = float(angles[b] - angles[a] - own[ANGLE]) if kind in ("pin", "motor") else 0.0
-    axis = (c * own[AXIS_X] - s * own[AXIS_Y], s * own[AXIS_X] + c * own[AXIS_Y])
+    turned = float(angles[b] - angles[a] - own[layout.ANGLE]) if kind in ("pin", "motor") else 0.0
+    axis = (c * own[layout.AXIS_X] - s * own[layout.AXIS_Y], s * own[layout.AXIS_X] + c * own[layout.AXIS_Y])
     return JointEntry(
         kind=kind,
         bodies=(numbers[a], numbers[b]),
         at=place_of(world, joint, 0),
         other=place_of(world, joint, 1),
-        length=float(own[LENGTH]),
+        length=float(own[layout.LENGTH]),
         axis=(float(axis[0]), float(axis[1])) if kind == "slider" else (1.0, 0.0),
         limits=None if low is None or high is None else (low - turned, high - turned),
-        hertz=float(own[HERTZ]),
-        damping=float(own[DAMPING]),
-        speed=float(own[SPEED]),
-        most=finite(MOST),
-        break_force=finite(BREAK_FORCE),
-        break_torque=finite(BREAK_TORQUE),
-        colliding=bool(world.joints.flags[joint] & COLLIDING),
+        hertz=float(own[layout.HERTZ]),
+        damping=float(own[layout.DAMPING]),
+        speed=float(own[layout.SPEED]),
+        most=finite(layout.MOST),
+        break_force=finite(layout.BREAK_FORCE),
+        break_torque=finite(layout.BREAK_TORQUE),
+        colliding=bool(world.joints.flags[joint] & layout.COLLIDING),
     )

@@ -6,16 +6,15 @@ import math
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
-from game.physics.solids.state import DYNAMIC
+from game.physics.solids.arrays.state import DYNAMIC
 from game.scenes.solids.bodies import entry_of, joint_entry, whole_joints
 from game.scenes.solids.level import BodyEntry, Point, ShapeEntry
 from game.scenes.solids.model import ANCHOR, SolidModel
 from game.scenes.solids.picking import NOBODY, body_at
 
-Floats = NDArray[np.float64]
 ROUND = 28  # corners of a disc that is cut
 LEAST = 1e-4  # m², of a piece
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from game.arrays import Floats
 from game.physics.kernels import elementary
 from game.physics.solids import SolidWorld
-from game.physics.solids.joints.layout import BROKEN, JOINT_NAMES, NO_JOINT
-from game.physics.solids.state import DYNAMIC
+from game.physics.solids.arrays.layout import BROKEN, JOINT_NAMES, NO_JOINT
+from game.physics.solids.arrays.state import DYNAMIC
 from game.scenes.solids.level import GaugeEntry
 from game.worlds.world import Member
 

@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 
 from game.physics.kernels import elementary
-from game.physics.solids.joints.layout import MOUSE
+from game.physics.solids.arrays.layout import MOUSE
+from game.physics.solids.arrays.state import DYNAMIC
 from game.physics.solids.outlines import signed_area
-from game.physics.solids.state import DYNAMIC
 from game.scenes.solids.bodies import entry_of
 from game.scenes.solids.cutting import cut_bodies
 from game.scenes.solids.level import MOST_BODIES, BodyEntry, JointEntry, Point, ShapeEntry

@@ -10,8 +10,9 @@ import numpy as np
 from game.arrays import Floats, Longs
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids import SolidWorld
-from game.physics.solids import state as s
-from game.physics.solids.joints.layout import BROKEN, DISTANCE, HERTZ, JOINT_NAMES, LENGTH, NO_JOINT
+from game.physics.solids.arrays import layout
+from game.physics.solids.arrays import state as s
+from game.physics.solids.arrays.layout import JOINT_NAMES
 from game.scenes.solids.bodies import place_of
 from game.worlds.hearing import HEARD_WIDTH, impacts
 
@@ -58,8 +59,8 @@ def energies(world: SolidWorld) -> Energies:
 def _elastic(world: SolidWorld) -> float:
     """Of joints, J: half of k times the squared excess; k by their frequency on the masses they join."""
     rows, total = world.joints, 0.0
-    soft = ((rows.kinds == DISTANCE) | (rows.kinds == SPRING)) & (rows.flags & BROKEN == 0)
-    for k in np.flatnonzero(soft & (rows.parameters[:, HERTZ] > 0.0)).tolist():
+    soft = ((rows.kinds == layout.DISTANCE) | (rows.kinds == SPRING)) & (rows.flags & layout.BROKEN == 0)
+    for k in np.flatnonzero(soft & (rows.parameters[:, layout.HERTZ] > 0.0)).tolist():
         ends = np.array([place_of(world, k, 0), place_of(world, k, 1)])
         apart = ends[1] - ends[0]
         length = float(elementwise.hypot(*apart))
@@ -73,8 +74,8 @@ def _elastic(world: SolidWorld) -> float:
                 world.bodies.inverse_masses[body] + world.bodies.inverse_inertias[body] * (cross * cross)
             )
         if weight > 0.0:
-            stiffness = elementary.square(2.0 * math.pi * float(rows.parameters[k, HERTZ])) / weight
-            total += 0.5 * stiffness * elementary.square(length - float(rows.parameters[k, LENGTH]))
+            stiffness = elementary.square(2.0 * math.pi * float(rows.parameters[k, layout.HERTZ])) / weight
+            total += 0.5 * stiffness * elementary.square(length - float(rows.parameters[k, layout.LENGTH]))
     return total
 
 
@@ -140,7 +141,7 @@ def islands(world: SolidWorld) -> Longs:
     """Least id of the island of each body (n,); -1 for what is not dynamic."""
     flags, contacts, joints = world.bodies.flags, world.contacts, world.joints
     dynamic = flags & (s.USED | s.DYNAMIC) == s.USED | s.DYNAMIC
-    held = (joints.kinds != NO_JOINT) & (joints.flags & BROKEN == 0)
+    held = (joints.kinds != layout.NO_JOINT) & (joints.flags & layout.BROKEN == 0)
     pairs = np.concatenate([contacts.bodies[contacts.marks[:, s.TOUCHING] == 1], joints.bodies[held]])
     pairs = pairs[dynamic[pairs].all(axis=1)]
     names = np.where(dynamic, np.arange(len(flags)), -1)

@@ -12,11 +12,11 @@ from game.arrays import Floats, Longs
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
 from game.physics.solids import Material, SolidState, box
-from game.scenes.solids import bodies
+from game.scenes.solids import bodies, measures
 from game.scenes.solids.bodies import COLOURS, HIDDEN, OWN_FRICTION, OWN_RESTITUTION
 from game.scenes.solids.gauges import Gauges
 from game.scenes.solids.level import BodyEntry, JointEntry, Point, SolidContent
-from game.scenes.solids.measures import STEEL, STONE, THUD, WOOD, sounds_now
+from game.scenes.solids.measures import sounds_now
 from game.scenes.solids.parameters import SolidParameters
 from game.scenes.solids.structures import make
 from game.worlds.hearing import Heard
@@ -26,7 +26,11 @@ from game.worlds.world import Member, World
 ANCHOR = 0  # the body that joints to the ground hang on
 GROUND_DEPTH, WALL_WIDTH, ENDLESS = 20.0, 4.0, 4000.0  # m
 SOUNDS = np.array(
-    [{"stone": STONE, "steel": STEEL, "brass": STEEL}.get(name, WOOD) for name in COLOURS], dtype=np.int64
+    [
+        {"stone": measures.STONE, "steel": measures.STEEL, "brass": measures.STEEL}.get(name, measures.WOOD)
+        for name in COLOURS
+    ],
+    dtype=np.int64,
 )
 
 
@@ -181,7 +185,7 @@ class SolidModel(World):
         super().advance(dt)
         self.time = self.world.time  # which goes back with its state
         kinds = SOUNDS[self.tints.rows & 255]
-        kinds[self.floors] = THUD
+        kinds[self.floors] = measures.THUD
         self.heard.remember(sounds_now(self.world, self.time - dt, kinds), self.time - dt)
         return "A joint is broken." if len(self.world.joints_broken()) else ""
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.kernels import elementwise, linear
-from game.physics.solids.state import DISC, NONE, SEGMENT, Pool, Shapes
+from game.physics.solids.arrays.state import DISC, NONE, SEGMENT, Pool, Shapes
 from game.scenes.solids.cutting import rounded_outline
 
-Floats = NDArray[np.float64]
-Longs = NDArray[np.int64]
 BEVEL = 0.09  # of the least width of a shape
 MOST_BEVEL = 0.09  # m
 

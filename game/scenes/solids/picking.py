@@ -7,11 +7,10 @@ from numpy.typing import NDArray
 
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids import SolidWorld
-from game.physics.solids.state import DISC, SEGMENT
+from game.physics.solids.arrays.state import DISC, SEGMENT
 from game.scenes.solids.bodies import place_of, whole_joints
 from game.scenes.solids.level import Point
 
-Floats = NDArray[np.float64]
 NOBODY = -1
 
 

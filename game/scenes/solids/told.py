@@ -7,16 +7,23 @@ import math
 import msgspec
 
 from game.physics.kernels import elementary
+from game.scenes.solids import measures
 from game.scenes.solids.bodies import entry_of, joint_entry, whole_joints
 from game.scenes.solids.level import GROUND, BodyEntry, SolidContent, SwingEntry
-from game.scenes.solids.measures import SNAP, STEEL, STONE, THUD, WOOD, contact_points, energies
+from game.scenes.solids.measures import contact_points, energies
 from game.scenes.solids.model import ANCHOR, SolidModel
 from game.stage import Hearing, Readout
 from game.worlds.rubbing import rubbing_heard
 
 SOON = 1e-6  # s
 LOUD = 60.0  # W, of rolling or sliding that is as loud as can be
-NAMES = {THUD: "thud", WOOD: "wood", STONE: "stone", STEEL: "steel", SNAP: "crackle"}
+NAMES = {
+    measures.THUD: "thud",
+    measures.WOOD: "wood",
+    measures.STONE: "stone",
+    measures.STEEL: "steel",
+    measures.SNAP: "crackle",
+}
 UNITS = {
     "right": "m", "up": "m", "sink": "m", "way": "m", "turn": "°", "speed": "m/s", "spin": "rad/s",
     "force": "N", "passed": "", "fallen": "", "when": "s", "highest": "m",

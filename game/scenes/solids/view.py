@@ -9,8 +9,8 @@ import numpy as np
 import pygame
 
 from game.arrays import Floats, Longs
-from game.physics.solids.joints.layout import HERTZ, JOINT_NAMES, LENGTH
-from game.physics.solids.state import ASLEEP, DYNAMIC
+from game.physics.solids.arrays.layout import HERTZ, JOINT_NAMES, LENGTH
+from game.physics.solids.arrays.state import ASLEEP, DYNAMIC
 from game.scenes.solids.bodies import COLOURS, place_of, whole_joints
 from game.scenes.solids.hand import LINKERS, NOBODY, SolidHand
 from game.scenes.solids.level import Point

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.physics.spacetime.motion import SIZE, VX, X, Y, pair_time
+from game.arrays import Floats
+from game.physics.spacetime import motion
+from game.physics.spacetime.motion import pair_time
 from game.physics.spacetime.refine import PAIR, A, B
 from game.physics.spacetime.tree import RADIUS, tree_of
 from game.physics.spacetime.world import TimedState
 from game.scenes.spacetime.model import HALF, SpaceTimeModel
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
 INKS = ("chalk", "green", "violet", "pink")
 HORN_STEPS, HORN_LONGEST = 10, 1.2  # circles of a horn, s that it is drawn for at most
 LINES = 9  # of the queue
@@ -51,10 +51,15 @@ class SpaceTimeView:
             self._draw_pair(canvas, pair)
         for name, i in zip("12", pair, strict=True):
             canvas.label(
-                (float(fields[X, i]), float(fields[Y, i])), name, "text1", 14, "semibold", clear=False
+                (float(fields[motion.X, i]), float(fields[motion.Y, i])),
+                name,
+                "text1",
+                14,
+                "semibold",
+                clear=False,
             )
         if held[0] >= 0:
-            start = (float(fields[X, held[0]]), float(fields[Y, held[0]]))
+            start = (float(fields[motion.X, held[0]]), float(fields[motion.Y, held[0]]))
             canvas.line(start, held[1:], "amber", 1.6, dash=(5.0, 4.0))
             canvas.contact(held[1:])
         if chosen.queue:
@@ -88,11 +93,11 @@ class SpaceTimeView:
         world, bound = self.model.world, self.model.world.laws.bound
         until = min(float(pair_time(world.fields, world.makes, *pair, 0.0, bound)), HORN_LONGEST)
         for i in pair:
-            x, y = world.fields[X, i], world.fields[Y, i]
-            vx, vy = world.fields[VX : VX + 2, i]
+            x, y = world.fields[motion.X, i], world.fields[motion.Y, i]
+            vx, vy = world.fields[motion.VX : motion.VX + 2, i]
             for t in np.linspace(0.0, until, HORN_STEPS).tolist():
                 center = (float(x + vx * t), float(y + vy * t))
-                radius = float(world.makes[i, SIZE] + 0.5 * bound * t * t)
+                radius = float(world.makes[i, motion.SIZE] + 0.5 * bound * t * t)
                 last = t == until
                 canvas.circle(center, radius, None, 0.0, "yellow", 1.6 if last else 0.8,
                               alpha=0.9 if last else 0.35)  # fmt: skip

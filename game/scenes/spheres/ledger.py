@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
 from game.physics.spheres import ledger
 from game.scenes.spheres.model import CollisionModel
 from game.stage import Table
 from game.ui.look.numerals import NARROW_SPACE, format_number
 
-Array = NDArray[np.float64]
 ROWS = 6
 MOST_SPHERES = 60  # with more, the ledger would say nothing
 COLUMNS = ("pair", "J N s", "v m/s", "after", "ΔE J", "P lost")
@@ -37,14 +34,14 @@ def ledger_table(model: CollisionModel) -> Table | None:
     return Table("Ledger", COLUMNS, tuple(_figures(model, entry) for entry in entries), keys, ROWS, HELP)
 
 
-def entry_of(model: CollisionModel, key: int) -> Array | None:
+def entry_of(model: CollisionModel, key: int) -> Floats | None:
     """The entry of a collision by its number, or None if it is forgotten."""
     entries = model.world.ledger()
     back = model.world.collisions - key
     return entries[len(entries) - 1 - back] if 0 <= back < len(entries) else None
 
 
-def momentum_lost(model: CollisionModel, entry: Array) -> float:
+def momentum_lost(model: CollisionModel, entry: Floats) -> float:
     """Momentum (kg m/s) that a collision takes from the spheres: by rounding, or what a wall, or a sphere
     that nothing moves, takes up."""
     spheres = [int(entry[ledger.ONE]), int(entry[ledger.OTHER])]
@@ -55,12 +52,12 @@ def momentum_lost(model: CollisionModel, entry: Array) -> float:
     return 0.0 if lost <= ROUNDING * _size(entry) else lost
 
 
-def _size(entry: Array) -> float:
+def _size(entry: Floats) -> float:
     """Length of the impulse, N s."""
     return math.sqrt(float((entry[ledger.JX : ledger.JZ + 1] ** 2).sum()))
 
 
-def _figures(model: CollisionModel, entry: Array) -> tuple[str, ...]:
+def _figures(model: CollisionModel, entry: Floats) -> tuple[str, ...]:
     """One entry of the ledger in words."""
     other = int(entry[ledger.OTHER])
     return (

@@ -6,13 +6,12 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.rigid import quaternion_conjugate, quaternion_rotate
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.spheres import SphereBodies
 
-Array = NDArray[np.float64]
 Place = tuple[float, float, float]
 
 
@@ -25,14 +24,14 @@ class Push(NamedTuple):
     left: float  # s
 
 
-def point_of(bodies: SphereBodies, body: int, place: Place) -> Array:
+def point_of(bodies: SphereBodies, body: int, place: Place) -> Floats:
     """World position (3,) m of a point of a body."""
     state = bodies.state
-    turned: Array = state.positions[body] + quaternion_rotate(state.orientations[body], place)
+    turned: Floats = state.positions[body] + quaternion_rotate(state.orientations[body], place)
     return turned
 
 
-def place_of(bodies: SphereBodies, body: int, point: Array) -> Place:
+def place_of(bodies: SphereBodies, body: int, point: Floats) -> Place:
     """The opposite: where a point (3,) m of the world is in a body's frame, m from its centre."""
     state = bodies.state
     x, y, z = quaternion_rotate(

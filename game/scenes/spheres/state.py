@@ -7,40 +7,40 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.spheres.collisions import CollisionState
 from game.physics.spheres.composition import Composition
 from game.physics.spheres.spheres import MotionState, SphereBodies
 from game.scenes.spheres.model import CollisionModel
 
-Array = NDArray[np.float64]
 NOTHING = np.zeros((0, 3))
 
 
 class SphereState(NamedTuple):
     """All that moves (see `CollisionState`), and what spheres there are (see `Composition`)."""
 
-    positions: Array
-    orientations: Array
-    momenta: Array
-    spins: Array
+    positions: Floats
+    orientations: Floats
+    momenta: Floats
+    spins: Floats
     pairs: NDArray[np.int64]
-    found_at: Array
+    found_at: Floats
     keys: NDArray[np.int64]
-    held: Array
-    pulls: Array
-    ring: Array
-    counters: Array
-    masses: Array
-    inverse_inertias: Array
+    held: Floats
+    pulls: Floats
+    ring: Floats
+    counters: Floats
+    masses: Floats
+    inverse_inertias: Floats
     round_bodies: NDArray[np.uint8]
-    radii: Array
+    radii: Floats
     owners: NDArray[np.int64]
-    offsets: Array
+    offsets: Floats
     kinds: NDArray[np.int64]
     hung: NDArray[np.int64]
-    strings: Array
-    exact_places: Array  # (s, 3) m of the event-driven run; empty without one
-    exact_speeds: Array  # (s, 3) m/s
+    strings: Floats
+    exact_places: Floats  # (s, 3) m of the event-driven run; empty without one
+    exact_speeds: Floats  # (s, 3) m/s
 
 
 def state_of(model: CollisionModel) -> SphereState:

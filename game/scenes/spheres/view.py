@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.spheres import ledger
 from game.physics.spheres.effects import LEDGES, STRINGS, WINDOW
 from game.scenes.spheres.frozen_impact import draw_impact_frozen
@@ -23,7 +24,6 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.rimmed_discs import draw_rimmed_discs
 from game.ui.raster.threads import draw_threads
 
-Array = NDArray[np.float64]
 FADING_S = 0.5  # s that an impulse is shown
 MOST_ARROWS = 60
 MOST_LINES = 6_000  # of radii
@@ -83,14 +83,14 @@ class CollisionView:
             self._draw_numbers(canvas, places, tips)
             self._light_collision(canvas, places)
 
-    def _draw_numbers(self, canvas: Canvas, places: Array, tips: Array) -> None:
+    def _draw_numbers(self, canvas: Canvas, places: Floats, tips: Floats) -> None:
         """The numbers by which the ledger names spheres, beside the radius lines; none on small spheres."""
         radii = self.model.world.bodies.composition.radii
         for s in np.flatnonzero(radii > canvas.px(NUMBERED)).tolist():
             at = places[s] - 0.45 * (tips[s] - places[s])
             canvas.label((float(at[0]), float(at[1])), str(s + 1), "text2", 11, "medium", halo=False)
 
-    def _light_collision(self, canvas: Canvas, places: Array) -> None:
+    def _light_collision(self, canvas: Canvas, places: Floats) -> None:
         """The spheres of the collision that is pointed at in the ledger, and where they met."""
         entry = entry_of(self.model, self.lit) if self.lit is not None else None
         if entry is None:
@@ -101,7 +101,7 @@ class CollisionView:
                 canvas.circle(places[s], float(radii[s]), None, 1.0, "amber", 4.0)
         canvas.ring((float(entry[ledger.X]), float(entry[ledger.Y])), 6.0, "amber", 1.8)
 
-    def _between(self, before: SphereState | None, alpha: float) -> tuple[Array, Array]:
+    def _between(self, before: SphereState | None, alpha: float) -> tuple[Floats, Floats]:
         """Places (s, 2) and ends of the radius lines (s, 2), m, between the last two steps."""
         bodies = self.model.world.bodies
         now = places_and_tips(bodies.state, bodies.composition)
@@ -131,7 +131,7 @@ class CollisionView:
             for x0, y0, x1, y1 in self.model.world.surroundings.ledges.tolist():
                 canvas.line((x0, y0), (x1, y1), "text2", 3.0)
 
-    def _draw_strings(self, canvas: Canvas, places: Array) -> None:
+    def _draw_strings(self, canvas: Canvas, places: Floats) -> None:
         around = self.model.world.surroundings
         if STRINGS not in self.model.active or not len(around.hung):
             return
@@ -142,7 +142,7 @@ class CollisionView:
             y, over = float(ties[0, 1]), 0.06 * (high - low)
             canvas.line((low - over, y), (high + over, y), "text2", 4.0)
 
-    def _draw_spheres(self, canvas: Canvas, places: Array, tips: Array) -> None:
+    def _draw_spheres(self, canvas: Canvas, places: Floats, tips: Floats) -> None:
         composition = self.model.world.bodies.composition
         radii = composition.radii
         largest = float(radii.max()) * canvas.pixels_per_unit
@@ -167,7 +167,7 @@ class CollisionView:
             canvas.circle(places[s], float(radii[s]), "line2", 1.0, "text1", 2.0)
         self._draw_joins(canvas, places)
 
-    def _draw_joins(self, canvas: Canvas, places: Array) -> None:
+    def _draw_joins(self, canvas: Canvas, places: Floats) -> None:
         """Lines from the centre of a body to the spheres that are joined to it."""
         bodies = self.model.world.bodies
         if bodies.single:
@@ -179,7 +179,7 @@ class CollisionView:
         centres /= counts[:, None]
         canvas.segments(centres[bodies.composition.owners[apart]], places[apart], "text1", 3.0)
 
-    def _draw_contact_forces(self, canvas: Canvas, places: Array) -> None:
+    def _draw_contact_forces(self, canvas: Canvas, places: Floats) -> None:
         """What rests on what: lines between centres, four widths by the impulse."""
         contacts, who, held = self.model.world.contacts
         strength = held[:, 0]
@@ -202,7 +202,7 @@ class CollisionView:
             mine = (part >= low) & (part < high)
             canvas.segments(first[mine], other[mine], "green", width, alpha=0.75)
 
-    def _thread(self, canvas: Canvas, starts: Array, ends: Array, inks: NDArray[np.uint32]) -> None:
+    def _thread(self, canvas: Canvas, starts: Floats, ends: Floats, inks: NDArray[np.uint32]) -> None:
         """Many thin lines, quickly."""
         n = len(starts)
         if not n:
@@ -261,7 +261,7 @@ class CollisionView:
             )
 
 
-def places_and_tips(state: Any, composition: Any) -> tuple[Array, Array]:
+def places_and_tips(state: Any, composition: Any) -> tuple[Floats, Floats]:
     """Places (s, 2) m of the spheres and ends of their radius lines, seen along z."""
     owners, offsets = composition.owners, composition.offsets
     q = state.orientations[owners]

@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.springs.network import NOT_OWN
 from game.scenes.springs.parameters import RigidLinkParameters, SoftSpringParameters
 
-Array = NDArray[np.float64]
 REFERENCE_HZ = 60.0  # 1/s: at one sweep of a step of 1/60 s all three models agree for a bead of 1 kg
 SOFTEST = 1e12  # m/N
 
@@ -18,8 +17,8 @@ SOFTEST = 1e12  # m/N
 class Firmness(NamedTuple):
     """How firmly links hold."""
 
-    stiffness: Array  # (m,) 0 to 1
-    compliance: Array  # (m,) m/N
+    stiffness: Floats  # (m,) 0 to 1
+    compliance: Floats  # (m,) m/N
 
 
 class LinkLaw(Protocol):
@@ -35,7 +34,7 @@ class LinkLaw(Protocol):
         """The solver's model of a link, one of MODELS."""
         ...
 
-    def firmness(self, own: Array) -> Firmness:
+    def firmness(self, own: Floats) -> Firmness:
         """Of links (m,) with these stiffnesses of their own (or NOT_OWN)."""
         ...
 
@@ -53,7 +52,7 @@ class RigidLaw:
     def model(self) -> str:
         return self.parameters.model
 
-    def firmness(self, own: Array) -> Firmness:
+    def firmness(self, own: Floats) -> Firmness:
         return Firmness(np.ones_like(own), np.full_like(own, self.parameters.compliance))
 
 
@@ -70,7 +69,7 @@ class SoftLaw:
     def model(self) -> str:
         return self.parameters.model
 
-    def firmness(self, own: Array) -> Firmness:
+    def firmness(self, own: Floats) -> Firmness:
         k = np.where(own == NOT_OWN, self.parameters.stiffness, own)
         soft = np.where(k > 0.0, (1.0 - k) / np.maximum(k, 1e-300) / (REFERENCE_HZ * REFERENCE_HZ), SOFTEST)
         return Firmness(k, np.minimum(soft, SOFTEST))

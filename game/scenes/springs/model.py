@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.constraints import PositionBasedDynamics
 from game.physics.constraints.areas import AREA
 from game.physics.constraints.editing import Topology, assemble, topology_of
@@ -21,7 +22,6 @@ from game.scenes.springs.network import Network, build_network
 from game.scenes.springs.parameters import BUILDING, MassSpringParameters
 from game.stage import ParameterError, Part
 
-Array = NDArray[np.float64]
 MOST_PROJECTIONS = 50_000_000  # of links and areas in a step: a second
 
 AS_IN_THE_PANEL = BesideEntry(label="-", to_the_right=0.0)
@@ -30,39 +30,39 @@ AS_IN_THE_PANEL = BesideEntry(label="-", to_the_right=0.0)
 class SpringState(NamedTuple):
     """What moves (see `PositionState`), and how it is linked if that is not as in the level any more."""
 
-    fields: Array
+    fields: Floats
     torn: NDArray[np.int64]
-    intact: Array
-    hand: Array
-    own: Array  # (m,) stiffness of a link's own; empty as the following while nothing was edited
+    intact: Floats
+    hand: Floats
+    own: Floats  # (m,) stiffness of a link's own; empty as the following while nothing was edited
     pairs: NDArray[np.int64]
-    rest: Array
-    stiffness: Array
-    compliance: Array
+    rest: Floats
+    stiffness: Floats
+    compliance: Floats
     corners: NDArray[np.int64]
     starts: NDArray[np.int64]
-    areas: Array
+    areas: Floats
     contacts: NDArray[np.int64]
-    distances: Array
+    distances: Floats
 
 
 class ComparedState(NamedTuple):
     """The same with what moves of the networks that are solved beside it."""
 
-    fields: Array
+    fields: Floats
     torn: NDArray[np.int64]
-    intact: Array
-    hand: Array
-    own: Array
+    intact: Floats
+    hand: Floats
+    own: Floats
     pairs: NDArray[np.int64]
-    rest: Array
-    stiffness: Array
-    compliance: Array
+    rest: Floats
+    stiffness: Floats
+    compliance: Floats
     corners: NDArray[np.int64]
     starts: NDArray[np.int64]
-    areas: Array
+    areas: Floats
     contacts: NDArray[np.int64]
-    distances: Array
+    distances: Floats
     beside: tuple[PositionState, ...]
 
 
@@ -199,7 +199,7 @@ class SpringModel(Part):
         self.undisturbed = False
         self.system.give_inverse_mass(particle, inverse_mass)
 
-    def take_system(self, system: PositionBasedDynamics, own: Array) -> None:
+    def take_system(self, system: PositionBasedDynamics, own: Floats) -> None:
         """Go on with an edited system."""
         self.system, self.own, self.edited = system, own, True
         self.beside = []

@@ -6,15 +6,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.constraints import DAMPING
 from game.physics.fields import GRAVITY
 from game.scenes.springs.model import SpringModel
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
 
-Array = NDArray[np.float64]
 STEPS_A_LINK = 24  # of the scene, that each link takes
 SHOWN_SWEEPS = 4  # before it begins again, or as many as there are iterations
 
@@ -23,14 +22,14 @@ class SlowSweep(NamedTuple):
     """places (n, 2) m: after the links that are done. before: as predicted. sweep, link: what is next;
     excess: by how much (m) that one is too long."""
 
-    places: Array
-    before: Array
+    places: Floats
+    before: Floats
     sweep: int
     link: int
     excess: float
 
 
-def predicted(model: SpringModel) -> Array:
+def predicted(model: SpringModel) -> Floats:
     """Where (n, 2) m the particles would go in a substep without links."""
     system, parameters = model.system, model.parameters
     h = parameters.step_length / int(parameters.substeps)
@@ -44,7 +43,7 @@ def predicted(model: SpringModel) -> Array:
     return np.where(free, system.positions + h * velocities, system.positions)
 
 
-def put_right(places: Array, weights: Array, pair: tuple[int, int], rest: float) -> None:
+def put_right(places: Floats, weights: Floats, pair: tuple[int, int], rest: float) -> None:
     """Move both ends of a link along it, in ``places``, until its length is right; the lighter one more."""
     a, b = pair
     way = places[b] - places[a]

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
 from game.physics.constraints import AREAS, CONTACTS, PositionBasedDynamics
 from game.physics.constraints.areas import INTACT
@@ -21,7 +22,6 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.threads import draw_threads
 from game.worlds.painting.polygons import NO_EDGE, paint
 
-Array = NDArray[np.float64]
 FULL_STRAIN = 0.05  # at which a link has the full colour of stretch or of compression
 MOST_POINTS = 1_500  # particles drawn as points; more would cover their links
 MOST_STROKES = 2_500  # links drawn as strokes; more are drawn as threads
@@ -33,7 +33,7 @@ LARGEST_DOT = 15.0  # design px, of a very heavy particle
 Before = SpringState | ComparedState | None
 
 
-def between(system: PositionBasedDynamics, before: Any, alpha: float) -> Array:
+def between(system: PositionBasedDynamics, before: Any, alpha: float) -> Floats:
     """Places (n, 2) m of a system between its state ``before`` the last step (None: not known) and now."""
     now = system.positions
     if before is None or before.fields.shape != system.fields.shape:
@@ -133,7 +133,7 @@ class SpringView:
         canvas.label(top, label, "text1", 13, "semibold", offset=(0.0, -34.0))
         canvas.label(top, words, "text2", 12, offset=(0.0, -16.0))
 
-    def _between(self, before: Before, alpha: float) -> Array:
+    def _between(self, before: Before, alpha: float) -> Floats:
         """Places (n, 2) m between the last two steps."""
         return between(self.model.system, before, alpha)
 
@@ -146,7 +146,7 @@ class SpringView:
             canvas.polygon(np.array(corners), fill="body", fill_alpha=0.75)
             canvas.line((x, floor), (x, seen.top), "line2", 1.0)
 
-    def _draw_areas(self, canvas: Canvas, places: Array) -> None:
+    def _draw_areas(self, canvas: Canvas, places: Floats) -> None:
         outlines = self.model.system.outlines
         count = len(outlines.starts) - 1
         if not 0 < count <= MOST_OUTLINES:
@@ -156,7 +156,7 @@ class SpringView:
         none = np.full(count, NO_EDGE, dtype=np.int64)
         paint(canvas, places[outlines.corners], outlines.starts, inks, shares, none, np.zeros((4, 2)))
 
-    def _draw_links(self, canvas: Canvas, places: Array) -> None:
+    def _draw_links(self, canvas: Canvas, places: Floats) -> None:
         system = self.model.system
         pairs = system.links.pairs
         if not len(pairs):
@@ -184,7 +184,7 @@ class SpringView:
         color_by_strain(strains, FULL_STRAIN, *inks, self._colors)
         return self._colors
 
-    def _radii(self) -> Array:
+    def _radii(self) -> Floats:
         """World radius of balls that bounce off each other, 0 for the rest."""
         radii = np.zeros(self.model.system.count)
         if CONTACTS in self.model.active:
@@ -193,7 +193,7 @@ class SpringView:
                 np.maximum.at(radii, contacts.pairs[:, column], 0.5 * contacts.rest)
         return radii
 
-    def _draw_particles(self, canvas: Canvas, places: Array, radii: Array) -> None:
+    def _draw_particles(self, canvas: Canvas, places: Floats, radii: Floats) -> None:
         count = self.model.system.count
         size = 3.6 if count <= 60 else 2.4 if count <= 250 else 1.6
         weights = self.model.system.own_inverse_masses()
@@ -203,7 +203,7 @@ class SpringView:
         sizes = np.clip(size * np.power(weights[dots], -0.3), 1.4, LARGEST_DOT)
         canvas.discs(places[dots], canvas.px(1.0) * sizes, "text1")
 
-    def _draw_fixed(self, canvas: Canvas, places: Array) -> None:
+    def _draw_fixed(self, canvas: Canvas, places: Floats) -> None:
         fixed = np.flatnonzero(self.model.system.own_inverse_masses() == 0.0)
         side = canvas.px(3.6 if len(fixed) < 40 else 2.4)
         for i in fixed.tolist():
@@ -217,7 +217,7 @@ class SpringView:
                 ]
                 canvas.polygon(np.array(corners), fill="text1")
 
-    def _draw_hand(self, canvas: Canvas, places: Array) -> None:
+    def _draw_hand(self, canvas: Canvas, places: Floats) -> None:
         system = self.model.system
         if 0 <= self.hand.chosen < len(places):
             place = tuple(places[self.hand.chosen].tolist())

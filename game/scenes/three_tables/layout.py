@@ -8,22 +8,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS, HEAD_SPOT, eight_ball_rack
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary
 from game.scenes.shared.tables.demo_shots import free_head_spot
 from game.scenes.shared.tables.level import BallEntry
 
-Array = NDArray[np.float64]
-
 
 class LaidOut(NamedTuple):
     """All balls, the cue ball first."""
 
     numbers: NDArray[np.int64]  # (n,)
-    places: Array  # (n, 2) m
-    radii: Array  # (n,) m
-    masses: Array  # (n,) kg
+    places: Floats  # (n, 2) m
+    radii: Floats  # (n,) m
+    masses: Floats  # (n,) kg
 
 
 def laid_out(balls: Sequence[BallEntry], bed: Table) -> LaidOut:
@@ -41,14 +40,14 @@ def laid_out(balls: Sequence[BallEntry], bed: Table) -> LaidOut:
     )
 
 
-def free_spot(bed: Table, others: Array, largest: float) -> Array:
+def free_spot(bed: Table, others: Floats, largest: float) -> Floats:
     """Where (2,) m the cue ball comes back to; the head spot itself if all is full.
 
     others (k, 2) m: the balls in play; largest: radius of any, m.
     """
     reach = 2.1 * largest
 
-    def is_free(place: Array) -> bool:
+    def is_free(place: Floats) -> bool:
         return not len(others) or bool(np.sqrt((elementary.square(others - place)).sum(axis=1)).min() > reach)
 
     spot = free_head_spot(bed, BALL_RADIUS, is_free)

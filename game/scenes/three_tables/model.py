@@ -5,31 +5,20 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.shot.cue import speed_ratio, strike
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot_effects import physics_of, table_of
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
+from game.scenes.three_tables import state as s
 from game.scenes.three_tables.layout import free_spot, laid_out
 from game.scenes.three_tables.level import ThreeTablesContent
 from game.scenes.three_tables.parameters import ThreeTablesParameters
 from game.scenes.three_tables.shot import MODELS, PlayedShot, ShotShelf
-from game.scenes.three_tables.state import (
-    AIM,
-    ELEVATION,
-    LEFT,
-    PLAYING,
-    SPEED,
-    STROKES,
-    TIME,
-    UP,
-    ThreeTablesState,
-)
+from game.scenes.three_tables.state import ThreeTablesState
 from game.stage import Part
-
-Array = NDArray[np.float64]
 
 
 class ThreeTablesModel(Part):
@@ -62,7 +51,7 @@ class ThreeTablesModel(Part):
         self.in_play = np.ones(len(self.numbers), dtype=np.bool_)
         self.places = np.repeat(self.start[None], 3, axis=0)
 
-    def state(self, cue: Array) -> ThreeTablesState:
+    def state(self, cue: Floats) -> ThreeTablesState:
         """All that later steps depend on, with that of the cue."""
         return ThreeTablesState(self.start, self.in_play, self.shot, cue, self.places)
 
@@ -71,23 +60,23 @@ class ThreeTablesModel(Part):
     @property
     def playing(self) -> bool:
         """True while a shot runs."""
-        return bool(self.shot[PLAYING])
+        return bool(self.shot[s.PLAYING])
 
     @property
     def strokes(self) -> int:
         """Strokes so far."""
-        return int(self.shot[STROKES])
+        return int(self.shot[s.STROKES])
 
     def strike(self, aim: float, speed: float) -> None:
         """Begin a shot: direction, rad, and speed of the cue ball struck in its centre, m/s."""
         chosen = self.parameters
         tip = chosen.tip_left, chosen.tip_up, math.radians(chosen.elevation)
-        self.shot[:] = 1.0, 0.0, speed, aim, *tip, self.shot[STROKES] + 1.0
+        self.shot[:] = 1.0, 0.0, speed, aim, *tip, self.shot[s.STROKES] + 1.0
         self.play()
 
     def play(self) -> None:
         """Play the shot on all tables, unless it is the one that is being played already."""
-        shot = self.shot[[PLAYING, SPEED, AIM, LEFT, UP, ELEVATION]].tobytes()
+        shot = self.shot[[s.PLAYING, s.SPEED, s.AIM, s.LEFT, s.UP, s.ELEVATION]].tobytes()
         balls = self.start.tobytes() + self.in_play.tobytes()
         key = (shot, balls, self.parameters.steps, self.parameters.perturbation, self.effects)
         before = self._shelf.latest
@@ -116,11 +105,11 @@ class ThreeTablesModel(Part):
         if not self.playing:
             return shot
         blow = strike(
-            self.shot[SPEED] / speed_ratio(float(self.masses[0])),
-            self.shot[AIM],
-            self.shot[ELEVATION],
-            self.shot[LEFT],
-            self.shot[UP],
+            self.shot[s.SPEED] / speed_ratio(float(self.masses[0])),
+            self.shot[s.AIM],
+            self.shot[s.ELEVATION],
+            self.shot[s.LEFT],
+            self.shot[s.UP],
             ball_mass=float(self.masses[0]),
             ball_radius=float(self.radii[0]),
         )
@@ -132,7 +121,7 @@ class ThreeTablesModel(Part):
 
         It lies behind for a moment when a step has become very short in the middle of a long shot.
         """
-        return min(float(self.shot[TIME]), self.played.reached_s) if self.playing else 0.0
+        return min(float(self.shot[s.TIME]), self.played.reached_s) if self.playing else 0.0
 
     def differences_until(self, time: float) -> dict[str, list[float]]:
         """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ up to a time (s)."""
@@ -146,9 +135,9 @@ class ThreeTablesModel(Part):
         if not self.playing:
             self.idle_s += dt
         elif self._caught_up():
-            self.shot[TIME] += dt
+            self.shot[s.TIME] += dt
             self._place_balls()
-            if self.played.is_over(float(self.shot[TIME])):
+            if self.played.is_over(float(self.shot[s.TIME])):
                 self._end_shot()
 
     def _caught_up(self) -> bool:
@@ -156,16 +145,16 @@ class ThreeTablesModel(Part):
 
         How many steps that takes depends on nothing but the shot, whatever has been computed of it before.
         """
-        self.known_s = min(self.known_s + self.played.steps.slice_s, float(self.shot[TIME]))
+        self.known_s = min(self.known_s + self.played.steps.slice_s, float(self.shot[s.TIME]))
         self.played.compute(self.known_s)
-        return self.known_s >= self.shot[TIME]
+        return self.known_s >= self.shot[s.TIME]
 
     def _place_balls(self) -> None:
-        self.known_s = float(self.shot[TIME])
+        self.known_s = float(self.shot[s.TIME])
         self.played.compute(self.known_s)
         rows = np.flatnonzero(self.in_play)
         for k, name in enumerate(MODELS):
-            self.places[k, rows] = self.played.tables[name].state_at(self.shot[TIME]).positions
+            self.places[k, rows] = self.played.tables[name].state_at(self.shot[s.TIME]).positions
 
     def _end_shot(self) -> None:
         """The next shot begins on all tables from where the exact one has ended."""
@@ -178,7 +167,7 @@ class ThreeTablesModel(Part):
         if not self.in_play[0]:
             self.start[0] = free_spot(self.bed, self.start[1:][self.in_play[1:]], float(self.radii.max()))
             self.in_play[0] = True
-        self.shot[PLAYING] = 0.0
+        self.shot[s.PLAYING] = 0.0
         self.idle_s = 0.0
         if self.in_play.sum() == 1 and len(self.numbers) > 1:
             self._lay_balls()

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from game.arrays import Floats
 
 
 class ThreeTablesState(NamedTuple):
@@ -17,11 +17,11 @@ class ThreeTablesState(NamedTuple):
     tip, elevation, strokes; cue (7,); places (3, n, 2) m on the three tables.
     """
 
-    start: Array
+    start: Floats
     in_play: NDArray[np.bool_]
-    shot: Array
-    cue: Array
-    places: Array
+    shot: Floats
+    cue: Floats
+    places: Floats
 
 
 PLAYING, TIME, SPEED, AIM, LEFT, UP, ELEVATION, STROKES = range(8)

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.table.aim import first_contact
 from game.scenes.shared.tables import view as table_view
 from game.scenes.shared.tables.cue import STRIKING
 from game.scenes.shared.tables.view import Balls
+from game.scenes.three_tables import places
 from game.scenes.three_tables.chart import draw_chart
 from game.scenes.three_tables.hand import ThreeTablesHand
 from game.scenes.three_tables.model import ThreeTablesModel
-from game.scenes.three_tables.places import ACROSS, ALONG, LENGTH, ORIGINS, WIDTH
+from game.scenes.three_tables.places import ORIGINS
 from game.scenes.three_tables.readouts import difference_now
 from game.scenes.three_tables.shot import MODELS
 from game.scenes.three_tables.state import TIME, ThreeTablesState
@@ -21,9 +22,7 @@ from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_LINE
 
-Array = NDArray[np.float64]
-
-FRAME = Frame(-0.30, -0.21, ACROSS + WIDTH + 0.19, ALONG + LENGTH + 0.21)
+FRAME = Frame(-0.30, -0.21, places.ACROSS + places.WIDTH + 0.19, places.ALONG + places.LENGTH + 0.21)
 TITLES = ("The lecture's table", "Stepped, all of the physics", "Exact, from event to event")
 SEEN_APART = 0.003  # m; from there on an outline stands out beside its ball
 CUE_WORDS = -24.0  # px above the cue ball, of the speed of the stroke
@@ -92,7 +91,7 @@ def _balls_at(model: ThreeTablesModel, name: str, time: float) -> Balls:
     )
 
 
-def outlines_of(balls: Balls, exact: Balls) -> list[tuple[Array, float]]:
+def outlines_of(balls: Balls, exact: Balls) -> list[tuple[Floats, float]]:
     """Where (m) the exact table has those balls, with what radius (m), that are seen to lie elsewhere.
 
     One that the exact table has lost to a pocket has no outline.

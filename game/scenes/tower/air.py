@@ -13,18 +13,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import ADVECTION, PRESSURE
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
-from game.physics.solids.state import Bodies
+from game.physics.solids.arrays.state import Bodies
 from game.physics.surfaces.surface import Sample, empty_sample
+from game.scenes.tower import tables
 from game.scenes.tower.level import TowerContent
-from game.scenes.tower.tables import BODY, KIND, RUBBLE, SHARD, SLAB, TALL, WIDE
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 AIR = 1.2  # kg/m³
 DRAG = 1.2  # of a piece, by its breadth (a plate across: 2; an edge-on one: less)
 PER_STOREY, MOST_ROWS = 3, 64  # cells in a storey; rows of cells
@@ -109,9 +109,9 @@ def drag_along(pieces, u, v, lower, cell, dt, force):
 
 def solids_of(parts: Floats, bodies: Bodies, least: float) -> Floats:
     """(k, FLOOR_WIDTH): bays of floors that are whole, as solids of the air, ``least`` m thick."""
-    whole = parts[(parts[:, KIND] == SLAB) & (parts[:, BODY] >= 0.0)]
-    own = whole[:, BODY].astype(np.int64)
-    long, thick = 0.5 * whole[:, WIDE], 0.5 * np.maximum(whole[:, TALL], least)
+    whole = parts[(parts[:, tables.KIND] == tables.SLAB) & (parts[:, tables.BODY] >= 0.0)]
+    own = whole[:, tables.BODY].astype(np.int64)
+    long, thick = 0.5 * whole[:, tables.WIDE], 0.5 * np.maximum(whole[:, tables.TALL], least)
     c, s = np.abs(bodies.rotations[own]).T
     return np.column_stack([
         bodies.positions[own], bodies.rotations[own], long, thick, bodies.velocities[own], bodies.spins[own],
@@ -121,9 +121,12 @@ def solids_of(parts: Floats, bodies: Bodies, least: float) -> Floats:
 
 def loose_of(parts: Floats, bodies: Bodies) -> Floats:
     """(n, 5): place m, velocity m/s, breadth m of what is broken and moves."""
-    loose = parts[(parts[:, BODY] >= 0.0) & ((parts[:, KIND] == SHARD) | (parts[:, KIND] == RUBBLE))]
-    own = loose[:, BODY].astype(np.int64)
-    breadth = 0.5 * (loose[:, WIDE] + loose[:, TALL])
+    loose = parts[
+        (parts[:, tables.BODY] >= 0.0)
+        & ((parts[:, tables.KIND] == tables.SHARD) | (parts[:, tables.KIND] == tables.RUBBLE))
+    ]
+    own = loose[:, tables.BODY].astype(np.int64)
+    breadth = 0.5 * (loose[:, tables.WIDE] + loose[:, tables.TALL])
     found = np.column_stack([bodies.positions[own], bodies.velocities[own], breadth])
     return np.ascontiguousarray(found[np.abs(found[:, 2:4]).max(axis=1, initial=0.0) > SLOWEST])
 

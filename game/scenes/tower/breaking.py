@@ -6,12 +6,11 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise, linear
 from game.physics.solids import Material, Polygon, SolidWorld
 
-Floats = NDArray[np.float64]
 STOP_S = 0.05  # s: what stops a body within about so long counts as one stop
 SCATTER = 0.35  # of the speed of a stop: that of the pieces it makes, apart
 SLANT = 0.35  # m of length for each m across, at most: how obliquely a piece breaks

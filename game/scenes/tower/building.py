@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.solids import Material, SolidWorld, box
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.tables import COLUMN, SLAB
 
-Floats = NDArray[np.float64]
 DENSITY = 2400.0  # kg/m², of concrete, a metre of depth
 FLOOR_FRICTION = 0.8
 FLOORS, LOOSE = 1, 2  # layers: floors, columns, shards; and rubble, which flies off to the front and back

@@ -11,8 +11,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from game.arrays import Floats
 from game.physics.kernels import linear
-from game.scenes.tower.tables import AGE, DUST_WIDTH, DVX, DVY, DX, DY, LIFE, SIZE, Floats
+from game.scenes.tower import tables
 
 MOST = 900
 DRAG = 1.1  # 1/s
@@ -22,13 +23,13 @@ SINK = 0.12  # m/s
 def puffs(places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator) -> Floats:
     """New ones at places (n, 2) m with velocities (n, 2) m/s, each a little different."""
     count = len(places)
-    found = np.zeros((count, DUST_WIDTH))
-    found[:, [DX, DY]] = places
-    found[:, [DVX, DVY]] = speeds * linear.uniform(random, 0.3, 1.0, (count, 1)) + linear.uniform(
-        random, -0.6, 0.6, (count, 2)
-    )
-    found[:, LIFE] = life * linear.uniform(random, 0.6, 1.3, count)
-    found[:, SIZE] = size * linear.uniform(random, 0.6, 1.5, count)
+    found = np.zeros((count, tables.DUST_WIDTH))
+    found[:, [tables.DX, tables.DY]] = places
+    found[:, [tables.DVX, tables.DVY]] = speeds * linear.uniform(
+        random, 0.3, 1.0, (count, 1)
+    ) + linear.uniform(random, -0.6, 0.6, (count, 2))
+    found[:, tables.LIFE] = life * linear.uniform(random, 0.6, 1.3, count)
+    found[:, tables.SIZE] = size * linear.uniform(random, 0.6, 1.5, count)
     return found
 
 
@@ -41,10 +42,10 @@ def advance_dust(dust: Floats, dt: float, wind: Callable[[Floats], Floats] | Non
         return dust
     now = dust.copy()
     if wind is not None:
-        now[:, [DVX, DVY]] += DRAG * dt * wind(dust[:, [DX, DY]])
-    now[:, [DVX, DVY]] /= 1.0 + DRAG * dt
-    now[:, DVY] -= DRAG * SINK * dt
-    now[:, [DX, DY]] += dt * now[:, [DVX, DVY]]
-    now[:, DY] = np.maximum(now[:, DY], 0.3)
-    now[:, AGE] += dt
-    return now[now[:, AGE] < now[:, LIFE]][-MOST:]
+        now[:, [tables.DVX, tables.DVY]] += DRAG * dt * wind(dust[:, [tables.DX, tables.DY]])
+    now[:, [tables.DVX, tables.DVY]] /= 1.0 + DRAG * dt
+    now[:, tables.DVY] -= DRAG * SINK * dt
+    now[:, [tables.DX, tables.DY]] += dt * now[:, [tables.DVX, tables.DVY]]
+    now[:, tables.DY] = np.maximum(now[:, tables.DY], 0.3)
+    now[:, tables.AGE] += dt
+    return now[now[:, tables.AGE] < now[:, tables.LIFE]][-MOST:]

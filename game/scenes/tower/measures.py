@@ -6,38 +6,45 @@ import math
 
 import numpy as np
 
+from game.arrays import Floats
 from game.physics.accretion import strike_times
+from game.scenes.tower import tables
 from game.scenes.tower.building import columns_mass, floor_height, slab_mass
 from game.scenes.tower.model import TowerModel
-from game.scenes.tower.tables import BODY, COLUMN, CUT, FREE_SPEED, KIND, NOT_YET, STOREY, STRUCK, Floats
 
 
 def pieces_of(model: TowerModel) -> int:
     """How many parts there are."""
-    return int(np.count_nonzero(model.parts[:, BODY] >= 0.0))
+    return int(np.count_nonzero(model.parts[:, tables.BODY] >= 0.0))
 
 
 def mass_of(model: TowerModel) -> float:
     """kg, of all that is in the world, by the solver's own numbers."""
-    bodies = model.parts[model.parts[:, BODY] >= 0.0, BODY].astype(np.int64)
+    bodies = model.parts[model.parts[:, tables.BODY] >= 0.0, tables.BODY].astype(np.int64)
     return math.fsum((1.0 / model.world.bodies.inverse_masses[bodies]).tolist())
 
 
 def standing(model: TowerModel) -> int:
     """Storeys whose columns are all there."""
-    whole = (model.parts[:, KIND] == COLUMN) & (model.parts[:, BODY] >= 0.0)
-    counts = np.bincount(model.parts[whole, STOREY].astype(np.int64), minlength=model.content.storeys + 1)
+    whole = (model.parts[:, tables.KIND] == tables.COLUMN) & (model.parts[:, tables.BODY] >= 0.0)
+    counts = np.bincount(
+        model.parts[whole, tables.STOREY].astype(np.int64), minlength=model.content.storeys + 1
+    )
     return int(np.count_nonzero(counts[1:] == model.content.bays + 1))
 
 
 def whole_columns(model: TowerModel) -> int:
     """Columns that are in one piece, wherever they are."""
-    return int(np.count_nonzero((model.parts[:, KIND] == COLUMN) & (model.parts[:, BODY] >= 0.0)))
+    return int(
+        np.count_nonzero(
+            (model.parts[:, tables.KIND] == tables.COLUMN) & (model.parts[:, tables.BODY] >= 0.0)
+        )
+    )
 
 
 def struck(model: TowerModel) -> int:
     """Floors below the charges that have been struck."""
-    return int(np.count_nonzero(model.storeys[: model.first_storey() - 1, STRUCK] != NOT_YET))
+    return int(np.count_nonzero(model.storeys[: model.first_storey() - 1, tables.STRUCK] != tables.NOT_YET))
 
 
 def fall_of(model: TowerModel) -> tuple[float, float, float]:
@@ -49,7 +56,7 @@ def fall_of(model: TowerModel) -> tuple[float, float, float]:
     """
     first, content, count = model.first_storey(), model.content, struck(model)
     begun, speed, way = model.freed.tolist()
-    if begun == NOT_YET or not count or model.gravity() <= 0.0:
+    if begun == tables.NOT_YET or not count or model.gravity() <= 0.0:
         return math.nan, math.nan, math.nan
     floor, above = slab_mass(content), content.storeys - first
     moving, drop = floor + above * (floor + columns_mass(content)), drop_of(model)
@@ -66,15 +73,15 @@ def drop_of(model: TowerModel) -> float:
 
 def strikes_of(model: TowerModel) -> Floats:
     """s at which floors below the charges were struck, in the order of time."""
-    times = model.storeys[: model.first_storey() - 1, STRUCK]
-    return np.sort(times[times != NOT_YET])
+    times = model.storeys[: model.first_storey() - 1, tables.STRUCK]
+    return np.sort(times[times != tables.NOT_YET])
 
 
 def paces_of(model: TowerModel) -> Floats:
     """m/s of the front, the mean from each floor to the next, the first from where it was freed."""
     begun, _, way = model.freed.tolist()
     strikes = strikes_of(model)
-    if begun == NOT_YET or not len(strikes):
+    if begun == tables.NOT_YET or not len(strikes):
         return np.zeros(0)
     ways = np.full(len(strikes), drop_of(model))
     ways[0] -= way
@@ -86,18 +93,20 @@ def free_fall_of(model: TowerModel) -> float:
     _, law, way = fall_of(model)
     if not math.isfinite(law):
         return math.nan
-    speed, gravity = float(model.freed[FREE_SPEED]), model.gravity()
+    speed, gravity = float(model.freed[tables.FREE_SPEED]), model.gravity()
     return (math.sqrt(speed * speed + 2.0 * gravity * way) - speed) / gravity
 
 
 def front_of(model: TowerModel) -> tuple[float, float]:
     """Where the floors meet now, m."""
     first = model.first_storey()
-    storey = max(first - struck(model), 0) if model.storeys[first - 1, CUT] != NOT_YET else first
+    storey = (
+        max(first - struck(model), 0) if model.storeys[first - 1, tables.CUT] != tables.NOT_YET else first
+    )
     return 0.0, floor_height(model.content, storey)
 
 
 def roof_of(model: TowerModel) -> float:
     """Height (m) of the highest part."""
-    bodies = model.parts[model.parts[:, BODY] >= 0.0, BODY].astype(np.int64)
+    bodies = model.parts[model.parts[:, tables.BODY] >= 0.0, tables.BODY].astype(np.int64)
     return float(model.world.bodies.positions[bodies, 1].max())

@@ -8,12 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.kernels import linear
 from game.physics.solids import SolidSettings, SolidState, SolidWorld
+from game.physics.solids.arrays.state import ASLEEP, DYNAMIC
 from game.physics.solids.effects import SOLIDS
-from game.physics.solids.state import ASLEEP, DYNAMIC
+from game.scenes.tower import tables
 from game.scenes.tower.air import AirState, TowerAir, loose_of, solids_of
 from game.scenes.tower.breaking import (
     apart,
@@ -37,28 +39,7 @@ from game.scenes.tower.effects import AIR
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
 from game.scenes.tower.sounds import air_heard, charges, impacts, remembered
-from game.scenes.tower.tables import (
-    BODY,
-    COLUMN,
-    CUT,
-    DUST_WIDTH,
-    GONE,
-    KIND,
-    MASS,
-    NOT_YET,
-    PLACE,
-    RUBBLE,
-    SHARD,
-    SHOCK,
-    SLAB,
-    STOREY,
-    STOREY_WIDTH,
-    STRUCK,
-    TALL,
-    WIDE,
-    Floats,
-    none_of,
-)
+from game.scenes.tower.tables import none_of
 from game.stage import ParameterError, Part
 from game.worlds.hearing import HEARD_WIDTH
 from game.worlds.stopwatch import Stopwatch
@@ -106,11 +87,11 @@ class TowerModel(Part):
         self.steps, self.fired = 0, NOT_FIRED
         self.world = SolidWorld(self._settings())
         self.ground, self.parts = build(self.world, content, parameters.friction, parameters.joints)
-        self.storeys = np.full((content.storeys, STOREY_WIDTH), NOT_YET)
-        self.dust, self.heard = none_of(DUST_WIDTH), none_of(HEARD_WIDTH)
+        self.storeys = np.full((content.storeys, tables.STOREY_WIDTH), tables.NOT_YET)
+        self.dust, self.heard = none_of(tables.DUST_WIDTH), none_of(HEARD_WIDTH)
         self.world.check_solver()
-        self.built_mass = float(self.parts[:, MASS].sum())
-        self.dusted, self.freed = 0.0, np.full(3, NOT_YET)
+        self.built_mass = float(self.parts[:, tables.MASS].sum())
+        self.dusted, self.freed = 0.0, np.full(3, tables.NOT_YET)
         self.air = TowerAir(content)
 
     # -- changes --------------------------------------------------------------------------------------
@@ -131,7 +112,7 @@ class TowerModel(Part):
         """Take over a parameter's new value."""
         self.watch.clear()
         if name == "friction":
-            bodies = self.parts[self.parts[:, BODY] >= 0.0, BODY].astype(np.int64)
+            bodies = self.parts[self.parts[:, tables.BODY] >= 0.0, tables.BODY].astype(np.int64)
             shapes = self.world.shapes
             shapes.frictions[np.isin(shapes.bodies, bodies)] = self.parameters.friction
         self.world.settings = self._settings()
@@ -163,17 +144,17 @@ class TowerModel(Part):
     def cut(self, row: int) -> None:
         """A charge turns a column into rubble that flies off to both sides, and some of it into dust."""
         part = self.parts[row]
-        storey, random = int(part[STOREY]), self._random(row)
-        body = int(part[BODY])
+        storey, random = int(part[tables.STOREY]), self._random(row)
+        body = int(part[tables.BODY])
         x, y = self.world.bodies.positions[body].tolist()
-        pieces = cuts_of(float(part[WIDE]), float(part[TALL]), PIECES_OF_COLUMN, random)
+        pieces = cuts_of(float(part[tables.WIDE]), float(part[tables.TALL]), PIECES_OF_COLUMN, random)
         side = np.where(np.arange(len(pieces)) % 2 == 0, 1.0, -1.0) * (1.0 if random.random() < 0.5 else -1.0)
         thrown = np.stack(
             [side * linear.uniform(random, 0.6, 1.4, len(pieces)), np.zeros(len(pieces))], axis=1
         )
-        made = self._replace(row, pieces, RUBBLE, self.parameters.blast * thrown)
-        if self.storeys[storey - 1, CUT] == NOT_YET:
-            self.storeys[storey - 1, CUT] = self.time
+        made = self._replace(row, pieces, tables.RUBBLE, self.parameters.blast * thrown)
+        if self.storeys[storey - 1, tables.CUT] == tables.NOT_YET:
+            self.storeys[storey - 1, tables.CUT] = self.time
         spread = linear.uniform(random, -0.5, 0.5, (10, 2)) * (1.0, 2.0)
         self._raise_dust(
             spread + np.array((x, y)), linear.uniform(random, -3.0, 3.0, (10, 2)), 0.8, 3.5, random,
@@ -186,13 +167,13 @@ class TowerModel(Part):
         stopped: m/s that it has lost; some of it throws the pieces apart.
         """
         part, random = self.parts[row], self._random(row)
-        long = max(float(part[WIDE]), float(part[TALL]))
+        long = max(float(part[tables.WIDE]), float(part[tables.TALL]))
         count = 3 if long > 3.0 else 2
-        if part[KIND] != SHARD:
-            pieces = cuts_of(float(part[WIDE]), float(part[TALL]), count, random)
+        if part[tables.KIND] != tables.SHARD:
+            pieces = cuts_of(float(part[tables.WIDE]), float(part[tables.TALL]), count, random)
         else:
-            pieces = halves_of(self._corners(int(part[BODY])), random)
-        self._replace(row, pieces, SHARD, apart(pieces, stopped, random))
+            pieces = halves_of(self._corners(int(part[tables.BODY])), random)
+        self._replace(row, pieces, tables.SHARD, apart(pieces, stopped, random))
 
     def _corners(self, body: int) -> Floats:
         """Corners (k, 2) m of a body's first shape in its own frame."""
@@ -204,14 +185,16 @@ class TowerModel(Part):
         self, row: int, pieces: list[Floats], kind: int, thrown: Floats | None = None
     ) -> list[int]:  # fmt: skip
         """Pieces in the place of a part: their rows, or its own where there are too many bodies."""
-        part, stuff = self.parts[row], rubble_stuff if kind == RUBBLE else frame_stuff
+        part, stuff = self.parts[row], rubble_stuff if kind == tables.RUBBLE else frame_stuff
         if len(self.world.ids()) + len(pieces) > MOST_BODIES:
             return [row]
-        density = float(part[MASS]) / sum(middle_of(corners)[2] for corners in pieces)
+        density = float(part[tables.MASS]) / sum(middle_of(corners)[2] for corners in pieces)
         material = stuff(self.parameters.friction, density)
-        made = break_up(self.world, int(part[BODY]), pieces, material, thrown)
-        rows = [(new, kind, part[STOREY], part[PLACE], w, h, mass, 0.0) for new, mass, w, h in made]
-        self.parts[row, BODY], self.parts[row, MASS] = GONE, 0.0
+        made = break_up(self.world, int(part[tables.BODY]), pieces, material, thrown)
+        rows = [
+            (new, kind, part[tables.STOREY], part[tables.PLACE], w, h, mass, 0.0) for new, mass, w, h in made
+        ]
+        self.parts[row, tables.BODY], self.parts[row, tables.MASS] = tables.GONE, 0.0
         self.parts = np.concatenate([self.parts, np.array(rows)])
         return list(range(len(self.parts) - len(rows), len(self.parts)))
 
@@ -224,8 +207,10 @@ class TowerModel(Part):
         rows = np.asarray(source[0], dtype=np.int64)
         if not len(rows):
             return
-        kilograms = min(source[1], MOST_GROUND * float(self.parts[rows, MASS].sum()))
-        self.parts[rows, MASS] = grind(self.world, self.parts[rows, BODY].astype(np.int64), kilograms)
+        kilograms = min(source[1], MOST_GROUND * float(self.parts[rows, tables.MASS].sum()))
+        self.parts[rows, tables.MASS] = grind(
+            self.world, self.parts[rows, tables.BODY].astype(np.int64), kilograms
+        )
         self.dusted += kilograms
         if AIR in self.active:
             self.air.raise_dust(places, kilograms)
@@ -272,20 +257,28 @@ class TowerModel(Part):
         first = self.first_storey()
         parts = self.parts
         due = (self.time - self.fired + 0.5 * dt) / max(self.parameters.delay, 1e-9)
-        mine = (parts[:, KIND] == COLUMN) & (parts[:, STOREY] == first) & (parts[:, BODY] >= 0.0)
-        now = np.flatnonzero(mine & (parts[:, PLACE] <= due))
-        places = self.world.bodies.positions[parts[now, BODY].astype(np.int64), 0].copy()
+        mine = (
+            (parts[:, tables.KIND] == tables.COLUMN)
+            & (parts[:, tables.STOREY] == first)
+            & (parts[:, tables.BODY] >= 0.0)
+        )
+        now = np.flatnonzero(mine & (parts[:, tables.PLACE] <= due))
+        places = self.world.bodies.positions[parts[now, tables.BODY].astype(np.int64), 0].copy()
         for row in now.tolist():
             self.cut(row)
-        if mine.any() and (parts[mine, PLACE] <= due).all():
+        if mine.any() and (parts[mine, tables.PLACE] <= due).all():
             self._set_free(first)
         return places
 
     def _set_free(self, storey: int) -> None:
         """Nothing carries what is above a storey any more: note when, how fast it is, how far it has come."""
         parts, bodies = self.parts, self.world.bodies
-        slabs = (parts[:, KIND] == SLAB) & (parts[:, STOREY] == storey) & (parts[:, BODY] >= 0.0)
-        own = parts[slabs, BODY].astype(np.int64)
+        slabs = (
+            (parts[:, tables.KIND] == tables.SLAB)
+            & (parts[:, tables.STOREY] == storey)
+            & (parts[:, tables.BODY] >= 0.0)
+        )
+        own = parts[slabs, tables.BODY].astype(np.int64)
         if len(own):
             way = floor_height(self.content, storey) - 0.5 * self.content.slab - bodies.positions[own, 1]
             speed = -float(bodies.velocities[own, 1].mean())
@@ -296,21 +289,24 @@ class TowerModel(Part):
         content, parts = self.content, self.parts
         places, speeds = self.world.bodies.positions, self.world.bodies.velocities
         for storey in range(content.storeys - 1, 0, -1):
-            if self.storeys[storey - 1, STRUCK] != NOT_YET or self.storeys[storey, CUT] == NOT_YET:
+            if (
+                self.storeys[storey - 1, tables.STRUCK] != tables.NOT_YET
+                or self.storeys[storey, tables.CUT] == tables.NOT_YET
+            ):
                 continue
-            above = (parts[:, STOREY] == storey + 1) & (parts[:, BODY] >= 0.0)
-            above &= (parts[:, KIND] == SLAB) | (parts[:, KIND] == SHARD)
-            bodies = parts[above, BODY].astype(np.int64)
+            above = (parts[:, tables.STOREY] == storey + 1) & (parts[:, tables.BODY] >= 0.0)
+            above &= (parts[:, tables.KIND] == tables.SLAB) | (parts[:, tables.KIND] == tables.SHARD)
+            bodies = parts[above, tables.BODY].astype(np.int64)
             if not len(bodies):
                 continue
             speed = -float(np.median(speeds[bodies, 1]))
             gap = float(np.median(places[bodies, 1])) - floor_height(content, storey) - 0.5 * content.slab
             if gap > 1.5 * dt * max(speed, 0.0) + SKIN:
                 continue
-            self.storeys[storey - 1, STRUCK] = self.time + max(gap, 0.0) / max(speed, SLOWEST)
+            self.storeys[storey - 1, tables.STRUCK] = self.time + max(gap, 0.0) / max(speed, SLOWEST)
             self._blow_out(storey, speed)
-            own = (self.parts[:, KIND] == COLUMN) & (self.parts[:, STOREY] == storey)
-            for row in np.flatnonzero(own & (self.parts[:, BODY] >= 0.0)).tolist():
+            own = (self.parts[:, tables.KIND] == tables.COLUMN) & (self.parts[:, tables.STOREY] == storey)
+            for row in np.flatnonzero(own & (self.parts[:, tables.BODY] >= 0.0)).tolist():
                 self.cut(row)
 
     def _blow_out(self, storey: int, speed: float) -> None:
@@ -318,8 +314,10 @@ class TowerModel(Part):
         half, random = half_width(self.content), self._random(100_000 + storey)
         side = np.where(np.arange(36) % 2 == 0, 1.0, -1.0)
         y = floor_height(self.content, storey) + linear.uniform(random, 0.1, 0.9, 36)
-        floors = np.isin(self.parts[:, KIND], (SLAB, SHARD)) & (self.parts[:, BODY] >= 0.0)
-        floors &= (self.parts[:, STOREY] == storey) | (self.parts[:, STOREY] == storey + 1)
+        floors = np.isin(self.parts[:, tables.KIND], (tables.SLAB, tables.SHARD)) & (
+            self.parts[:, tables.BODY] >= 0.0
+        )
+        floors &= (self.parts[:, tables.STOREY] == storey) | (self.parts[:, tables.STOREY] == storey + 1)
         source = np.flatnonzero(floors), ON_FLOOR * 2.0 * half
         if AIR in self.active:  # the air knows how fast, and takes it along from all over the floor
             x = linear.uniform(random, -half, half, 36)
@@ -331,16 +329,18 @@ class TowerModel(Part):
 
     def _break_by_stops(self, before: Floats, dt: float) -> None:
         """Floors and columns that ride on what falls break where they are stopped faster than they bear."""
-        there = np.flatnonzero((self.parts[:, BODY] >= 0.0) & (self.parts[:, KIND] != RUBBLE))
-        parts, own = self.parts, self.parts[there, BODY].astype(np.int64)
+        there = np.flatnonzero(
+            (self.parts[:, tables.BODY] >= 0.0) & (self.parts[:, tables.KIND] != tables.RUBBLE)
+        )
+        parts, own = self.parts, self.parts[there, tables.BODY].astype(np.int64)
         known = own < len(before)
         there, own = there[known], own[known]
         now = self.world.bodies.velocities[own]
-        parts[there, SHOCK] = shocks_of(parts[there, SHOCK], before[own], now, dt)
-        long = np.maximum(parts[there, WIDE], parts[there, TALL])
-        breaks = (parts[there, SHOCK] > LASTING * self.parameters.strength) & (long > 2.0 * LEAST_LONG)
+        parts[there, tables.SHOCK] = shocks_of(parts[there, tables.SHOCK], before[own], now, dt)
+        long = np.maximum(parts[there, tables.WIDE], parts[there, tables.TALL])
+        breaks = (parts[there, tables.SHOCK] > LASTING * self.parameters.strength) & (long > 2.0 * LEAST_LONG)
         for row in there[breaks].tolist():
-            self.break_floor(row, float(parts[row, SHOCK]))
+            self.break_floor(row, float(parts[row, tables.SHOCK]))
 
     def _break_by_impact(self) -> None:
         """Floors that were stopped faster than they bear break; what strikes raises dust."""
@@ -349,8 +349,8 @@ class TowerModel(Part):
             return
         pairs = self.world.shapes.bodies[shapes]
         row_of = np.full(len(self.world.bodies.flags), -1)
-        there = np.flatnonzero(self.parts[:, BODY] >= 0.0)
-        row_of[self.parts[there, BODY].astype(np.int64)] = there
+        there = np.flatnonzero(self.parts[:, tables.BODY] >= 0.0)
+        row_of[self.parts[there, tables.BODY].astype(np.int64)] = there
         rows = row_of[pairs]
         hard = np.flatnonzero(begun[:, 3] > 2.0)[:24]
         if len(hard):
@@ -362,10 +362,10 @@ class TowerModel(Part):
         breaking: set[int] = set()
         for pair, impulse in zip(rows.tolist(), begun[:, 2].tolist(), strict=True):
             for row in pair:
-                if row < 0 or self.parts[row, KIND] not in (SLAB, SHARD):
+                if row < 0 or self.parts[row, tables.KIND] not in (tables.SLAB, tables.SHARD):
                     continue
-                long = max(self.parts[row, WIDE], self.parts[row, TALL])
-                stopped = speed_of_stop(impulse, float(self.parts[row, MASS]))
+                long = max(self.parts[row, tables.WIDE], self.parts[row, tables.TALL])
+                stopped = speed_of_stop(impulse, float(self.parts[row, tables.MASS]))
                 if stopped > self.parameters.strength and long > 2.0 * LEAST_LONG:
                     breaking.add(row)
         for row in sorted(breaking):

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise
 from game.physics.solids import SolidWorld
-from game.scenes.tower.tables import Floats, none_of
+from game.scenes.tower.tables import none_of
 from game.stage import Hearing
 from game.worlds.hearing import HEARD_TIME, HEARD_WIDTH, REMEMBERED_S, sounds_of
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from game.arrays import Floats
+
 # of a part: body (GONE: it has become others), kind, storey (from 1), bay or column, breadth and height (m,
 # 0 for what has other corners), mass kg, speed that contacts and joints have taken from it lately, m/s
 BODY, KIND, STOREY, PLACE, WIDE, TALL, MASS, SHOCK = range(8)

@@ -7,36 +7,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
-from game.physics.solids.state import DYNAMIC
+from game.arrays import Floats, Longs
+from game.physics.solids.arrays.state import DYNAMIC
+from game.scenes.tower import tables
 from game.scenes.tower.building import floor_height, half_width
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.measures import fall_of, front_of
 from game.scenes.tower.model import ModelState, TowerModel
-from game.scenes.tower.tables import (
-    AGE,
-    BODY,
-    COLUMN,
-    CUT,
-    DX,
-    DY,
-    KIND,
-    LIFE,
-    NOT_YET,
-    SHARD,
-    SIZE,
-    SLAB,
-    STOREY,
-    STRUCK,
-    Floats,
-)
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
 from game.worlds.members.solids import contact_places
 from game.worlds.painting.polygons import NO_EDGE, paint
 
-Longs = NDArray[np.int64]
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
 PANES = 3  # windows in a bay
 SPARED = 4  # of so many puffs one is drawn where the air's own dust is
@@ -151,7 +134,7 @@ class TowerView:
         content = self.model.content
         half, boxes, inks = half_width(content), [], []
         for storey in range(1, content.storeys + 1):
-            if self.model.storeys[storey - 1, CUT] != NOT_YET or self._is_falling(storey):
+            if self.model.storeys[storey - 1, tables.CUT] != tables.NOT_YET or self._is_falling(storey):
                 continue
             low, high = floor_height(content, storey - 1), floor_height(content, storey) - content.slab
             for k in range(content.bays * PANES):
@@ -169,8 +152,10 @@ class TowerView:
     def _is_falling(self, storey: int) -> bool:
         """True if the floor that carries a storey is not where it was built."""
         model = self.model
-        rows = model.parts[(model.parts[:, KIND] == COLUMN) & (model.parts[:, BODY] >= 0.0)]
-        own = rows[rows[:, STOREY] == storey, BODY].astype(np.int64)
+        rows = model.parts[
+            (model.parts[:, tables.KIND] == tables.COLUMN) & (model.parts[:, tables.BODY] >= 0.0)
+        ]
+        own = rows[rows[:, tables.STOREY] == storey, tables.BODY].astype(np.int64)
         if not len(own):
             return True
         middle = floor_height(model.content, storey) - model.content.slab
@@ -181,10 +166,12 @@ class TowerView:
 
     def _bodies(self, canvas: Canvas, hour: Hour, previous: ModelState | None, alpha: float) -> None:
         model = self.model
-        parts = model.parts[model.parts[:, BODY] >= 0.0]
-        order = np.argsort(np.where(parts[:, KIND] == COLUMN, 0.0, parts[:, KIND] + 1.0), kind="stable")
+        parts = model.parts[model.parts[:, tables.BODY] >= 0.0]
+        order = np.argsort(
+            np.where(parts[:, tables.KIND] == tables.COLUMN, 0.0, parts[:, tables.KIND] + 1.0), kind="stable"
+        )
         parts = parts[order]
-        bodies = parts[:, BODY].astype(np.int64)
+        bodies = parts[:, tables.BODY].astype(np.int64)
         places, angles = self._between(previous, alpha)
         world = model.world
         shape_of = np.full(len(world.bodies.flags), -1)
@@ -200,12 +187,12 @@ class TowerView:
         points = (
             np.stack([c * corners[:, 0] - s * corners[:, 1], s * corners[:, 0] + c * corners[:, 1]], 1) + at
         )
-        kinds = parts[:, KIND].astype(np.int64)
+        kinds = parts[:, tables.KIND].astype(np.int64)
         inks = np.array([hour.slab, hour.column, hour.rubble[0], hour.rubble[1]])[kinds]
         self._shadow(canvas, points, firsts, hour)
         none = np.zeros((64, 2))
         paint(canvas, points, firsts, inks, np.ones(len(inks)), np.full(len(inks), hour.edge), none)
-        flat = (kinds == SLAB) | (kinds == SHARD)
+        flat = (kinds == tables.SLAB) | (kinds == tables.SHARD)
         centre = np.repeat(places[bodies], counts, axis=0)
         lit = centre + (points - centre) * np.array((1.0, 0.9))
         lit[:, 1] += 0.04
@@ -255,15 +242,17 @@ class TowerView:
         if air:
             sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, _color(hour.sheen)))
             canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), sheen)
-            dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
+            dust = dust[
+                np.floor(997.0 * dust[:, tables.LIFE]) % SPARED == 0.0
+            ]  # the same ones in each picture
         if not len(dust):
             return
-        age = dust[:, AGE] / dust[:, LIFE]
-        radius = dust[:, SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, AGE]))
+        age = dust[:, tables.AGE] / dust[:, tables.LIFE]
+        radius = dust[:, tables.SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, tables.AGE]))
         for first in range(0, len(dust), CHUNK):
             part = slice(first, first + CHUNK)
             fade = float(np.mean((1.0 - age[part]) * np.minimum(1.0, 6.0 * age[part] + 0.2)))
-            where = dust[part][:, [DX, DY]]
+            where = dust[part][:, [tables.DX, tables.DY]]
             shade, light = _color(hour.dust[1]), _color(hour.dust[0])
             for share, ink, veil in ((1.0, shade, 0.05), (0.72, shade, 0.06), (0.48, light, 0.08)):
                 shift = (0.0, 0.0) if ink is shade else (0.3, 0.2)
@@ -275,7 +264,7 @@ class TowerView:
         if len(points):
             canvas.discs(points, canvas.px(2.0), "amber")
         half = half_width(model.content) + 3.0
-        struck = np.flatnonzero(model.storeys[:, STRUCK] != NOT_YET)
+        struck = np.flatnonzero(model.storeys[:, tables.STRUCK] != tables.NOT_YET)
         for k in struck.tolist():
             y = floor_height(model.content, k + 1)
             canvas.line((half, y), (half + 1.5, y), "amber", 1.6)

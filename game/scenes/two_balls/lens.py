@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.two_balls import record
 from game.scenes.two_balls.level import WIDTH
 from game.scenes.two_balls.model import TwoBalls
 from game.scenes.two_balls.readouts import measures_in
 from game.ui.canvas.canvas import Canvas
-
-Array = NDArray[np.float64]
 
 HEADING = -44.0  # px, top of the words over the magnified collision; its step stands 24 below
 LENS = (826.0, 128.0)  # px, middle of the magnified collision
@@ -103,7 +101,7 @@ def _draw_lens(model: TwoBalls, canvas: Canvas, phase: int) -> None:
             canvas.arrow(centres[index], new[index], "green", f"v_{index + 1}'", scale=scale)
 
 
-def label_is_free(centres: Array, incoming: Array, new: Array, index: int) -> bool:
+def label_is_free(centres: Floats, incoming: Floats, new: Floats, index: int) -> bool:
     """True if the name of ball ``index``'s velocity before, (2,) px, keeps off those of the new ones (2, 2).
 
     centres (2, 2) px of both balls.
@@ -113,7 +111,7 @@ def label_is_free(centres: Array, incoming: Array, new: Array, index: int) -> bo
 
 
 def _draw_incoming(
-    canvas: Canvas, centre: Array, arrow: Array, color: str, strong: bool, index: int, named: bool
+    canvas: Canvas, centre: Floats, arrow: Floats, color: str, strong: bool, index: int, named: bool
 ) -> None:
     """A velocity before the collision: it comes in, and ends at the centre."""
     length = math.sqrt(float(arrow @ arrow))
@@ -126,7 +124,7 @@ def _draw_incoming(
         canvas.label(place, f"v{SUBSCRIPTS[index]}", color, alpha=alpha)
 
 
-def _draw_angle(canvas: Canvas, centre: Array, angle: float) -> None:
+def _draw_angle(canvas: Canvas, centre: Floats, angle: float) -> None:
     """The angle of the line of centres at ball 2, from the x axis; the number away from ball 1."""
     canvas.line(centre, centre + np.array((46.0, 0.0)), "text3", 1.0)
     canvas.arc(centre, 34.0, 0.0, angle, "amber", 1.6)
@@ -134,7 +132,9 @@ def _draw_angle(canvas: Canvas, centre: Array, angle: float) -> None:
     canvas.label(place, f"α {math.degrees(angle):.0f}°".replace("-", "−"), "amber")
 
 
-def _draw_parts(canvas: Canvas, centre: Array, parts: Array, n: Array, scale: float, incoming: bool) -> None:
+def _draw_parts(
+    canvas: Canvas, centre: Floats, parts: Floats, n: Floats, scale: float, incoming: bool
+) -> None:
     """A velocity's parts along the line of centres and across it; those before come in."""
     for arrow, color, width in (
         (scale * parts[0] * n, "amber", 2.4),

@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.lecture.ball import Ball
 from game.billiards.lecture.ball_collision import Collision
 from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, WALLS
@@ -19,8 +19,6 @@ from game.scenes.two_balls.level import HEIGHT, WIDTH, LectureBallsContent, entr
 from game.scenes.two_balls.parameters import LectureBallsParameters
 from game.stage import Part
 
-Array = NDArray[np.float64]
-
 NEXT_START_S = 2.5  # s at rest before the balls set off again
 BOTH = np.ones(2, dtype=np.bool_)
 
@@ -31,10 +29,10 @@ class LectureBallsState(NamedTuple):
     walls (2, 5): each ball's last overshoot, see record.py.
     """
 
-    positions: Array
-    velocities: Array
-    last: Array
-    walls: Array
+    positions: Floats
+    velocities: Floats
+    last: Floats
+    walls: Floats
 
 
 class Grasp(NamedTuple):

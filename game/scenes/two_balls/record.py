@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.lecture.ball import Ball, Overshoot
 from game.billiards.lecture.ball_collision import Collision
 from game.billiards.lecture.settings import RULES
 from game.physics.kernels import elementary
-
-Array = NDArray[np.float64]
 
 WIDTH = 36
 ANGLE, OVERLAP, RULE, EXCHANGED = range(4)
@@ -29,7 +27,7 @@ ENERGY, NEW_ENERGY = 34, 35
 ROUNDING = 1e-12  # of the momenta: what is lost of them by rounding is nothing lost
 
 
-def write_collision(row: Array, c: Collision) -> None:
+def write_collision(row: Floats, c: Collision) -> None:
     """Fill the record (36,) with all that a collision computed."""
     row[ANGLE], row[OVERLAP] = c.angle, c.overlap
     row[RULE], row[EXCHANGED] = RULES.index(c.rule), c.exchanged
@@ -44,7 +42,7 @@ def write_collision(row: Array, c: Collision) -> None:
     row[ENERGY], row[NEW_ENERGY] = c.energy_before, c.energy_after
 
 
-def momentum_lost(momenta: Array | tuple[float, ...]) -> float:
+def momentum_lost(momenta: Floats | tuple[float, ...]) -> float:
     """Size of the difference of two momenta (before x, y, after x, y); 0 if it is no more than rounding."""
     px, py, qx, qy = momenta
     lost = math.sqrt(elementary.square(qx - px) + elementary.square(qy - py))
@@ -57,7 +55,7 @@ DEPTH_X, DEPTH_Y, AGE, PLACE = 0, 1, 2, slice(3, 5)
 LONG_AGO = 9.0  # s
 
 
-def write_overshoot(row: Array, ball: Ball, overshoot: Overshoot) -> bool:
+def write_overshoot(row: Floats, ball: Ball, overshoot: Overshoot) -> bool:
     """Remember how deep a ball was beyond the walls, on which sides, and where; False if it was not."""
     deep_x, deep_y = max(overshoot.left, overshoot.right, 0.0), max(overshoot.low, overshoot.high, 0.0)
     if deep_x == 0.0 and deep_y == 0.0:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.two_balls.hand import ARROW
 from game.scenes.two_balls.lens import draw_last_collision
 from game.scenes.two_balls.level import FRAME_RATE, HEIGHT, WIDTH
@@ -16,8 +16,6 @@ from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_WARM
 from game.ui.painters.ball import BallPainter, ScreenBalls
-
-Array = NDArray[np.float64]
 
 FRAME = Frame(-14.0, -52.0, 1000.0, 448.0)
 NUMBERS = np.array([3, 2], dtype=np.int64)
@@ -47,7 +45,7 @@ def draw(
     draw_last_collision(model, canvas)
 
 
-def _places(model: TwoBalls, previous: LectureBallsState | None, alpha: float) -> Array:
+def _places(model: TwoBalls, previous: LectureBallsState | None, alpha: float) -> Floats:
     """Positions between two frames; without a previous one as they are."""
     now = np.array([ball.position for ball in model.balls])
     if previous is None:
@@ -56,7 +54,7 @@ def _places(model: TwoBalls, previous: LectureBallsState | None, alpha: float) -
     return previous.positions + np.where(jumped, 1.0, alpha)[:, None] * (now - previous.positions)
 
 
-def _draw_balls(model: TwoBalls, canvas: Canvas, places: Array) -> None:
+def _draw_balls(model: TwoBalls, canvas: Canvas, places: Floats) -> None:
     pixels, clip = canvas.raster_target
     points = np.array([canvas.place(place) for place in places])
     scale = canvas.pixels_per_unit
@@ -69,7 +67,7 @@ def _draw_balls(model: TwoBalls, canvas: Canvas, places: Array) -> None:
     _ball_painter.draw(pixels, clip, balls, canvas.place((WIDTH / 2, HEIGHT / 2)), scale * metre)
 
 
-def _rolled(moved: Array) -> Array:
+def _rolled(moved: Floats) -> Floats:
     """Rotation matrix of a ball that has rolled ``moved`` radii (right, down) from the corner."""
     cx, sx, cy, sy = math.cos(moved[0]), math.sin(moved[0]), math.cos(moved[1]), math.sin(moved[1])
     about_y = np.array([[cx, 0.0, sx], [0.0, 1.0, 0.0], [-sx, 0.0, cx]])
@@ -77,7 +75,7 @@ def _rolled(moved: Array) -> Array:
     return np.ascontiguousarray(about_x @ about_y)
 
 
-def _draw_arrows(model: TwoBalls, canvas: Canvas, places: Array) -> None:
+def _draw_arrows(model: TwoBalls, canvas: Canvas, places: Floats) -> None:
     """Velocities, with heads to drag."""
     for index, ball in enumerate(model.balls):
         if ball.speed > 0.2:

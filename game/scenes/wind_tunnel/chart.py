@@ -6,14 +6,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.tunnel.sweep import ANGLE, DRAG, SPREAD
 from game.scenes.wind_tunnel.model import WindTunnelModel
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
 COLORS = ("vermilion", "green", "violet")
 NAMES = ("drag", "lift", "moment")
 SAMPLES = 181

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.scenes.wind_tunnel.flights import DEFAULT, FITTED, FLASHES, SERIES, FlightsState
+from game.arrays import Floats
+from game.scenes.wind_tunnel import flights as f
+from game.scenes.wind_tunnel.flights import FlightsState
 from game.scenes.wind_tunnel.model import WindTunnelModel
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
-COLORS = {DEFAULT: "text2", FITTED: "chalk", SERIES: "amber"}
-WORDS = {DEFAULT: "the law as it is", FITTED: "the law, fitted", SERIES: "as measured"}
+COLORS = {f.DEFAULT: "text2", f.FITTED: "chalk", f.SERIES: "amber"}
+WORDS = {f.DEFAULT: "the law as it is", f.FITTED: "the law, fitted", f.SERIES: "as measured"}
 WIDE = 26.0  # half chords across the shaft
 START = 0.08  # of the shaft's height, below its top
 
@@ -73,7 +73,7 @@ def _draw_flashes(canvas: Canvas, model: WindTunnelModel, box: Frame, scale: flo
     """The chord at each flash, the newer the stronger."""
     flights = model.flights
     count = int(flights.clock[1])
-    order = np.arange(max(count - FLASHES, 0), count) % FLASHES
+    order = np.arange(max(count - f.FLASHES, 0), count) % f.FLASHES
     half = flights.half * scale
     for k, kind in enumerate(flights.kinds):
         for part, chosen in enumerate(np.array_split(order, 4)):

@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, QUADRATIC_DRAG
 from game.physics.plates import Plate, Plates, PlateState
@@ -17,7 +17,6 @@ from game.physics.tunnel import DataFlight, PlateFit, SeriesFit, TunnelOutline
 from game.scenes.wind_tunnel.parameters import WindTunnelParameters
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 FLASHES = 48  # poses that are remembered of each
 FLASH_S = 1.0 / 12.0  # s between two
 TILT = 0.2  # rad, at the start

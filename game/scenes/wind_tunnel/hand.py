@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary
 from game.scenes.wind_tunnel.model import WindTunnelModel
 from game.stage import Part, Pointer
 from game.worlds.hands.simplify import simplified
 
-Floats = NDArray[np.float64]
 FINE = 0.0015  # of the tunnel's height: a drawn line keeps what is farther off than that
 MOST_POINTS = 2_000
 BACK = 0.25  # of how far a line went from its beginning: nearer than that it has come back

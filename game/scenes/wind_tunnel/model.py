@@ -6,8 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.tunnel import (
     PlateFit,
@@ -31,7 +32,6 @@ from game.scenes.wind_tunnel.level import WindTunnelContent
 from game.scenes.wind_tunnel.parameters import OF_MEASURING, WindTunnelParameters
 from game.stage import Part
 
-Floats = NDArray[np.float64]
 NOZZLES, SPECKS = 20, 150
 SPACING = 0.02  # of the tunnel's height, between specks of smoke
 

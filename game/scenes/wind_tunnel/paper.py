@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from time import thread_time
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.studies.flow.wind_tunnel import CHANNEL_DRAG, channel
 from game.lab.timing import least_time
 from game.physics.kernels import elementary, elementwise
@@ -31,7 +31,6 @@ from game.scenes.wind_tunnel.figure import draw_box, draw_forces
 from game.ui.canvas.pen import Pen
 from game.ui.widgets.paper import Comparison, Paper, Step
 
-Floats = NDArray[np.float64]
 COARSE = TunnelSettings(cells=6.0, width=8.0, height=5.0, reynolds=60.0, nudge=0.0)
 ANGLES, CHECKS, ORDER = 24, 3, 6
 SETTLE, WINDOW = 4.0, 4.0

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.scenes.wind_tunnel.chart import draw_curves, draw_now, draw_polar
 from game.scenes.wind_tunnel.falling import draw_flights, draw_shaft
@@ -15,7 +14,6 @@ from game.scenes.wind_tunnel.model import WindTunnelModel, WindTunnelState
 from game.ui.canvas.canvas import Canvas
 from game.ui.canvas.standing import Standing
 
-Floats = NDArray[np.float64]
 SPEED = ((0.0, "violet"), (0.28, "stage"), (0.6, "stage"), (0.8, "body"), (1.0, "chalk"))
 SIGNED = ((0.0, "vermilion"), (0.5, "stage"), (1.0, "chalk"))
 PRESSURE = ((0.0, "chalk"), (0.5, "stage"), (1.0, "vermilion"))

@@ -8,13 +8,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.ui.canvas.canvas import Canvas
 from game.ui.raster.pixels import blend
 
-Floats = NDArray[np.float64]
 DOT_AT, DOT = 0.62, 0.1  # of the radius: where the dots are, and how large
 FULL = 256
 

@@ -8,11 +8,10 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Inks
 from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
-Inks = NDArray[np.uint32]
 BACK = 0.93  # as large as a thing on the wall is seen, over one on a track
 CELL = 1.0 / 16.0  # m of the wall to a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP = -30.0, -16.0, 60.0, 36.0  # m of the wall that is painted

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids.tracks import Curve, moved_aside
 from game.physics.solids.tracks.descent import arc_radius, cycloid_through
 from game.worlds.entries.tracks import TrackEntry
 
-Floats = NDArray[np.float64]
 RAMP = 1.6  # length of a loop's ramp over its height
 
 

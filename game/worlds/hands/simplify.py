@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise, linear
-
-Floats = NDArray[np.float64]
 
 
 def simplified(points: Floats, tolerance: float) -> Floats:

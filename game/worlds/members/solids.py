@@ -19,7 +19,7 @@ from game.physics.solids import (
     SolidState,
     SolidWorld,
 )
-from game.physics.solids import state as s
+from game.physics.solids.arrays import state as s
 from game.physics.solids.effects import SOLIDS
 from game.physics.solids.settings import USUAL_HERTZ
 from game.stage import Choice, Param, ParameterError, Parameters

@@ -12,12 +12,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
 from game.ui.raster.areas import fill_polygon
 from game.ui.raster.scratch import scratch_for
 
-Array = NDArray[np.float64]
 EDGE_PX = 0.9  # design px, beyond the fill
 LEAST_AREA = 2.0  # px², of a polygon that is worth painting
 NO_EDGE = -1
@@ -51,10 +51,10 @@ def move_outwards(places, first, last, width, moved):
 class Polygons(NamedTuple):
     """Polygons to be painted; an opacity of 0 is skipped."""
 
-    places: Array  # (v, 2) px, corners of all of them
+    places: Floats  # (v, 2) px, corners of all of them
     starts: NDArray[np.int64]  # (m + 1,) first corner of each
     inks: NDArray[np.int64]  # (m,) colours
-    shares: Array  # (m,) opacity
+    shares: Floats  # (m,) opacity
     edges: NDArray[np.int64]  # (m,) colours of their edges, or NO_EDGE
 
 
@@ -73,8 +73,8 @@ def paint_polygons(pixels, clip, area, extent, polygons, width, moved):
 
 
 def paint(
-    canvas: Canvas, points: Array, starts: NDArray[np.int64], inks: NDArray[np.int64], shares: Array,
-    edges: NDArray[np.int64], moved: Array,
+    canvas: Canvas, points: Floats, starts: NDArray[np.int64], inks: NDArray[np.int64], shares: Floats,
+    edges: NDArray[np.int64], moved: Floats,
 ) -> None:  # fmt: skip
     """Polygons at places (v, 2) of the world; see `paint_polygons`."""
     pixels, clip = canvas.raster_target

@@ -10,21 +10,7 @@ import pytest
 from game.compiler.decorator import lean_kernel
 from game.physics.kernels.lanes import LANES
 from game.physics.solids import Capsule, Disc, Material, SolidSettings, SolidWorld, box
-from game.physics.solids.effects import SLEEP, USUAL
-from game.physics.solids.rows import (
-    CHILLED,
-    FIRST,
-    RESTLESS,
-    SECOND,
-    SINGLE,
-    VIOLENT,
-    copy_rows,
-)
-from game.physics.solids.solvers.abreast import put_back, sweep_batches, take_impulses, warm_batches
-from game.physics.solids.solvers.impulses import gap_now, soft_springs, start_warm, sweep_contacts
-from game.physics.solids.solvers.motion import accelerate, cosine_sine, move
-from game.physics.solids.solvers.springs import spring_energies
-from game.physics.solids.state import (
+from game.physics.solids.arrays.state import (
     APPROACH_0,
     APPROACH_1,
     BATCH_GAP,
@@ -48,6 +34,20 @@ from game.physics.solids.state import (
     SEP,
     STIFF_N,
 )
+from game.physics.solids.effects import SLEEP, USUAL
+from game.physics.solids.rows import (
+    CHILLED,
+    FIRST,
+    RESTLESS,
+    SECOND,
+    SINGLE,
+    VIOLENT,
+    copy_rows,
+)
+from game.physics.solids.solvers.abreast import put_back, sweep_batches, take_impulses, warm_batches
+from game.physics.solids.solvers.impulses import gap_now, soft_springs, start_warm, sweep_contacts
+from game.physics.solids.solvers.motion import accelerate, cosine_sine, move
+from game.physics.solids.solvers.springs import spring_energies
 from game.physics.solids.stepping import begin_step
 
 FRAME = 1.0 / 60.0

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from game.physics.solids import Capsule, Chain, Disc, SolidSettings, SolidWorld, box
-from game.physics.solids.state import DA, DX, DY, MOTION_WIDTH, VX, VY, W
+from game.physics.solids.arrays.state import DA, DX, DY, MOTION_WIDTH, VX, VY, W
 from game.physics.solids.sweep import THIN, all_slow, cut_motion
 from tests.physics.solids.setups import energy, run
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from game.physics.solids import SOLVERS, Chain, Disc, Material, SolidSettings, SolidWorld, box
+from game.physics.solids.arrays.plan import plan_joints
+from game.physics.solids.arrays.state import ASLEEP, DYNAMIC, FIRST_POINT, NORMAL_IMPULSE, POINT_WIDTH
 from game.physics.solids.effects import CONTACTS
-from game.physics.solids.joints.plan import plan_joints
 from game.physics.solids.settings import soft
-from game.physics.solids.state import ASLEEP, DYNAMIC, FIRST_POINT, NORMAL_IMPULSE, POINT_WIDTH
 from tests.physics.solids.setups import G
 
 DT = 1.0 / 60.0

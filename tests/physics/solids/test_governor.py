@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
+from game.physics.solids.arrays.state import ASLEEP, DX, VX, VY, WORKS_WIDTH, W
 from game.physics.solids.effects import SLEEP, USUAL
 from game.physics.solids.solvers.governor import (
     FORCE,
@@ -26,7 +27,6 @@ from game.physics.solids.solvers.governor import (
     what_to_take_back,
 )
 from game.physics.solids.solvers.passive import EXCUSED
-from game.physics.solids.state import ASLEEP, DX, VX, VY, WORKS_WIDTH, W
 from tests.physics.solids.setups import G, floor_world, run
 
 FRAME = 1.0 / 60.0

@@ -7,8 +7,8 @@ import math
 import pytest
 
 from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
+from game.physics.solids.arrays.state import TOUCHING
 from game.physics.solids.effects import SLEEP, USUAL
-from game.physics.solids.state import TOUCHING
 from tests.physics.solids.setups import G, floor_world, run
 
 AWAKE = USUAL.without(SLEEP)

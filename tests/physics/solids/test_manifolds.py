@@ -10,8 +10,8 @@ import shapely
 from shapely import affinity
 
 from game.physics.solids import Capsule, Disc, SolidSettings, SolidWorld, box
+from game.physics.solids.arrays.state import FIRST_POINT, GAP, NORMAL_X, NORMAL_Y, POINT_WIDTH, POINTS
 from game.physics.solids.effects import CONTACTS
-from game.physics.solids.state import FIRST_POINT, GAP, NORMAL_X, NORMAL_Y, POINT_WIDTH, POINTS
 
 APART = 1e-3  # m
 CORNERS = (-0.4, 0.0), (0.4, 0.1)

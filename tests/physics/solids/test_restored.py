@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from game.physics.solids import Chain, Disc, Material, SolidWorld, box
-from game.physics.solids.state import ASLEEP
+from game.physics.solids.arrays.state import ASLEEP
 
 
 def test_sleep_does_not_depend_on_contacts_that_are_gone() -> None:

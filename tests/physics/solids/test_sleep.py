@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from game.physics.solids import Disc, box
+from game.physics.solids.arrays.state import ASLEEP
 from game.physics.solids.effects import SLEEP, USUAL
-from game.physics.solids.state import ASLEEP
 from tests.physics.solids.setups import column, floor_world, run
 
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from game.physics.solids import Disc, Material, SolidSettings, SolidWorld, box
+from game.physics.solids.arrays.state import FIRST_POINT, NORMAL_IMPULSE, POINT_WIDTH, POINTS
 from game.physics.solids.effects import SLEEP, USUAL
-from game.physics.solids.state import FIRST_POINT, NORMAL_IMPULSE, POINT_WIDTH, POINTS
 from tests.physics.solids.setups import G, column, floor_world, run
 
 AWAKE = USUAL.without(SLEEP)

@@ -7,7 +7,7 @@ import pytest
 from shapely import affinity, geometry
 
 from game.physics.solids import Polygon, SolidSettings, SolidWorld, box
-from game.physics.solids.state import FIRST_POINT, GAP, NORMAL_X, POINT_WIDTH, POINTS
+from game.physics.solids.arrays.state import FIRST_POINT, GAP, NORMAL_X, POINT_WIDTH, POINTS
 
 
 def scattered(seed):

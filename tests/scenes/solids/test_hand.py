@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.levels import format_level, parse_level
-from game.physics.solids.joints.layout import JOINT_NAMES, NO_JOINT
+from game.physics.solids.arrays.layout import JOINT_NAMES, NO_JOINT
 from game.scenes.solids.level import JointEntry, SolidContent
 from game.scenes.solids.scene import Solids
 from game.stage import Action, SetParameter, Stage

@@ -9,7 +9,7 @@ import pytest
 
 from game.levels import parse_level
 from game.physics.dominoes import domino_wave_speed
-from game.physics.solids.joints.layout import BREAK_FORCE
+from game.physics.solids.arrays.layout import BREAK_FORCE
 from game.scenes.solids.level import BodyEntry, ShapeEntry, SolidContent
 from game.scenes.solids.scene import Solids
 from game.stage import SetParameter, Stage

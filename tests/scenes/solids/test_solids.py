@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.levels import format_level, level_files, parse_level
-from game.physics.solids.state import DYNAMIC
+from game.physics.solids.arrays.state import DYNAMIC
 from game.scenes.solids.level import SolidContent
 from game.scenes.solids.scene import Solids
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage

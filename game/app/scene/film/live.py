@@ -10,7 +10,8 @@ import numpy as np
 import pygame
 
 from game.app.film.soundtrack import Ear, Soundtrack
-from game.app.scene.film.writers import LONGEST_S, Samples, Writer
+from game.app.scene.film.writers import LONGEST_S, Writer
+from game.arrays import Samples
 from game.stage.declarations import Hearing
 
 MOST_OWED_S = 1.0  # a window that nobody draws stops the film

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from game.app.film.gif_file import GifFile, pixels_of_picture
 from game.app.film.video import VideoError, VideoWriter, load_av
+from game.arrays import Samples
 from game.files import FileProblem
 
 MP4_SIZE, GIF_SIZE = (1280, 720), (640, 400)  # px, the largest
@@ -23,8 +24,6 @@ MP4_HZ, GIF_HZ = 30, 20
 LONGEST_S = {"mp4": 1800.0, "gif": 60.0}
 WAITING = 6  # pictures
 MISSING = "MP4 needs PyAV, which is not installed: pip install 'carom[video]'"
-
-Samples = NDArray[np.int16]
 
 
 class Writer(Protocol):

@@ -10,14 +10,12 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 import msgspec
-import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.carom_summary import BALL, CaromSummary
 from game.billiards.game.rules import Foul, Option
 from game.billiards.table.carom import BALL_NAMES, RED, corner_of, respotted, starting_position, touching
 
-Array = NDArray[np.float64]
 Kind = Literal["straight-rail", "one-cushion", "three-cushion"]
 
 CUSHIONS = {"straight-rail": 0, "one-cushion": 1, "three-cushion": 3}  # needed before the second ball
@@ -41,7 +39,7 @@ class CaromVerdict(NamedTuple):
     """
 
     game: Carom
-    places: Array
+    places: Floats
     scored: bool = False
     fouls: tuple[Foul, ...] = ()
     words: tuple[str, ...] = ()
@@ -103,7 +101,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         """Points an inning of a player; 0 before the first."""
         return self.points[player] / self.innings[player] if self.innings[player] else 0.0
 
-    def start(self) -> Array:
+    def start(self) -> Floats:
         """Places (3, 2) m of the starting position of the player at turn."""
         return starting_position(self.cue)
 
@@ -178,7 +176,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             return [f"Not touched: {' and '.join(missed)}."]
         return [f"Only {scoring.cushions} of {self.cushions} cushions before the second ball."]
 
-    def _put_back(self, shot: CaromSummary) -> Array:
+    def _put_back(self, shot: CaromSummary) -> Floats:
         """28: balls that left the table go to their spots; in the games of fewer cushions all start again."""
         if not shot.off_table:
             return shot.rest
@@ -188,7 +186,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
 
     # -- what follows -------------------------------------------------------------------------------
 
-    def _next_inning(self, places: Array, fouls: tuple[Foul, ...], words: list[str]) -> CaromVerdict:
+    def _next_inning(self, places: Floats, fouls: tuple[Foul, ...], words: list[str]) -> CaromVerdict:
         """The inning is over: the other player's begins, unless the game ends."""
         turn = self.other
         closed = turn == self.breaker  # both have had as many innings
@@ -210,7 +208,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             return closed
         return bool(self.most_innings) and closed and self.innings[self.turn] >= self.most_innings
 
-    def _target_reached(self, places: Array, words: list[str]) -> CaromVerdict:
+    def _target_reached(self, places: Floats, words: list[str]) -> CaromVerdict:
         """29: who began second may draw level, in an inning from the starting position."""
         if len(self.players) == 2 and self.equalise and self.turn == self.breaker:
             turn = self.other
@@ -223,7 +221,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         verdict = self._end(places, (), words)
         return verdict._replace(scored=True)
 
-    def _end(self, places: Array, fouls: tuple[Foul, ...], words: list[str]) -> CaromVerdict:
+    def _end(self, places: Floats, fouls: tuple[Foul, ...], words: list[str]) -> CaromVerdict:
         """The most points win."""
         most = max(self.points)
         leaders = [player for player in range(len(self.players)) if self.points[player] == most]
@@ -238,13 +236,13 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         """What the player at turn may choose, coming to the table."""
         return verdict._replace(game=self.facing(verdict.places))
 
-    def facing(self, places: Array) -> Carom:
+    def facing(self, places: Floats) -> Carom:
         """27: a player whose ball touches another may have the balls put on their spots. places (3, 2) m."""
         if self.opening or self.ended or not touching(places, self.cue):
             return self
         return msgspec.structs.replace(self, options=(PLAY_AWAY, RESPOT))
 
-    def choose(self, name: str, places: Array) -> CaromVerdict:
+    def choose(self, name: str, places: Floats) -> CaromVerdict:
         """What follows from the player at turn choosing an option. places (3, 2) m. ValueError if none is."""
         names = [option.name for option in self.options]
         if name not in names:
@@ -287,7 +285,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             raise ValueError(f"game: {self.shooter} must choose first")
 
 
-def _entered(places: Array, cue: int) -> int:
+def _entered(places: Floats, cue: int) -> int:
     """ENTERED if both object balls lie in one barred corner, else 0. places (3, 2) m."""
     first, second = (corner_of(tuple(places[ball].tolist())) for ball in (1 - cue, RED))
     return ENTERED if first == second >= 0 else 0

@@ -17,19 +17,8 @@ from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.billiards.shot.paths import Paths
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import Trajectory
-from game.billiards.table.snooker import (
-    APART,
-    BALL_MASS,
-    BALL_RADIUS,
-    BALLS,
-    BAULK,
-    MIDDLE,
-    Point,
-    nearest_in_the_d,
-    opening_places,
-    respotted,
-    touching,
-)
+from game.billiards.table import snooker as s
+from game.billiards.table.snooker import Point, nearest_in_the_d, opening_places, respotted, touching
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, elementwise, linear
 
@@ -80,8 +69,8 @@ class SnookerFrame(Frame, frozen=True, eq=False):
             for spoke in range(max(1, 6 * ring)):
                 angle = 2.0 * math.pi * spoke / max(1, 6 * ring)
                 at = (
-                    x + 0.1 * BALL_RADIUS * ring * elementary.cos(angle),
-                    y + 0.1 * BALL_RADIUS * ring * elementary.sin(angle),
+                    x + 0.1 * s.BALL_RADIUS * ring * elementary.cos(angle),
+                    y + 0.1 * s.BALL_RADIUS * ring * elementary.sin(angle),
                 )
                 if self._hand() == "in the D":
                     at = nearest_in_the_d(*at)
@@ -90,12 +79,12 @@ class SnookerFrame(Frame, frozen=True, eq=False):
         raise ValueError(f"cue ball: there is no free place near ({x:.3f}, {y:.3f}) m")
 
     def _allowed(self, x: float, y: float) -> bool:
-        left, right, lower, upper = bed_for(self.table, BALL_RADIUS)
+        left, right, lower, upper = bed_for(self.table, s.BALL_RADIUS)
         if not (left <= x <= right and lower <= y <= upper):
             return False
         if self._hand() == "in the D" and elementary.dist(nearest_in_the_d(x, y), (x, y)) > 1e-9:
             return False
-        reach = 2.0 * BALL_RADIUS + 0.5 * APART
+        reach = 2.0 * s.BALL_RADIUS + 0.5 * s.APART
         return all(
             elementary.hypot(px - x, py - y) > reach
             for number, px, py in self.layout.places
@@ -106,7 +95,7 @@ class SnookerFrame(Frame, frozen=True, eq=False):
         """The cue ball in the D, between brown and yellow, if it is in hand and not on the table."""
         if self.cue_ball is not None or not self.game.in_hand:
             return self
-        return self.move_cue_ball(MIDDLE + 0.15, BAULK - 0.02)
+        return self.move_cue_ball(s.MIDDLE + 0.15, s.BAULK - 0.02)
 
     # -- strokes ------------------------------------------------------------------------------------
 
@@ -148,14 +137,14 @@ class SnookerFrame(Frame, frozen=True, eq=False):
 
 def snooker_balls() -> BallSet:
     """Radii and masses (22,) of a set of balls."""
-    return BallSet(np.full(BALLS, BALL_RADIUS), np.full(BALLS, BALL_MASS))
+    return BallSet(np.full(s.BALLS, s.BALL_RADIUS), np.full(s.BALLS, s.BALL_MASS))
 
 
 def snooker_layout(places: Places) -> Arrangement:
     """Balls where they lie, m by number. ValueError for a number that no ball has."""
     numbers = tuple(sorted(places))
-    if any(not 0 <= number < BALLS for number in numbers):
-        raise ValueError(f"balls: expected numbers from 0 to {BALLS - 1}, got {numbers}")
+    if any(not 0 <= number < s.BALLS for number in numbers):
+        raise ValueError(f"balls: expected numbers from 0 to {s.BALLS - 1}, got {numbers}")
     positions = np.array([places[number] for number in numbers], dtype=np.float64).reshape(-1, 2)
     return Arrangement(numbers, positions, snooker_balls())
 
@@ -214,7 +203,7 @@ def nearest_gap(trajectory: Trajectory, on: tuple[int, ...]) -> float:
     found = math.inf
     for x, y in trajectory.shot.positions[others].tolist():  # they lie still until then
         found = min(found, _distance_to(path, x, y))
-    return found - 2.0 * BALL_RADIUS
+    return found - 2.0 * s.BALL_RADIUS
 
 
 def _distance_to(path: np.ndarray, x: float, y: float) -> float:

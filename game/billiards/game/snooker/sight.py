@@ -7,23 +7,14 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.table.snooker import (
-    BALL_RADIUS,
-    BAULK,
-    D_RADIUS,
-    FROZEN,
-    MIDDLE,
-    RED_NUMBERS,
-    Point,
-    in_the_d,
-    touching,
-)
+from game.billiards.table import snooker
+from game.billiards.table.snooker import RED_NUMBERS, Point, in_the_d, touching
 from game.physics.kernels import elementary
 
 Places = dict[int, Point]
 Discs = tuple[tuple[float, float, float], ...]  # of curved cushions: x, y, radius m
 
-REACH = 2.0 * BALL_RADIUS
+REACH = 2.0 * snooker.BALL_RADIUS
 SLACK = 1e-9  # m; a ball that is passed so closely is not touched
 D_RINGS, D_SPOKES = 6, 24  # of the places in the D that are looked from
 FAN = 41  # directions between the two edges of a ball in which any part of it is sought
@@ -110,7 +101,7 @@ def _curve_distance(start: Point, end: Point, curves: Discs) -> float:
     for x, y, radius in curves:
         px, py = x - start[0], y - start[1]
         share = 0.0 if square == 0.0 else min(max((px * dx + py * dy) / square, 0.0), 1.0)
-        if elementary.hypot(px - share * dx, py - share * dy) < BALL_RADIUS + radius - SLACK:
+        if elementary.hypot(px - share * dx, py - share * dy) < snooker.BALL_RADIUS + radius - SLACK:
             nearest = min(nearest, elementary.hypot(px, py) - radius)
     return nearest
 
@@ -149,9 +140,11 @@ def _d_places(places: Places) -> list[Point]:
     for ring in range(D_RINGS + 1):
         for spoke in range(D_SPOKES + 1):
             angle = math.pi * (1.0 + spoke / D_SPOKES)
-            r = D_RADIUS * ring / D_RINGS
-            x, y = MIDDLE + r * elementary.cos(angle), BAULK + r * elementary.sin(angle)
-            clear = all(elementary.hypot(x - px, y - py) > REACH + FROZEN for px, py in places.values())
-            if clear and in_the_d(x, min(y, BAULK)):
-                found.append((x, min(y, BAULK)))
+            r = snooker.D_RADIUS * ring / D_RINGS
+            x, y = snooker.MIDDLE + r * elementary.cos(angle), snooker.BAULK + r * elementary.sin(angle)
+            clear = all(
+                elementary.hypot(x - px, y - py) > REACH + snooker.FROZEN for px, py in places.values()
+            )
+            if clear and in_the_d(x, min(y, snooker.BAULK)):
+                found.append((x, min(y, snooker.BAULK)))
     return found

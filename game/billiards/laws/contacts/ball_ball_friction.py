@@ -17,9 +17,9 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts import ALCIATORE_FRICTION
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import BALL_FRICTION, BALL_LAW, BALL_LIMIT, MASS, RADIUS, VX, VY, WX, WY, WZ
 from game.physics.kernels import elementary
 
 
@@ -29,17 +29,17 @@ def friction_limit(slip, impulse, physics):
 
     mu is constant, or Alciatore's fit to Marlow's measurements (A.14, eq. 13).
     """
-    mu = physics[BALL_FRICTION]
-    if physics[BALL_LAW] == ALCIATORE_FRICTION:
+    mu = physics[s.BALL_FRICTION]
+    if physics[s.BALL_LAW] == ALCIATORE_FRICTION:
         mu = 0.009951 + 0.108 * elementary.exp(-1.088 * slip)
-    return mu * physics[BALL_LIMIT] * impulse
+    return mu * physics[s.BALL_LIMIT] * impulse
 
 
 @inner_kernel
 def slip_between(state, i, j, nx, ny):
     """Slip of the surface of i on that of j, c (3 numbers), m/s; and cos phi, of the true normal's tilt."""
-    radius_i = state[RADIUS, i]
-    radius_j = state[RADIUS, j]
+    radius_i = state[s.RADIUS, i]
+    radius_j = state[s.RADIUS, j]
     cosine = 1.0
     sine = 0.0
     if radius_i != radius_j:
@@ -47,11 +47,11 @@ def slip_between(state, i, j, nx, ny):
         cosine = 2.0 * math.sqrt(radius_i * radius_j) / (radius_i + radius_j)
     n3x = cosine * nx
     n3y = cosine * ny
-    wx = radius_i * state[WX, i] + radius_j * state[WX, j]
-    wy = radius_i * state[WY, i] + radius_j * state[WY, j]
-    wz = radius_i * state[WZ, i] + radius_j * state[WZ, j]
-    cx = state[VX, i] - state[VX, j] + (wy * sine - wz * n3y)
-    cy = state[VY, i] - state[VY, j] + (wz * n3x - wx * sine)
+    wx = radius_i * state[s.WX, i] + radius_j * state[s.WX, j]
+    wy = radius_i * state[s.WY, i] + radius_j * state[s.WY, j]
+    wz = radius_i * state[s.WZ, i] + radius_j * state[s.WZ, j]
+    cx = state[s.VX, i] - state[s.VX, j] + (wy * sine - wz * n3y)
+    cy = state[s.VY, i] - state[s.VY, j] + (wz * n3x - wx * sine)
     cz = wx * n3y - wy * n3x
     along = cx * n3x + cy * n3y + cz * sine
     return cx - along * n3x, cy - along * n3y, cz - along * sine, cosine
@@ -60,8 +60,8 @@ def slip_between(state, i, j, nx, ny):
 @inner_kernel(inline="always")
 def torque_direction(state, i, j, nx, ny, px, py, pz):
     """n3 x p, which turns both balls alike when i gets the impulse p (N s) and j its opposite."""
-    radius_i = state[RADIUS, i]
-    radius_j = state[RADIUS, j]
+    radius_i = state[s.RADIUS, i]
+    radius_j = state[s.RADIUS, j]
     if radius_i == radius_j:
         return ny * pz, -nx * pz, nx * py - ny * px
     sine = (radius_j - radius_i) / (radius_i + radius_j)
@@ -73,26 +73,26 @@ def torque_direction(state, i, j, nx, ny, px, py, pz):
 def rub(state, i, j, nx, ny, px, py, pz):
     """Apply the tangential impulse p (N s) to ball i and its opposite to ball j, with their torques."""
     turn_x, turn_y, turn_z = torque_direction(state, i, j, nx, ny, px, py, pz)
-    inverse_i = 1.0 / state[MASS, i]
-    inverse_j = 1.0 / state[MASS, j]
-    state[VX, i] += px * inverse_i
-    state[VY, i] += py * inverse_i
-    state[VX, j] -= px * inverse_j
-    state[VY, j] -= py * inverse_j
-    lever_i = 2.5 * inverse_i / state[RADIUS, i]
-    lever_j = 2.5 * inverse_j / state[RADIUS, j]
-    state[WX, i] += lever_i * turn_x
-    state[WY, i] += lever_i * turn_y
-    state[WZ, i] += lever_i * turn_z
-    state[WX, j] += lever_j * turn_x
-    state[WY, j] += lever_j * turn_y
-    state[WZ, j] += lever_j * turn_z
+    inverse_i = 1.0 / state[s.MASS, i]
+    inverse_j = 1.0 / state[s.MASS, j]
+    state[s.VX, i] += px * inverse_i
+    state[s.VY, i] += py * inverse_i
+    state[s.VX, j] -= px * inverse_j
+    state[s.VY, j] -= py * inverse_j
+    lever_i = 2.5 * inverse_i / state[s.RADIUS, i]
+    lever_j = 2.5 * inverse_j / state[s.RADIUS, j]
+    state[s.WX, i] += lever_i * turn_x
+    state[s.WY, i] += lever_i * turn_y
+    state[s.WZ, i] += lever_i * turn_z
+    state[s.WX, j] += lever_j * turn_x
+    state[s.WY, j] += lever_j * turn_y
+    state[s.WZ, j] += lever_j * turn_z
 
 
 @inner_kernel(inline="always")
 def sticking_impulse(state, i, j, slip):
     """Tangential impulse that stops a slip of two solid spheres, N s."""
-    return slip / (3.5 * (1.0 / state[MASS, i] + 1.0 / state[MASS, j]))
+    return slip / (3.5 * (1.0 / state[s.MASS, i] + 1.0 / state[s.MASS, j]))
 
 
 @inner_kernel

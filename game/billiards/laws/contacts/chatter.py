@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import MASS, RADIUS, VX, VY, WX, WZ
 
 CHATTER_TIME = 0.02  # s
 ALLOWED_REPEATS = 3
@@ -47,10 +47,10 @@ def separate(state, i, j, nx, ny, demanded):
     for side in range(count):
         ball = i if side == 0 else j
         sign = -1.0 if side == 0 else 1.0
-        separating += sign * (state[VX, ball] * nx + state[VY, ball] * ny)
-        inverse += 1.0 / state[MASS, ball]
-        inertia = 0.4 * state[MASS, ball] * state[RADIUS, ball] * state[RADIUS, ball]
-        for row in range(WX, WZ + 1):
+        separating += sign * (state[s.VX, ball] * nx + state[s.VY, ball] * ny)
+        inverse += 1.0 / state[s.MASS, ball]
+        inertia = 0.4 * state[s.MASS, ball] * state[s.RADIUS, ball] * state[s.RADIUS, ball]
+        for row in range(s.WX, s.WZ + 1):
             available += 0.5 * inertia * state[row, ball] * state[row, ball]
     if separating >= demanded:
         return True
@@ -65,9 +65,9 @@ def separate(state, i, j, nx, ny, demanded):
     impulse = (speed - separating) / inverse
     for side in range(count):
         ball = i if side == 0 else j
-        push = (-impulse if side == 0 else impulse) / state[MASS, ball]
-        state[VX, ball] += push * nx
-        state[VY, ball] += push * ny
-        for row in range(WX, WZ + 1):
+        push = (-impulse if side == 0 else impulse) / state[s.MASS, ball]
+        state[s.VX, ball] += push * nx
+        state[s.VY, ball] += push * ny
+        for row in range(s.WX, s.WZ + 1):
             state[row, ball] *= factor
     return speed == demanded

@@ -10,19 +10,9 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts.cushion_restitution import restitution_at
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    CUSHION_FRICTION,
-    CUSHION_HEIGHT,
-    MASS,
-    RADIUS,
-    VX,
-    VY,
-    WX,
-    WY,
-    WZ,
-)
 
 
 @inner_kernel(inline="always")
@@ -39,21 +29,21 @@ def tilted_impulse(sx, sy, c, mass, restitution, friction):
 @inner_kernel
 def bounce_han_2005(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
-    radius = state[RADIUS, i]
-    mass = state[MASS, i]
-    sine = physics[CUSHION_HEIGHT] / radius - 1.0
+    radius = state[s.RADIUS, i]
+    mass = state[s.MASS, i]
+    sine = physics[s.CUSHION_HEIGHT] / radius - 1.0
     cosine = math.sqrt((1.0 - sine) * (1.0 + sine))
     x0 = -nx
     x1 = -ny
-    speed = state[VX, i] * x0 + state[VY, i] * x1
+    speed = state[s.VX, i] * x0 + state[s.VY, i] * x1
     restitution = restitution_at(speed, physics)
-    along = state[VY, i] * x0 - state[VX, i] * x1
-    spin_x = state[WX, i] * x0 + state[WY, i] * x1
-    spin_y = state[WY, i] * x0 - state[WX, i] * x1
+    along = state[s.VY, i] * x0 - state[s.VX, i] * x1
+    spin_x = state[s.WX, i] * x0 + state[s.WY, i] * x1
+    spin_y = state[s.WY, i] * x0 - state[s.WX, i] * x1
     sx = speed * sine + radius * spin_y
-    sy = -along - radius * state[WZ, i] * cosine + radius * spin_x * sine
+    sy = -along - radius * state[s.WZ, i] * cosine + radius * spin_x * sine
     px_tilted, py, pz_tilted = tilted_impulse(
-        sx, sy, -speed * cosine, mass, restitution, physics[CUSHION_FRICTION]
+        sx, sy, -speed * cosine, mass, restitution, physics[s.CUSHION_FRICTION]
     )
     px = -px_tilted * sine - pz_tilted * cosine
     pz = px_tilted * cosine - pz_tilted * sine
@@ -64,8 +54,8 @@ def bounce_han_2005(state, i, nx, ny, physics):
     speed = min(speed, 0.0)
     spin_x -= lever * py * sine
     spin_y += lever * (px * sine - pz * cosine)
-    state[VX, i] = speed * x0 - along * x1
-    state[VY, i] = speed * x1 + along * x0
-    state[WX, i] = spin_x * x0 - spin_y * x1
-    state[WY, i] = spin_x * x1 + spin_y * x0
-    state[WZ, i] += lever * py * cosine
+    state[s.VX, i] = speed * x0 - along * x1
+    state[s.VY, i] = speed * x1 + along * x0
+    state[s.WX, i] = spin_x * x0 - spin_y * x1
+    state[s.WY, i] = spin_x * x1 + spin_y * x0
+    state[s.WZ, i] += lever * py * cosine

@@ -19,20 +19,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts.cushion_restitution import restitution_at
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    CUSHION_FRICTION,
-    CUSHION_HEIGHT,
-    MASS,
-    RADIUS,
-    SLIDING_FRICTION,
-    VX,
-    VY,
-    WX,
-    WY,
-    WZ,
-)
 
 STEPS = 100  # of the compression, of the coarser of the two runs
 PATIENCE = 20  # times as many steps; friction that holds the ball in the rail for longer is absurd
@@ -170,28 +159,28 @@ def follow_to_the_limit(motion, impact, steps):
 @inner_kernel
 def bounce_mathavan_2010(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
-    radius = state[RADIUS, i]
+    radius = state[s.RADIUS, i]
     # the paper's y axis is -n; its x axis then is y x z
     along_x = -ny
     along_y = nx
     before = Motion(
-        state[VX, i] * along_x + state[VY, i] * along_y,
-        -(state[VX, i] * nx + state[VY, i] * ny),
-        state[WX, i] * along_x + state[WY, i] * along_y,
-        -(state[WX, i] * nx + state[WY, i] * ny),
-        state[WZ, i],
+        state[s.VX, i] * along_x + state[s.VY, i] * along_y,
+        -(state[s.VX, i] * nx + state[s.VY, i] * ny),
+        state[s.WX, i] * along_x + state[s.WY, i] * along_y,
+        -(state[s.WX, i] * nx + state[s.WY, i] * ny),
+        state[s.WZ, i],
     )
     impact = Impact(
         radius,
-        state[MASS, i],
-        physics[CUSHION_HEIGHT] / radius - 1.0,
+        state[s.MASS, i],
+        physics[s.CUSHION_HEIGHT] / radius - 1.0,
         restitution_at(before.vy, physics),
-        physics[CUSHION_FRICTION],
-        physics[SLIDING_FRICTION],
+        physics[s.CUSHION_FRICTION],
+        physics[s.SLIDING_FRICTION],
     )
     vx, vy, wx, wy, wz = follow_to_the_limit(before, impact, STEPS)
-    state[VX, i] = vx * along_x - vy * nx
-    state[VY, i] = vx * along_y - vy * ny
-    state[WX, i] = wx * along_x - wy * nx
-    state[WY, i] = wx * along_y - wy * ny
-    state[WZ, i] = wz
+    state[s.VX, i] = vx * along_x - vy * nx
+    state[s.VY, i] = vx * along_y - vy * ny
+    state[s.WX, i] = wx * along_x - wy * nx
+    state[s.WY, i] = wx * along_y - wy * ny
+    state[s.WZ, i] = wz

@@ -17,20 +17,9 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws import state as s
 from game.billiards.laws.contacts.cushion_restitution import restitution_at
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import (
-    CUSHION_COMPLIANCE,
-    CUSHION_FRICTION,
-    CUSHION_HEIGHT,
-    MASS,
-    RADIUS,
-    VX,
-    VY,
-    WX,
-    WY,
-    WZ,
-)
 from game.physics.kernels import elementary
 
 STEPS = 64
@@ -75,23 +64,23 @@ def compliant_impulse(sx, sy, closing, restitution, friction, compliance):
 @inner_kernel
 def bounce_stronge_2000(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
-    radius = state[RADIUS, i]
-    mass = state[MASS, i]
-    sine = physics[CUSHION_HEIGHT] / radius - 1.0
+    radius = state[s.RADIUS, i]
+    mass = state[s.MASS, i]
+    sine = physics[s.CUSHION_HEIGHT] / radius - 1.0
     cosine = math.sqrt((1.0 - sine) * (1.0 + sine))
     x0 = -nx
     x1 = -ny
-    speed = state[VX, i] * x0 + state[VY, i] * x1
-    along = state[VY, i] * x0 - state[VX, i] * x1
-    spin_x = state[WX, i] * x0 + state[WY, i] * x1
-    spin_y = state[WY, i] * x0 - state[WX, i] * x1
+    speed = state[s.VX, i] * x0 + state[s.VY, i] * x1
+    along = state[s.VY, i] * x0 - state[s.VX, i] * x1
+    spin_x = state[s.WX, i] * x0 + state[s.WY, i] * x1
+    spin_y = state[s.WY, i] * x0 - state[s.WX, i] * x1
     restitution = restitution_at(speed, physics)
     # slip as in Han's frame: the impulse on the ball is against it, so its sign there is turned round
     sx = speed * sine + radius * spin_y
-    sy = -along - radius * state[WZ, i] * cosine + radius * spin_x * sine
+    sy = -along - radius * state[s.WZ, i] * cosine + radius * spin_x * sine
     closing = speed * cosine
     px_tilted, py = compliant_impulse(
-        sx, sy, closing, restitution, physics[CUSHION_FRICTION], physics[CUSHION_COMPLIANCE]
+        sx, sy, closing, restitution, physics[s.CUSHION_FRICTION], physics[s.CUSHION_COMPLIANCE]
     )
     px_tilted *= -mass
     py *= -mass
@@ -105,8 +94,8 @@ def bounce_stronge_2000(state, i, nx, ny, physics):
     speed = min(speed, 0.0)
     spin_x -= lever * py * sine
     spin_y += lever * (px * sine - pz * cosine)
-    state[VX, i] = speed * x0 - along * x1
-    state[VY, i] = speed * x1 + along * x0
-    state[WX, i] = spin_x * x0 - spin_y * x1
-    state[WY, i] = spin_x * x1 + spin_y * x0
-    state[WZ, i] += lever * py * cosine
+    state[s.VX, i] = speed * x0 - along * x1
+    state[s.VY, i] = speed * x1 + along * x0
+    state[s.WX, i] = spin_x * x0 - spin_y * x1
+    state[s.WY, i] = spin_x * x1 + spin_y * x0
+    state[s.WZ, i] += lever * py * cosine

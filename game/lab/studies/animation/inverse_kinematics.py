@@ -13,13 +13,12 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import IK_METHODS, Solutions, Solver, chain_skeleton
 from game.physics.kernels import elementwise
 
-Array = NDArray[np.float64]
 BONES, TARGETS = 10, 40
 PER_TARGET = "CPU time for one target"
 TIGHT = 1e-13  # m: as good as exact
@@ -46,7 +45,7 @@ COPIES = 20  # of a single target in one run, so that beginning a run costs next
 
 
 @cache
-def reachable() -> tuple[Array, Array]:
+def reachable() -> tuple[Floats, Floats]:
     """A bent chain of total length 1 m, and targets (m, 2) within 0.9 m of its root."""
     rng = np.random.default_rng(11)
     start = rng.uniform(-0.5, 0.5, BONES)
@@ -57,7 +56,9 @@ def reachable() -> tuple[Array, Array]:
 class Run:
     """A chain solved for some targets with so many iterations at most."""
 
-    def __init__(self, lengths: Array, start: Array, targets: Array, setting: Setting, left: float) -> None:
+    def __init__(
+        self, lengths: Floats, start: Floats, targets: Floats, setting: Setting, left: float
+    ) -> None:
         self.solver = Solver(chain_skeleton(lengths, start), 0, len(lengths) - 1)
         self.targets, self.left = targets, left
         self.method, self.most = setting.method, int(setting.knob)

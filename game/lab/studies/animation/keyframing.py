@@ -11,14 +11,13 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.studies.animation.keyframing_paths import line_study, spread_study
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import Keyframes
 from game.physics.kernels import elementwise
 
-Array = NDArray[np.float64]
 SAMPLES = 100_001
 COUNTS = (8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024)
 METHODS: dict[str, tuple[str, float, float]] = {  # label, order over even keys, over uneven ones
@@ -35,17 +34,17 @@ METHODS: dict[str, tuple[str, float, float]] = {  # label, order over even keys,
 }
 
 
-def wave(t: Array) -> Array:
+def wave(t: Floats) -> Floats:
     """The motion, m."""
     return np.asarray(elementwise.exp(elementwise.sin(2.0 * np.pi * t)))
 
 
-def wave_slope(t: Array) -> Array:
+def wave_slope(t: Floats) -> Floats:
     """Its velocity, m/s."""
     return np.asarray(2.0 * np.pi * elementwise.cos(2.0 * np.pi * t) * wave(t))
 
 
-def key_times(keys: int, uneven: bool) -> Array:
+def key_times(keys: int, uneven: bool) -> Floats:
     """Times (keys + 1,) s from 0 to 1, even or 1 : 3 : 1 : 3 ... apart."""
     if not uneven:
         return np.linspace(0.0, 1.0, keys + 1)
@@ -53,7 +52,7 @@ def key_times(keys: int, uneven: bool) -> Array:
     return np.asarray(times / times[-1])
 
 
-def wave_track(name: str, times: Array) -> Keyframes:
+def wave_track(name: str, times: Floats) -> Keyframes:
     """The motion at keys; Bezier handles from the exact velocities."""
     handles = None
     if name == "bezier":

@@ -7,12 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import CubicBezier
-
-Array = NDArray[np.float64]
 
 # -- lines that a curve is drawn by ---------------------------------------------------------------------
 
@@ -42,7 +40,7 @@ class Lines:
         )
 
 
-def distance_to_chain(points: Array, chain: Array) -> float:
+def distance_to_chain(points: Floats, chain: Floats) -> float:
     """The largest distance of points (k, 2) that follow a chain (n, 2) from one of its next few lines."""
     best = np.full(len(points), np.inf)
     way = np.diff(chain, axis=0)

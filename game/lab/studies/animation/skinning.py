@@ -13,13 +13,12 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import Binding, Skeleton, Skinner, bind_weights, chain_skeleton, skin
 from game.physics.animation.outlines import area
 
-Array = NDArray[np.float64]
 BONES, POINTS, FRAMES = 12, 4_000, 10
 FALLOFF = 2.0
 THICK, LONG = 0.1, 1.0  # m, half of the bar's height and of its length
@@ -33,9 +32,9 @@ class Run:
 
     simulated_s = FRAMES / 60.0
 
-    def __init__(self, work: Callable[[], Array], error: Callable[[Array], float], count: int) -> None:
+    def __init__(self, work: Callable[[], Floats], error: Callable[[Floats], float], count: int) -> None:
         self.work, self.error, self.count = work, error, count
-        self.result: Array = np.zeros((0, 2))
+        self.result: Floats = np.zeros((0, 2))
 
     def reset(self) -> None:
         """Nothing is kept between runs."""
@@ -51,7 +50,7 @@ class Run:
 # -- influences -----------------------------------------------------------------------------------------
 
 
-def curled() -> tuple[Skeleton, Array]:
+def curled() -> tuple[Skeleton, Floats]:
     """A chain of twelve bones bound straight and then curled, and points around it."""
     skeleton = chain_skeleton(np.full(BONES, 1.0 / BONES))
     points = np.random.default_rng(7).uniform((-0.05, -0.12), (1.05, 0.12), (POINTS, 2))
@@ -59,7 +58,7 @@ def curled() -> tuple[Skeleton, Array]:
 
 
 @cache
-def whole(blend: str) -> Array:
+def whole(blend: str) -> Floats:
     """Where the points go if all bones count (v, 2) m."""
     skeleton, points = curled()
     binding = bind_weights(skeleton, points, math.inf, FALLOFF, BONES)
@@ -67,19 +66,19 @@ def whole(blend: str) -> Array:
     return skin(skeleton, binding, blend)
 
 
-def bends() -> Array:
+def bends() -> Floats:
     """The pose: each bone by 14 degrees, so that no two are half a turn apart."""
     return np.radians(np.full(BONES, 14.0))
 
 
-def by_numpy(skeleton: Skeleton, binding: Binding) -> Callable[[], Array]:
+def by_numpy(skeleton: Skeleton, binding: Binding) -> Callable[[], Floats]:
     """Matrix palette skinning by whole arrays: what one writes first."""
     points = np.column_stack([binding.points, np.ones(len(binding.points))])
 
-    def work() -> Array:
+    def work() -> Floats:
         palette = np.einsum("nij,njk->nik", skeleton.world, binding.inverse)[:, :2]
         blended = np.einsum("vk,vkij->vij", binding.weights, palette[binding.bones])
-        moved: Array = np.einsum("vij,vj->vi", blended, points)
+        moved: Floats = np.einsum("vij,vj->vi", blended, points)
         return moved
 
     return work
@@ -97,7 +96,7 @@ def influence_trial(setting: Setting) -> Run:
         by_numpy(skeleton, binding) if setting.method == "numpy" else lambda: skinner(skeleton.world, blend)
     )
 
-    def error(moved: Array) -> float:
+    def error(moved: Floats) -> float:
         off = moved - whole(blend)
         return math.sqrt(float((off * off).sum(axis=1).max()))
 
@@ -123,7 +122,7 @@ def present_influences(parameters: Mapping[str, Any]) -> Setting:
 # -- collapse -------------------------------------------------------------------------------------------
 
 
-def bar() -> Array:
+def bar() -> Floats:
     """The outline of a bar from -1 to 1 m, 0.2 m high."""
     x = np.linspace(-LONG, LONG, round(2 * LONG / GRAIN) + 1)
     y = np.full(len(x), THICK)
@@ -146,7 +145,7 @@ def bound_bar(joints: int) -> tuple[Skeleton, Binding]:
     return skeleton, bind_weights(skeleton, points, math.inf, 8.0, 2)
 
 
-def bent(bend: float, blend: str, joints: int = 1) -> tuple[Array, float]:
+def bent(bend: float, blend: str, joints: int = 1) -> tuple[Floats, float]:
     """The outline of the bar bent by so much (rad) in all, and how far the last point is from its joint."""
     skeleton, binding = bound_bar(joints)
     skeleton.pose(np.concatenate([[0.0], np.full(joints, bend / joints)]))

@@ -15,12 +15,13 @@ from typing import Any
 
 import numpy as np
 
+from game.arrays import Floats
 from game.billiards.lecture.settings import LectureSettings, lecture_settings
 from game.billiards.lecture.state import BALL_COLLISIONS, WALLS
 from game.billiards.lecture.table import LectureTable
 from game.billiards.table.table import Table
 from game.lab.ranges import counts_between
-from game.lab.references import CAROM, Array, two_balls
+from game.lab.references import CAROM, two_balls
 from game.lab.studies.billiards.lecture_breaks import (
     LectureRun,
     missed_hits_study,
@@ -62,9 +63,9 @@ class SteppedShot(LectureRun):
     def __init__(
         self,
         table: Table,
-        start: Array,
-        velocities: Array,
-        end: Array,
+        start: Floats,
+        velocities: Floats,
+        end: Floats,
         time: float,
         steps: int,
         settings: LectureSettings,
@@ -84,7 +85,7 @@ class SteppedShot(LectureRun):
 class ExactShot:
     """The same shot on the exact table; its counter is the number of events."""
 
-    def __init__(self, table: Table, start: Array, velocities: Array, end: Array, time: float) -> None:
+    def __init__(self, table: Table, start: Floats, velocities: Floats, end: Floats, time: float) -> None:
         # the exact table's kernels are many: loaded when a study runs, not with the scene
         from game.billiards.shot.physics import FRICTIONLESS
         from game.billiards.shot.shot import make_shot
@@ -133,7 +134,9 @@ def _settings(time: float, most: int, number: int, passes_tried: tuple[int, ...]
     return [*points, Setting("events", time / most, {}, {}, 100.0)]
 
 
-def _trial(table: Table, start: Array, velocities: Array, end: Array, time: float, setting: Setting) -> Trial:
+def _trial(
+    table: Table, start: Floats, velocities: Floats, end: Floats, time: float, setting: Setting
+) -> Trial:
     if setting.method == "events":
         return ExactShot(table, start, velocities, end, time)
     if setting.method == "present":

@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.studies.bounds.gap import gap_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.bounds import (
@@ -28,14 +28,13 @@ from game.physics.bounds import (
 )
 from game.physics.kernels import elementary, elementwise
 
-Array = NDArray[np.float64]
 STEPS_DEGREES = (45.0, 30.0, 20.0, 15.0, 10.0, 6.0, 4.0, 2.5, 1.5, 1.0, 0.6, 0.4, 0.25, 0.1)
 SHAPES = 40
 CAPSULE_SHAPES = 16
 GOLDEN_TRIALS = 46  # directions that golden section looks at
 
 
-def shapes(count: int) -> list[Array]:
+def shapes(count: int) -> list[Floats]:
     """Rectangles and clouds of points, long and not so long, turned anyhow."""
     random = np.random.default_rng(8)
     made = []
@@ -55,7 +54,7 @@ def shapes(count: int) -> list[Array]:
 class FitTrial:
     """All shapes fitted once; the error is the mean of area over least area, less 1."""
 
-    def __init__(self, fit: Callable[[Array], Any], given: list[Array], least: list[float], counter: int):
+    def __init__(self, fit: Callable[[Floats], Any], given: list[Floats], least: list[float], counter: int):
         self.fit, self.given, self.least, self.counter = fit, given, least, counter
         self.simulated_s = float(len(given))
         self.areas: list[float] = []
@@ -83,14 +82,14 @@ def tried(setting: Setting, count: int, quarter: float) -> int:
     return count * (directions(setting.knob, quarter) + (GOLDEN_TRIALS if setting.method == "refined" else 0))
 
 
-BOXES: dict[str, Callable[[float], Callable[[Array], Any]]] = {
+BOXES: dict[str, Callable[[float], Callable[[Floats], Any]]] = {
     "search": lambda step: lambda points: fit_obb(points, step),
     "refined": lambda step: lambda points: fit_obb(points, step, refine=True),
     "thinnest": lambda step: thinnest_box,
     "exact": lambda step: minimal_obb,
     "principal": lambda step: principal_box,
 }
-CAPSULES: dict[str, Callable[[float], Callable[[Array], Any]]] = {
+CAPSULES: dict[str, Callable[[float], Callable[[Floats], Any]]] = {
     "search": lambda step: lambda points: fit_capsule(points, step),
     "refined": lambda step: lambda points: fit_capsule(points, step, refine=True),
     "thinnest": lambda step: thinnest_capsule,

@@ -10,13 +10,12 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.bounds import BoundingTree, Query, build_tree
 from game.physics.kernels import elementary, elementwise
 
-Array = NDArray[np.float64]
 GAPS = tuple(np.geomspace(0.02, 2e-4, 12).tolist())
 SEGMENTS = 1024  # of each arc
 ARC_DEGREES = tuple(60.0 * elementary.pow(2.0, 0.25 * i) for i in range(4))
@@ -28,7 +27,7 @@ TREES: dict[str, tuple[str, str]] = {
 }
 
 
-def arc(radius: float, degrees: float) -> Array:
+def arc(radius: float, degrees: float) -> Floats:
     """A part of a circle about the origin, m."""
     angle = np.radians(17.0 + degrees * np.arange(SEGMENTS + 1) / SEGMENTS)
     return radius * np.column_stack((elementwise.cos(angle), elementwise.sin(angle)))

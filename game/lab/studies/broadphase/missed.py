@@ -9,20 +9,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.studies.broadphase.steps import EXTENT, SEED, boxes_of
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 
-Array = NDArray[np.float64]
 MISS_BOXES, MISS_S, MISS_SPEED = 400, 0.5, 4.0  # boxes, s, m/s
 MISS_PARAMETERS = {"workload": "equal", "count": MISS_BOXES, "fill": 0.05, "speed": MISS_SPEED}
 MISS_RATES = (960, 480, 240, 120, 60, 30, 16, 8, 4)  # steps/s
 
 
 def meeting_times(
-    low_a: Array, high_a: Array, low_b: Array, high_b: Array, speed: Array
-) -> tuple[Array, Array]:
+    low_a: Floats, high_a: Floats, low_b: Floats, high_b: Floats, speed: Floats
+) -> tuple[Floats, Floats]:
     """First and last time at which intervals overlap; b moves at ``speed`` against a. Never: inf, -inf.
 
     All (n,), m and m/s. Closed intervals: what touches overlaps.

@@ -11,8 +11,8 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.studies.gases.whirl import SECONDS, TALL, WIDE, flow, whirl_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.gas import ADVECTIONS, Gas, GasSettings
@@ -20,7 +20,6 @@ from game.physics.grid import Grid
 from game.physics.kernels import elementary
 from game.physics.multigrid import SOLVERS
 
-Floats = NDArray[np.float64]
 PER_STEP = "CPU time for one step"
 ROOM, HOT = 293.15, 393.15  # K
 PUFF, PUFF_RADIUS = (0.7, 0.3), 0.2  # m

@@ -10,15 +10,14 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.gas import Gas, GasSettings
 from game.physics.grid import Borders, Grid
 from game.physics.kernels import elementary, elementwise
 from game.physics.stable_fluids import PAPERS, PrintedFluid
 
-Floats = NDArray[np.float64]
 METHODS = ("stam-2003", "stam-1999", "linear", "maccormack", "time-centred")
 WIDE, TALL, FASTEST, SECONDS, COURANT = 2.0, 1.0, 1.0, 0.5, 1.0
 CELLS = (16, 32, 64, 128)

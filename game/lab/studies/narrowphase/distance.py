@@ -15,20 +15,19 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.lab.studies.narrowphase.support import LEAST, NO_PAIR, packed_pebbles, support_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels import elementary, elementwise
 from game.physics.narrowphase import ConvexPolygon, PolygonSet, Proximities, gjk_batch, vclip_batch
 
-Array = NDArray[np.float64]
 PAIRS, FRAMES = 400, 8
 SIZES = (8, 64, 512)
 PER_QUERY = "CPU time for one query"
 
 
-def poses_of(places: Array, angles: Array) -> Array:
+def poses_of(places: Floats, angles: Floats) -> Floats:
     """Poses (k, 4) x, y, cos, sin."""
     return np.column_stack((places, elementwise.cos(angles), elementwise.sin(angles)))
 

@@ -8,8 +8,8 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels import elementwise
@@ -17,13 +17,12 @@ from game.physics.narrowphase import PolygonSet
 from game.physics.narrowphase.features import Polygon
 from game.physics.narrowphase.simplex import support_cold, support_hc, support_scan
 
-Array = NDArray[np.float64]
 DIRECTIONS = 20_000
 LEAST = 2.0**-56  # errors below are shown as this: they are zero
 WAYS = ("climb-near", "climb-far", "scan")
 
 
-def pebbles(corners: int, count: int, seed: int) -> list[Array]:
+def pebbles(corners: int, count: int, seed: int) -> list[Floats]:
     """Convex polygons (corners, 2) with uneven corners on ellipses of half axes 1 and 0.5 to 1."""
     random = np.random.default_rng(seed)
     shapes = []

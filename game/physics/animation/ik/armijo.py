@@ -11,16 +11,8 @@ Arrays as in `ik_chain`.
 from __future__ import annotations
 
 from game.compiler.decorator import kernel
-from game.physics.animation.ik.chain import (
-    ANGLE,
-    MEMORY,
-    REACH_SQUARE,
-    TRIAL,
-    copy_row,
-    error_of,
-    place_points,
-    turn_joints,
-)
+from game.physics.animation.ik import chain
+from game.physics.animation.ik.chain import copy_row, error_of, place_points, turn_joints
 
 DECREASE = 1e-4  # c, the share of the promised decrease that is asked for
 HALVINGS = 40
@@ -31,21 +23,21 @@ FIRST = 4.0  # first try over the safe step
 def relax_by_armijo(base, links, target, points, numbers):
     """One iteration; gives how often the chain was placed, negative if no step helps. PULL holds Jᵀe."""
     before = error_of(points, target)
-    copy_row(links, ANGLE, TRIAL)
-    step = numbers[MEMORY] if numbers[MEMORY] > 0.0 else FIRST / numbers[REACH_SQUARE]
+    copy_row(links, chain.ANGLE, chain.TRIAL)
+    step = numbers[chain.MEMORY] if numbers[chain.MEMORY] > 0.0 else FIRST / numbers[chain.REACH_SQUARE]
     for halving in range(HALVINGS):
         turn_joints(links, step)
-        place_points(base, links, ANGLE, points)
+        place_points(base, links, chain.ANGLE, points)
         after = error_of(points, target)
         square = 0.0
         for i in range(links.shape[1]):
-            turn = links[ANGLE, i] - links[TRIAL, i]
+            turn = links[chain.ANGLE, i] - links[chain.TRIAL, i]
             square += turn * turn
         if 0.5 * (before - after) * (before + after) >= DECREASE * square / step:
-            numbers[MEMORY] = 2.0 * step
+            numbers[chain.MEMORY] = 2.0 * step
             return halving + 1
-        copy_row(links, TRIAL, ANGLE)
+        copy_row(links, chain.TRIAL, chain.ANGLE)
         step *= 0.5
-    place_points(base, links, ANGLE, points)
-    numbers[MEMORY] = 0.0
+    place_points(base, links, chain.ANGLE, points)
+    numbers[chain.MEMORY] = 0.0
     return -HALVINGS - 1

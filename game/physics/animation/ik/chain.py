@@ -19,8 +19,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
-from game.physics.animation.skeleton import Array, Skeleton, SkeletonError
+from game.physics.animation.skeleton import Skeleton, SkeletonError
 from game.physics.kernels import elementary
 
 FULL_TURN = 2.0 * math.pi
@@ -120,11 +121,11 @@ class Chain(NamedTuple):
     """
 
     bones: NDArray[np.int64]
-    links: Array
-    turns: Array
-    points: Array
-    base: Array
-    numbers: Array
+    links: Floats
+    turns: Floats
+    points: Floats
+    base: Floats
+    numbers: Floats
 
     @property
     def reach(self) -> float:

@@ -13,21 +13,8 @@ Arrays as in `ik_chain`.
 from __future__ import annotations
 
 from game.compiler.decorator import kernel
-from game.physics.animation.ik.chain import (
-    ANGLE,
-    DAMPING,
-    LOWER,
-    MEMORY,
-    PULL,
-    REACH_SQUARE,
-    TRIAL,
-    UPPER,
-    copy_row,
-    error_of,
-    place_points,
-    pull_joints,
-    turn_joints,
-)
+from game.physics.animation.ik import chain
+from game.physics.animation.ik.chain import copy_row, error_of, place_points, pull_joints, turn_joints
 
 FIRST, LEAST = 1e-3, 1e-12  # λ² over Σ r_i²
 LESS, MORE = 0.1, 10.0  # change of λ² after a turn that helped, and one that did not
@@ -53,33 +40,33 @@ def solve_damped(links, target, points, square):
     fx, fy = share * (d * ex - b * ey), share * (a * ey - b * ex)
     for i in range(n):
         turn = (points[i, 1] - y) * fx + (x - points[i, 0]) * fy
-        links[PULL, i] = 0.0 if _held(links, i) else turn
+        links[chain.PULL, i] = 0.0 if _held(links, i) else turn
 
 
 @kernel(inline="always")
 def _held(links, i):
     """Does a joint stand at a limit and is pulled beyond it?"""
-    angle, pull = links[ANGLE, i], links[PULL, i]
-    return (pull > 0.0 and angle >= links[UPPER, i]) or (pull < 0.0 and angle <= links[LOWER, i])
+    angle, pull = links[chain.ANGLE, i], links[chain.PULL, i]
+    return (pull > 0.0 and angle >= links[chain.UPPER, i]) or (pull < 0.0 and angle <= links[chain.LOWER, i])
 
 
 @kernel(_nrt=False)
 def relax_adaptively(base, links, target, points, numbers):
     """One turn that helps; gives how often the chain was placed, negative if there is none."""
-    size = numbers[REACH_SQUARE]
-    square = numbers[MEMORY] if numbers[MEMORY] > 0.0 else FIRST * size
+    size = numbers[chain.REACH_SQUARE]
+    square = numbers[chain.MEMORY] if numbers[chain.MEMORY] > 0.0 else FIRST * size
     before = error_of(points, target)
-    copy_row(links, ANGLE, TRIAL)
+    copy_row(links, chain.ANGLE, chain.TRIAL)
     for tries in range(TRIES):
         pull_joints(points, target, links)
         solve_damped(links, target, points, square)
         turn_joints(links, 1.0)
-        place_points(base, links, ANGLE, points)
+        place_points(base, links, chain.ANGLE, points)
         if error_of(points, target) < before:
-            numbers[MEMORY] = max(LESS * square, LEAST * size)
+            numbers[chain.MEMORY] = max(LESS * square, LEAST * size)
             return 2 * tries + 1
-        copy_row(links, TRIAL, ANGLE)
-        place_points(base, links, ANGLE, points)
+        copy_row(links, chain.TRIAL, chain.ANGLE)
+        place_points(base, links, chain.ANGLE, points)
         square *= MORE
     return -2 * TRIES
 
@@ -87,7 +74,7 @@ def relax_adaptively(base, links, target, points, numbers):
 @kernel(_nrt=False)
 def relax_damped(base, links, target, points, numbers):
     """One iteration with the fixed damping λ (m); gives the number of times that the chain was placed."""
-    solve_damped(links, target, points, numbers[DAMPING] * numbers[DAMPING])
+    solve_damped(links, target, points, numbers[chain.DAMPING] * numbers[chain.DAMPING])
     turn_joints(links, 1.0)
-    place_points(base, links, ANGLE, points)
+    place_points(base, links, chain.ANGLE, points)
     return 1

@@ -15,19 +15,9 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import kernel
+from game.physics.animation.ik import chain
 from game.physics.animation.ik.ccd import relax_by_cycle
-from game.physics.animation.ik.chain import (
-    ANGLE,
-    FULL_TURN,
-    LENGTH,
-    LOWER,
-    TRIAL,
-    UPPER,
-    copy_row,
-    error_of,
-    place_points,
-    turn_between,
-)
+from game.physics.animation.ik.chain import copy_row, error_of, place_points, turn_between
 from game.physics.kernels import elementary
 
 
@@ -36,24 +26,24 @@ def relax_by_reaching(base, links, target, points, numbers):
     """One pass back and forth; gives how often the chain was placed, which a pass counts for."""
     n = links.shape[1]
     before = error_of(points, target)
-    copy_row(links, ANGLE, TRIAL)
+    copy_row(links, chain.ANGLE, chain.TRIAL)
     reach = 0.0
     for i in range(n):
-        reach += links[LENGTH, i]
+        reach += links[chain.LENGTH, i]
     tx, ty = target[0] - base[0], target[1] - base[1]
     if tx * tx + ty * ty < reach * reach:
         points[n, 0], points[n, 1] = target[0], target[1]
         for k in range(n - 1):
             i = n - 1 - k
-            _pull(points, i + 1, i, links[LENGTH, i])
+            _pull(points, i + 1, i, links[chain.LENGTH, i])
     else:
         for i in range(1, n + 1):
             points[i, 0], points[i, 1] = target[0], target[1]
     held = _reach_forward(base, links, points)
     if not held or error_of(points, target) < before:
         return 1
-    copy_row(links, TRIAL, ANGLE)
-    place_points(base, links, ANGLE, points)
+    copy_row(links, chain.TRIAL, chain.ANGLE)
+    place_points(base, links, chain.ANGLE, points)
     return 2 + relax_by_cycle(base, links, target, points, numbers)
 
 
@@ -78,16 +68,16 @@ def _reach_forward(base, links, points):
     held = False
     x, y, ux, uy = base[0], base[1], elementary.cos(base[2]), elementary.sin(base[2])
     for i in range(links.shape[1]):
-        before = links[ANGLE, i]
+        before = links[chain.ANGLE, i]
         turn = turn_between(ux, uy, points[i + 1, 0] - x, points[i + 1, 1] - y)
-        turn += FULL_TURN * math.floor((before - turn) / FULL_TURN + 0.5)
-        free, turn = turn, min(max(turn, links[LOWER, i]), links[UPPER, i])
+        turn += chain.FULL_TURN * math.floor((before - turn) / chain.FULL_TURN + 0.5)
+        free, turn = turn, min(max(turn, links[chain.LOWER, i]), links[chain.UPPER, i])
         held = held or turn != free
-        links[ANGLE, i] = turn
+        links[chain.ANGLE, i] = turn
         c, s = elementary.cos(turn), elementary.sin(turn)
         ux, uy = c * ux - s * uy, s * ux + c * uy
         points[i, 0], points[i, 1] = x, y
-        x, y = x + links[LENGTH, i] * ux, y + links[LENGTH, i] * uy
+        x, y = x + links[chain.LENGTH, i] * ux, y + links[chain.LENGTH, i] * uy
     n = links.shape[1]
     points[n, 0], points[n, 1] = x, y
     return held

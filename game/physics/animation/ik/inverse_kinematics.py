@@ -13,23 +13,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import kernel
-from game.physics.animation.ik.chain import (
-    ANGLE,
-    DAMPING,
-    ITERATIONS,
-    KEEP_BEST,
-    LOWER,
-    STEP,
-    TOLERANCE,
-    UPPER,
-    chain_of,
-)
+from game.physics.animation.ik import chain as c
+from game.physics.animation.ik.chain import chain_of
 from game.physics.animation.ik.solver import ENDINGS, METHODS, solve_links
-from game.physics.animation.skeleton import LARGEST, Array, Skeleton, SkeletonError
+from game.physics.animation.skeleton import LARGEST, Skeleton, SkeletonError
 from game.physics.kernels import elementary
 
-Point = Sequence[float] | Array  # (2,)
+Point = Sequence[float] | Floats  # (2,)
 CLOSE = 1e-6  # m, of the target
 MOST_ITERATIONS = 1_000
 ADAPTED = "damped"  # the best method but for chains without limits, where FABRIK is quicker
@@ -47,8 +39,8 @@ class Solution(NamedTuple):
 class Solutions(NamedTuple):
     """The same for many targets: angles (m, n) rad of the chain's bones, errors (m,) m, counts (m,)."""
 
-    angles: Array
-    errors: Array
+    angles: Floats
+    errors: Floats
     iterations: NDArray[np.int64]
     placings: NDArray[np.int64]
 
@@ -70,15 +62,15 @@ def take_links(bones, angles, lower, upper, limited, turns, links):
         low, high = -math.inf, math.inf
         if limited:
             low, high = lower[k], upper[k]
-        links[ANGLE, i] = min(max(angles[k], low), high) + turns[i]
-        links[LOWER, i], links[UPPER, i] = low + turns[i], high + turns[i]
+        links[c.ANGLE, i] = min(max(angles[k], low), high) + turns[i]
+        links[c.LOWER, i], links[c.UPPER, i] = low + turns[i], high + turns[i]
 
 
 @kernel(_nrt=False)
 def give_links(bones, turns, links, angles):
     """Write the angles of a chain's links back to its bones."""
     for i in range(bones.shape[0]):
-        angles[bones[i]] = links[ANGLE, i] - turns[i]
+        angles[bones[i]] = links[c.ANGLE, i] - turns[i]
 
 
 class Solver:
@@ -131,8 +123,8 @@ class Solver:
             raise SkeletonError(f"step, damping: expected more than 0, got {step!r} and {damping!r}")
         chain, skeleton = self.chain, self.skeleton
         self._take(limited)
-        self._start[0] = chain.links[ANGLE]
-        chain.numbers[STEP], chain.numbers[DAMPING] = step, damping * self._reach
+        self._start[0] = chain.links[c.ANGLE]
+        chain.numbers[c.STEP], chain.numbers[c.DAMPING] = step, damping * self._reach
         found = self._run(
             method, tolerance, iterations, keep_best, self._start, self._targets, self.history, self._found
         )
@@ -160,8 +152,8 @@ class Solver:
             raise SkeletonError("targets: expected finite numbers (m, 2)")
         chain = self.chain
         self._take(limited)
-        chain.numbers[STEP], chain.numbers[DAMPING] = 1.0, 0.1 * self._reach
-        angles = np.repeat(chain.links[ANGLE : ANGLE + 1], len(targets), axis=0)
+        chain.numbers[c.STEP], chain.numbers[c.DAMPING] = 1.0, 0.1 * self._reach
+        angles = np.repeat(chain.links[c.ANGLE : c.ANGLE + 1], len(targets), axis=0)
         found = np.empty((len(targets), 4))
         self._run(method, tolerance, iterations, keep_best, angles, targets, self.history[:0], found)
         counts = found.astype(np.int64)
@@ -176,12 +168,12 @@ class Solver:
         )
 
     def _run(
-        self, method: str, tolerance: float, iterations: int, keep_best: bool, start: Array, targets: Array,
-        history: Array, found: Array,
-    ) -> Array:  # fmt: skip
+        self, method: str, tolerance: float, iterations: int, keep_best: bool, start: Floats, targets: Floats,
+        history: Floats, found: Floats,
+    ) -> Floats:  # fmt: skip
         number, chain = _method(method, tolerance, iterations), self.chain
         numbers = chain.numbers
-        numbers[TOLERANCE], numbers[ITERATIONS], numbers[KEEP_BEST] = tolerance, iterations, keep_best
+        numbers[c.TOLERANCE], numbers[c.ITERATIONS], numbers[c.KEEP_BEST] = tolerance, iterations, keep_best
         solve_links(number, chain.base, chain.links, start, targets, chain.points, numbers, history, found)
         return found
 

@@ -17,28 +17,11 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import kernel
+from game.physics.animation.ik import chain
 from game.physics.animation.ik.armijo import relax_by_armijo
 from game.physics.animation.ik.buss import relax_by_buss
 from game.physics.animation.ik.ccd import relax_by_cycle
-from game.physics.animation.ik.chain import (
-    AIM_X,
-    AIM_Y,
-    ANGLE,
-    BEST,
-    ITERATIONS,
-    KEEP_BEST,
-    LENGTH,
-    LOWER,
-    MEMORY,
-    REACH_SQUARE,
-    TOLERANCE,
-    UPPER,
-    copy_row,
-    error_of,
-    place_points,
-    pull_joints,
-    squared_reach,
-)
+from game.physics.animation.ik.chain import copy_row, error_of, place_points, pull_joints, squared_reach
 from game.physics.animation.ik.damped import relax_adaptively, relax_damped
 from game.physics.animation.ik.fabrik import relax_by_reaching
 from game.physics.animation.ik.gradient import relax_by_gradient
@@ -82,16 +65,18 @@ def kick_joint(links, kicks):
     while chosen > 0 and _stands(links, chosen):
         chosen -= 1
     turn = KICK * (kicks + 1) if kicks % 2 == 0 else -KICK * kicks
-    angle = links[ANGLE, chosen]
-    if angle + turn > links[UPPER, chosen] or angle + turn < links[LOWER, chosen]:
+    angle = links[chain.ANGLE, chosen]
+    if angle + turn > links[chain.UPPER, chosen] or angle + turn < links[chain.LOWER, chosen]:
         turn = -turn
-    links[ANGLE, chosen] = min(max(angle + turn, links[LOWER, chosen]), links[UPPER, chosen])
+    links[chain.ANGLE, chosen] = min(
+        max(angle + turn, links[chain.LOWER, chosen]), links[chain.UPPER, chosen]
+    )
 
 
 @kernel(inline="always")
 def _stands(links, i):
     """Does turning a joint change nothing: fixed by its limits, or its link without length?"""
-    return links[LENGTH, i] == 0.0 or links[LOWER, i] == links[UPPER, i]
+    return links[chain.LENGTH, i] == 0.0 or links[chain.LOWER, i] == links[chain.UPPER, i]
 
 
 @kernel(inline="always")
@@ -99,8 +84,8 @@ def aim_at(base, links, target, aim):
     """Write where to aim, and give reach (m) and the least error (m) that there can be without limits."""
     total, longest = 0.0, 0.0
     for i in range(links.shape[1]):
-        total += links[LENGTH, i]
-        longest = max(longest, links[LENGTH, i])
+        total += links[chain.LENGTH, i]
+        longest = max(longest, links[chain.LENGTH, i])
     dx, dy = target[0] - base[0], target[1] - base[1]
     distance = math.sqrt(dx * dx + dy * dy)
     share = BEYOND * total / distance if distance > BEYOND * total else 1.0
@@ -117,16 +102,20 @@ def solve_links(method, base, links, start, targets, points, numbers, history, f
     the errors before each iteration of the last target, as far as it has room. found (m, 4): error,
     iterations, placings, ending.
     """
-    tolerance, most, keep_best = numbers[TOLERANCE], int(numbers[ITERATIONS]), numbers[KEEP_BEST] > 0.0
-    aim = numbers[AIM_X : AIM_Y + 1]
+    tolerance, most, keep_best = (
+        numbers[chain.TOLERANCE],
+        int(numbers[chain.ITERATIONS]),
+        numbers[chain.KEEP_BEST] > 0.0,
+    )
+    aim = numbers[chain.AIM_X : chain.AIM_Y + 1]
     for task in range(targets.shape[0]):
         target = targets[task]
         for i in range(links.shape[1]):
-            links[ANGLE, i] = start[task, i]
+            links[chain.ANGLE, i] = start[task, i]
         reach, least = aim_at(base, links, target, aim)
         goal = target if method in (DAMPED_FIXED, FABRIK) else aim
-        numbers[REACH_SQUARE], numbers[MEMORY] = squared_reach(links), 0.0
-        place_points(base, links, ANGLE, points)
+        numbers[chain.REACH_SQUARE], numbers[chain.MEMORY] = squared_reach(links), 0.0
+        place_points(base, links, chain.ANGLE, points)
         best, mark, mark_best, kicks, placings, ending, k = math.inf, 0, math.inf, 0, 1, SPENT, 0
         kicked, stuck = -WINDOW, False
         while True:
@@ -135,7 +124,7 @@ def solve_links(method, base, links, start, targets, points, numbers, history, f
                 history[k] = error
             if error < best:
                 best = error
-                copy_row(links, ANGLE, BEST)
+                copy_row(links, chain.ANGLE, chain.BEST)
             if error <= tolerance:
                 ending = REACHED
                 break
@@ -155,18 +144,18 @@ def solve_links(method, base, links, start, targets, points, numbers, history, f
                 ending = NO_PROGRESS
                 break
             if kicks > 0:
-                copy_row(links, BEST, ANGLE)
+                copy_row(links, chain.BEST, chain.ANGLE)
             if dead:
                 kicked = k
             kick_joint(links, kicks)
-            place_points(base, links, ANGLE, points)
+            place_points(base, links, chain.ANGLE, points)
             k, stuck = k + 1, False
-            kicks, placings, mark, mark_best, numbers[MEMORY] = kicks + 1, placings + 1, k, best, 0.0
+            kicks, placings, mark, mark_best, numbers[chain.MEMORY] = kicks + 1, placings + 1, k, best, 0.0
         begun = ending == SPENT and k - kicked < WINDOW  # a kick that the next call may go on from
         if (keep_best or kicks > 0) and best < error and not begun:
-            copy_row(links, BEST, ANGLE)
-            place_points(base, links, ANGLE, points)
+            copy_row(links, chain.BEST, chain.ANGLE)
+            place_points(base, links, chain.ANGLE, points)
             error = best
         found[task, 0], found[task, 1], found[task, 2], found[task, 3] = error, k, placings, ending
         for i in range(links.shape[1]):
-            start[task, i] = links[ANGLE, i]
+            start[task, i] = links[chain.ANGLE, i]

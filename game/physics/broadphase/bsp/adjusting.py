@@ -12,27 +12,8 @@ from typing import Any
 import numpy as np
 
 from game.compiler.decorator import inner_kernel, kernel
-from game.physics.broadphase.bsp.nodes import (
-    AXIS,
-    BOX,
-    COUNT,
-    DEBT,
-    HEAD,
-    LEAF,
-    LEFT,
-    MERGES,
-    MOVED,
-    NEXT,
-    NODES,
-    REFS,
-    RIGHT,
-    SPLITS,
-    STUBBORN,
-    TOTAL,
-    collapse,
-    split,
-    walk,
-)
+from game.physics.broadphase.bsp import nodes
+from game.physics.broadphase.bsp.nodes import collapse, split, walk
 from game.physics.kernels import elementary
 
 FULL_LEAF = 10  # references; a leaf with more is split
@@ -78,22 +59,22 @@ def select(values, count, rank):
 @inner_kernel
 def best_cut(tree, boxes, leaf, scratch):
     """Axis and place of the cut through the middle box that leaves least; LEAF if none is worth it."""
-    count = tree.nodes[leaf, COUNT]
-    best, best_axis, best_cut = np.inf, LEAF, 0.0
+    count = tree.nodes[leaf, nodes.COUNT]
+    best, best_axis, best_cut = np.inf, nodes.LEAF, 0.0
     for axis in range(2):
-        size, ref = 0, tree.nodes[leaf, HEAD]
+        size, ref = 0, tree.nodes[leaf, nodes.HEAD]
         while ref >= 0:
-            box = tree.refs[ref, BOX]
+            box = tree.refs[ref, nodes.BOX]
             scratch[size] = middle_of(boxes[box, axis], boxes[box, axis + 2])
             size += 1
-            ref = tree.refs[ref, NEXT]
+            ref = tree.refs[ref, nodes.NEXT]
         cut = select(scratch, size, size // 2)
-        left, right, ref = 0, 0, tree.nodes[leaf, HEAD]
+        left, right, ref = 0, 0, tree.nodes[leaf, nodes.HEAD]
         while ref >= 0:
-            box = tree.refs[ref, BOX]
+            box = tree.refs[ref, nodes.BOX]
             left += boxes[box, axis] < cut
             right += boxes[box, axis + 2] >= cut
-            ref = tree.refs[ref, NEXT]
+            ref = tree.refs[ref, nodes.NEXT]
         cost = 1.0 * (left + right) + abs(left - right)
         if cost < best and max(left, right) <= USEFUL * count:
             best, best_axis, best_cut = cost, axis, cut
@@ -108,18 +89,21 @@ def split_below(tree, boxes, node, stack, scratch):
     while height > 0:
         height -= 1
         leaf = stack[height]
-        count = tree.nodes[leaf, COUNT]
-        if count <= FULL_LEAF or count <= GROWN * tree.nodes[leaf, STUBBORN]:
+        count = tree.nodes[leaf, nodes.COUNT]
+        if count <= FULL_LEAF or count <= GROWN * tree.nodes[leaf, nodes.STUBBORN]:
             continue
         axis, cut = best_cut(tree, boxes, leaf, scratch)
-        if axis == LEAF:
-            tree.nodes[leaf, STUBBORN] = count
+        if axis == nodes.LEAF:
+            tree.nodes[leaf, nodes.STUBBORN] = count
             continue
-        if len(tree.refs) - tree.numbers[REFS] < count or len(tree.nodes) - tree.numbers[NODES] < 2:
+        if (
+            len(tree.refs) - tree.numbers[nodes.REFS] < count
+            or len(tree.nodes) - tree.numbers[nodes.NODES] < 2
+        ):
             return False
         split(tree, boxes, leaf, axis, cut)
-        tree.numbers[SPLITS] += 1
-        stack[height], stack[height + 1] = tree.nodes[leaf, LEFT], tree.nodes[leaf, RIGHT]
+        tree.numbers[nodes.SPLITS] += 1
+        stack[height], stack[height + 1] = tree.nodes[leaf, nodes.LEFT], tree.nodes[leaf, nodes.RIGHT]
         height += 2
     return True
 
@@ -132,22 +116,22 @@ def _owes(tree, node, total, larger, price):
     """
     too_many = larger - EVEN * total
     if total <= 2 * FULL_LEAF or too_many <= 0.0:
-        tree.cuts[node, DEBT] = 0.0
+        tree.cuts[node, nodes.DEBT] = 0.0
         return False
-    tree.cuts[node, DEBT] += too_many
-    return tree.cuts[node, DEBT] > price * total * elementary.log2(1.0 * total)
+    tree.cuts[node, nodes.DEBT] += too_many
+    return tree.cuts[node, nodes.DEBT] > price * total * elementary.log2(1.0 * total)
 
 
 @inner_kernel
 def _cut_anew(tree, boxes, node, stack, scratch, ids):
     """Collapse a node and split it afresh; the old cuts bind its boxes no more. False if room ran out."""
     collapse(tree, node, stack)
-    count, ref = 0, tree.nodes[node, HEAD]
+    count, ref = 0, tree.nodes[node, nodes.HEAD]
     while ref >= 0:
-        ids[count] = tree.refs[ref, BOX]
+        ids[count] = tree.refs[ref, nodes.BOX]
         count += 1
-        ref = tree.refs[ref, NEXT]
-    tree.numbers[MOVED] += count
+        ref = tree.refs[ref, nodes.NEXT]
+    tree.numbers[nodes.MOVED] += count
     done = split_below(tree, boxes, node, stack, scratch)
     for i in range(count):
         walk(tree, boxes, ids[i], stack, False, True)
@@ -166,33 +150,36 @@ def adjust(tree: Any, boxes, stack, scratch, ids, price):
     way[0], begun[0] = 0, 0
     while height > 0:
         node = way[height - 1]
-        if tree.nodes[node, AXIS] == LEAF:
+        if tree.nodes[node, nodes.AXIS] == nodes.LEAF:
             height -= 1
             if not split_below(tree, boxes, node, stack[2], scratch):
                 return False
-            tree.nodes[node, TOTAL] = tree.nodes[node, COUNT]
-            if tree.nodes[node, AXIS] != LEAF:
-                tree.nodes[node, TOTAL] = (
-                    tree.nodes[tree.nodes[node, LEFT], COUNT] + tree.nodes[tree.nodes[node, RIGHT], COUNT]
+            tree.nodes[node, nodes.TOTAL] = tree.nodes[node, nodes.COUNT]
+            if tree.nodes[node, nodes.AXIS] != nodes.LEAF:
+                tree.nodes[node, nodes.TOTAL] = (
+                    tree.nodes[tree.nodes[node, nodes.LEFT], nodes.COUNT]
+                    + tree.nodes[tree.nodes[node, nodes.RIGHT], nodes.COUNT]
                 )
             continue
         if begun[height - 1] == 0:
             begun[height - 1] = 1
-            for side in (LEFT, RIGHT):
+            for side in (nodes.LEFT, nodes.RIGHT):
                 way[height], begun[height] = tree.nodes[node, side], 0
                 height += 1
             continue
         height -= 1
-        left, right = tree.nodes[node, LEFT], tree.nodes[node, RIGHT]
-        total = tree.nodes[left, TOTAL] + tree.nodes[right, TOTAL]
-        tree.nodes[node, TOTAL] = total
-        leaves = tree.nodes[left, AXIS] == LEAF and tree.nodes[right, AXIS] == LEAF
+        left, right = tree.nodes[node, nodes.LEFT], tree.nodes[node, nodes.RIGHT]
+        total = tree.nodes[left, nodes.TOTAL] + tree.nodes[right, nodes.TOTAL]
+        tree.nodes[node, nodes.TOTAL] = total
+        leaves = tree.nodes[left, nodes.AXIS] == nodes.LEAF and tree.nodes[right, nodes.AXIS] == nodes.LEAF
         if leaves and total <= FEW:
             collapse(tree, node, stack[2])
-            tree.numbers[MERGES] += 1
-            tree.nodes[node, TOTAL] = tree.nodes[node, COUNT]
+            tree.numbers[nodes.MERGES] += 1
+            tree.nodes[node, nodes.TOTAL] = tree.nodes[node, nodes.COUNT]
             continue
-        owing = _owes(tree, node, total, max(tree.nodes[left, TOTAL], tree.nodes[right, TOTAL]), price)
+        owing = _owes(
+            tree, node, total, max(tree.nodes[left, nodes.TOTAL], tree.nodes[right, nodes.TOTAL]), price
+        )
         if owing and not _cut_anew(tree, boxes, node, stack[2], scratch, ids):
             return False
     return True

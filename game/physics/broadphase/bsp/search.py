@@ -7,18 +7,7 @@ from typing import Any
 import numpy as np
 
 from game.compiler.decorator import inner_kernel, kernel
-from game.physics.broadphase.bsp.nodes import (
-    AXIS,
-    BOX,
-    CUT,
-    HEAD,
-    LEAF,
-    LEFT,
-    NEXT,
-    RIGHT,
-    STAMP,
-    TESTS,
-)
+from game.physics.broadphase.bsp import nodes
 
 SORTED = 24  # boxes of a leaf from which on they are sorted by x before they are compared
 
@@ -26,11 +15,11 @@ SORTED = 24  # boxes of a leaf from which on they are sorted by x before they ar
 @inner_kernel
 def _gather(tree, boxes, leaf, ids, near):
     """The boxes of a leaf side by side: ids (>= count,), corners (4, >= count); sorted by x0 if many."""
-    count, ref = 0, tree.nodes[leaf, HEAD]
+    count, ref = 0, tree.nodes[leaf, nodes.HEAD]
     while ref >= 0:
-        ids[count] = tree.refs[ref, BOX]
+        ids[count] = tree.refs[ref, nodes.BOX]
         count += 1
-        ref = tree.refs[ref, NEXT]
+        ref = tree.refs[ref, nodes.NEXT]
     if count > SORTED:
         _sort_by_left(boxes, ids, count)
     for i in range(count):
@@ -90,11 +79,11 @@ def find_pairs(tree: Any, boxes, keys, stack, parts, ids, near):
         height -= 1
         node = stack[height]
         x0, y0, x1, y1 = parts[height, 0], parts[height, 1], parts[height, 2], parts[height, 3]
-        axis = tree.nodes[node, AXIS]
-        if axis != LEAF:
-            cut = tree.cuts[node, CUT]
+        axis = tree.nodes[node, nodes.AXIS]
+        if axis != nodes.LEAF:
+            cut = tree.cuts[node, nodes.CUT]
             for side in range(2):
-                stack[height] = tree.nodes[node, LEFT if side == 0 else RIGHT]
+                stack[height] = tree.nodes[node, nodes.LEFT if side == 0 else nodes.RIGHT]
                 parts[height, 0], parts[height, 1] = x0, y0
                 parts[height, 2], parts[height, 3] = x1, y1
                 parts[height, axis + 2 if side == 0 else axis] = cut
@@ -116,32 +105,32 @@ def find_pairs(tree: Any, boxes, keys, stack, parts, ids, near):
                 here &= (low < y1) & (lows[j] < y1) & ((y0 <= low) | (y0 <= lows[j]))
                 keys[found] = (min(a, b) << 32) | max(a, b)
                 found += meet & here
-    tree.numbers[TESTS] = tests
+    tree.numbers[nodes.TESTS] = tests
     return found
 
 
 @kernel(_nrt=False)
 def find_in_box(tree: Any, boxes, wanted, stack, ids):
     """Find the boxes that overlap a box (x0, y0, x1, y1); returns their number. ``ids``: written."""
-    tree.numbers[STAMP] += 1
-    stamp = tree.numbers[STAMP]
+    tree.numbers[nodes.STAMP] += 1
+    stamp = tree.numbers[nodes.STAMP]
     found, height = 0, 1
     stack[0] = 0
     while height > 0:
         height -= 1
         node = stack[height]
-        axis = tree.nodes[node, AXIS]
-        if axis != LEAF:
-            if wanted[axis] < tree.cuts[node, CUT]:
-                stack[height] = tree.nodes[node, LEFT]
+        axis = tree.nodes[node, nodes.AXIS]
+        if axis != nodes.LEAF:
+            if wanted[axis] < tree.cuts[node, nodes.CUT]:
+                stack[height] = tree.nodes[node, nodes.LEFT]
                 height += 1
-            if wanted[axis + 2] >= tree.cuts[node, CUT]:
-                stack[height] = tree.nodes[node, RIGHT]
+            if wanted[axis + 2] >= tree.cuts[node, nodes.CUT]:
+                stack[height] = tree.nodes[node, nodes.RIGHT]
                 height += 1
             continue
-        ref = tree.nodes[node, HEAD]
+        ref = tree.nodes[node, nodes.HEAD]
         while ref >= 0:
-            box = tree.refs[ref, BOX]
+            box = tree.refs[ref, nodes.BOX]
             if (
                 tree.stamps[box] != stamp
                 and boxes[box, 0] <= wanted[2]
@@ -152,5 +141,5 @@ def find_in_box(tree: Any, boxes, wanted, stack, ids):
                 tree.stamps[box] = stamp
                 ids[found] = box
                 found += 1
-            ref = tree.refs[ref, NEXT]
+            ref = tree.refs[ref, nodes.NEXT]
     return found

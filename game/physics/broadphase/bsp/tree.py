@@ -13,39 +13,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Longs
 from game.physics.broadphase.boxes import BroadPhase
+from game.physics.broadphase.bsp import nodes as n
 from game.physics.broadphase.bsp.adjusting import adjust
-from game.physics.broadphase.bsp.nodes import (
-    AXIS,
-    BOX,
-    COUNT,
-    CUT,
-    DEEPEST,
-    FREE,
-    FREE_NODE,
-    FREE_REF,
-    HEAD,
-    LEAF,
-    LEFT,
-    MERGES,
-    MOVED,
-    NEXT,
-    NOBODY,
-    NODES,
-    NUMBERS,
-    OWNER,
-    REFS,
-    REPAIRS,
-    RIGHT,
-    SPLITS,
-    TESTS,
-    Tree,
-    put_boxes,
-    put_in_order,
-    take_boxes,
-)
+from game.physics.broadphase.bsp.nodes import Tree, put_boxes, put_in_order, take_boxes
 from game.physics.broadphase.bsp.search import find_in_box, find_pairs
-from game.physics.broadphase.validation import Ids, Pairs, grown
+from game.physics.broadphase.validation import grown
 
 PRICE = 2.0  # of cutting a part anew, for each reference and level, in references that are too many
 ORDERED_EVERY = 0.1  # changes for each box after which references are put in order again
@@ -74,15 +48,15 @@ class BspTree(BroadPhase):
         self._price = float(price)
         self._tree = Tree(
             np.zeros((64, 8), np.int32), np.zeros((64, 2)), np.zeros((64, 5), np.int32),
-            np.full(self.capacity, NOBODY, np.int32), np.zeros((self.capacity, 8)),
-            np.zeros(self.capacity, np.int64), np.zeros(NUMBERS, np.int64),
+            np.full(self.capacity, n.NOBODY, np.int32), np.zeros((self.capacity, 8)),
+            np.zeros(self.capacity, np.int64), np.zeros(n.NUMBERS, np.int64),
         )  # fmt: skip
         numbers = self._tree.numbers
-        numbers[FREE_NODE] = numbers[FREE_REF] = NOBODY
-        numbers[NODES] = 1  # the root, an empty leaf
-        self._tree.nodes[0, [AXIS, LEFT, RIGHT, HEAD]] = LEAF, NOBODY, NOBODY, NOBODY
-        self._stack = np.zeros((3, DEEPEST), np.int64)
-        self._parts = np.zeros((DEEPEST, 4))
+        numbers[n.FREE_NODE] = numbers[n.FREE_REF] = n.NOBODY
+        numbers[n.NODES] = 1  # the root, an empty leaf
+        self._tree.nodes[0, [n.AXIS, n.LEFT, n.RIGHT, n.HEAD]] = n.LEAF, n.NOBODY, n.NOBODY, n.NOBODY
+        self._stack = np.zeros((3, n.DEEPEST), np.int64)
+        self._parts = np.zeros((n.DEEPEST, 4))
         self._ids: NDArray[np.int64] = np.empty(self.capacity, np.int64)
         self._near = np.empty((4, self.capacity))
         self._changed = False  # since it was adjusted
@@ -94,7 +68,7 @@ class BspTree(BroadPhase):
     def work(self) -> TreeWork:
         """What has been done so far."""
         numbers = self._tree.numbers
-        return TreeWork(*(int(numbers[k]) for k in (REPAIRS, SPLITS, MERGES, MOVED)))
+        return TreeWork(*(int(numbers[k]) for k in (n.REPAIRS, n.SPLITS, n.MERGES, n.MOVED)))
 
     def leaves(self) -> NDArray[np.float64]:
         """(k, 5) lower and upper corners of the parts of all leaves, infinite at the rim, and their boxes."""
@@ -103,13 +77,13 @@ class BspTree(BroadPhase):
         pending: list[tuple[int, tuple[float, ...]]] = [(0, (-np.inf, -np.inf, np.inf, np.inf))]
         while pending:
             node, part = pending.pop()
-            axis = int(nodes[node, AXIS])
-            if axis == LEAF:
-                rows.append((*part, float(nodes[node, COUNT])))
+            axis = int(nodes[node, n.AXIS])
+            if axis == n.LEAF:
+                rows.append((*part, float(nodes[node, n.COUNT])))
                 continue
-            cut = float(cuts[node, CUT])
-            pending.append((int(nodes[node, LEFT]), (*part[: axis + 2], cut, *part[axis + 3 :])))
-            pending.append((int(nodes[node, RIGHT]), (*part[:axis], cut, *part[axis + 1 :])))
+            cut = float(cuts[node, n.CUT])
+            pending.append((int(nodes[node, n.LEFT]), (*part[: axis + 2], cut, *part[axis + 3 :])))
+            pending.append((int(nodes[node, n.RIGHT]), (*part[:axis], cut, *part[axis + 1 :])))
         return np.array(rows)
 
     # -- what every broad phase does ----------------------------------------------------------------
@@ -118,7 +92,7 @@ class BspTree(BroadPhase):
         super()._grow(capacity)
         tree = self._tree
         self._tree = tree._replace(
-            first=grown(tree.first, capacity, NOBODY), safe=grown(tree.safe, capacity),
+            first=grown(tree.first, capacity, n.NOBODY), safe=grown(tree.safe, capacity),
             stamps=grown(tree.stamps, capacity),
         )  # fmt: skip
         self._ids, self._near = np.empty(capacity, np.int64), np.empty((4, capacity))
@@ -131,7 +105,7 @@ class BspTree(BroadPhase):
             refs=grown(tree.refs, 2 * len(tree.refs)),
         )  # fmt: skip
 
-    def _put(self, ids: Ids, moved: bool) -> None:
+    def _put(self, ids: Longs, moved: bool) -> None:
         done = 0
         while (
             done := put_boxes(self._tree, self.boxes, ids, done, self._stack[0], moved)
@@ -142,13 +116,13 @@ class BspTree(BroadPhase):
     def _added(self, box: int) -> None:
         self._put(np.array([box]), False)
 
-    def _added_many(self, ids: Ids) -> None:
+    def _added_many(self, ids: Longs) -> None:
         self._put(ids, False)
 
     def _removed(self, box: int) -> None:
         self._removed_many(np.array([box]))
 
-    def _removed_many(self, ids: Ids) -> None:
+    def _removed_many(self, ids: Longs) -> None:
         take_boxes(self._tree, ids)
         self._changed = True
 
@@ -156,7 +130,7 @@ class BspTree(BroadPhase):
         super()._moved(box, x0, y0, x1, y1)
         self._put(np.array([box]), True)
 
-    def _moved_many(self, ids: Ids) -> None:
+    def _moved_many(self, ids: Longs) -> None:
         self._put(ids, True)
 
     def _adjust(self) -> None:
@@ -167,7 +141,7 @@ class BspTree(BroadPhase):
         while not adjust(self._tree, self.boxes, self._stack, scratch, self._ids, self._price):
             self._room()
         self._changed = False
-        done = int(self._tree.numbers[[REPAIRS, SPLITS, MOVED]].sum())
+        done = int(self._tree.numbers[[n.REPAIRS, n.SPLITS, n.MOVED]].sum())
         if done - self._ordered_at > ORDERED_EVERY * len(self):
             self._order()
             self._ordered_at = done
@@ -178,7 +152,7 @@ class BspTree(BroadPhase):
         put_in_order(self._tree, refs, self._stack[0])
         self._tree = self._tree._replace(refs=refs)
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         self._adjust()
         while (
             found := find_pairs(
@@ -186,10 +160,10 @@ class BspTree(BroadPhase):
             )
         ) < 0:
             self._sorter.grow(4 * len(self))
-        self.tests = int(self._tree.numbers[TESTS])
+        self.tests = int(self._tree.numbers[n.TESTS])
         return self._sorter.sorted(found, self.top)
 
-    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         wanted = np.array((x0, y0, x1, y1))
         found = find_in_box(self._tree, self.boxes, wanted, self._stack[0], self._ids)
         return np.sort(self._ids[:found])
@@ -208,23 +182,23 @@ class BspTree(BroadPhase):
         pending: list[tuple[int, tuple[float, ...]]] = [(0, (-np.inf, -np.inf, np.inf, np.inf))]
         while pending:
             node, part = pending.pop()
-            axis = int(nodes[node, AXIS])
-            assert axis != FREE, "no node in the tree is free"
-            if axis != LEAF:
-                cut = float(self._tree.cuts[node, CUT])
+            axis = int(nodes[node, n.AXIS])
+            assert axis != n.FREE, "no node in the tree is free"
+            if axis != n.LEAF:
+                cut = float(self._tree.cuts[node, n.CUT])
                 assert part[axis] <= cut <= part[axis + 2], "a cut lies within the part that it cuts"
-                pending.append((int(nodes[node, LEFT]), (*part[: axis + 2], cut, *part[axis + 3 :])))
-                pending.append((int(nodes[node, RIGHT]), (*part[:axis], cut, *part[axis + 1 :])))
+                pending.append((int(nodes[node, n.LEFT]), (*part[: axis + 2], cut, *part[axis + 3 :])))
+                pending.append((int(nodes[node, n.RIGHT]), (*part[:axis], cut, *part[axis + 1 :])))
                 continue
             listed = []
-            ref = int(nodes[node, HEAD])
+            ref = int(nodes[node, n.HEAD])
             while ref >= 0:
-                assert refs[ref, OWNER] == node, "a reference knows its leaf"
-                listed.append(int(refs[ref, BOX]))
-                ref = int(refs[ref, NEXT])
-            assert len(listed) == nodes[node, COUNT], "as many boxes are listed in a leaf as counted"
+                assert refs[ref, n.OWNER] == node, "a reference knows its leaf"
+                listed.append(int(refs[ref, n.BOX]))
+                ref = int(refs[ref, n.NEXT])
+            assert len(listed) == nodes[node, n.COUNT], "as many boxes are listed in a leaf as counted"
             x0, y0, x1, y1 = part
             inside = (held[:, 0] < x1) & (held[:, 2] >= x0) & (held[:, 1] < y1) & (held[:, 3] >= y0)
             assert sorted(listed) == ids[inside].tolist(), "a leaf refers to the boxes that reach into it"
             seen += len(listed)
-        assert seen <= self._tree.numbers[REFS], "no more references are in use than were made"
+        assert seen <= self._tree.numbers[n.REFS], "no more references are in use than were made"

@@ -17,27 +17,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Longs
 from game.physics.broadphase.boxes import BroadPhase
+from game.physics.broadphase.kinetic import bounds as b
 from game.physics.broadphase.kinetic.bounds import (
-    AXIS,
-    GROWTH,
-    HEIGHT,
-    HELD,
-    LEVELS,
-    MOST_STRIPS,
-    NEVER,
-    NEW,
-    NOBODY,
-    ORIGIN,
-    PAD,
-    RING,
-    SCALES,
-    STAGGER,
-    STATE,
-    STRIPS,
-    TYPICAL,
-    UNKNOWN,
-    WHY,
     Bounds,
     begin_bounds,
     find_events,
@@ -47,7 +30,7 @@ from game.physics.broadphase.kinetic.bounds import (
 from game.physics.broadphase.kinetic.sweep import Order, keep_candidates, merge_order, sweep_all, sweep_events
 from game.physics.broadphase.naive import scan_boxes
 from game.physics.broadphase.ordering import LOW_HALF
-from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
+from game.physics.broadphase.validation import grown
 from game.physics.kernels import elementwise
 
 MANY = 0.3  # share of the boxes from which on all get new bounds: one sweep finds each pair once then
@@ -83,15 +66,15 @@ class KineticSweep(BroadPhase):
         self.events = self.candidates = self.renewals = 0
         self._step = 0
         self._ordered = 0  # boxes in the order
-        self._scales = np.zeros(SCALES)
-        self._scales[GROWTH], self._scales[PAD] = growth, pad
-        self._scales[HEIGHT] = self._scales[STRIPS] = 1.0
+        self._scales = np.zeros(b.SCALES)
+        self._scales[b.GROWTH], self._scales[b.PAD] = growth, pad
+        self._scales[b.HEIGHT] = self._scales[b.STRIPS] = 1.0
         self._bounds = _new_bounds(self.capacity)
-        self._listed: Ids = np.empty(self.capacity, np.int64)
+        self._listed: Longs = np.empty(self.capacity, np.int64)
         self._order, self._merged = _new_order(self.capacity), _new_order(self.capacity)
-        self._near: Ids = np.empty(self.capacity + 1, np.int64)
-        self._kept: Ids = np.empty(64, np.int64)
-        self._spare: Ids = np.empty(64, np.int64)
+        self._near: Longs = np.empty(self.capacity + 1, np.int64)
+        self._kept: Longs = np.empty(64, np.int64)
+        self._spare: Longs = np.empty(64, np.int64)
 
     # -- what it shows ------------------------------------------------------------------------------
 
@@ -100,7 +83,7 @@ class KineticSweep(BroadPhase):
         """Candidates of the last step that do not overlap."""
         return self.candidates - (0 if self._found is None else len(self._found))
 
-    def candidate_pairs(self) -> Pairs:
+    def candidate_pairs(self) -> Longs:
         """The candidates of the last step, (m, 2), sorted as pairs are."""
         keys = self._kept[: self.candidates]
         return np.stack([keys >> 32, keys & LOW_HALF], axis=1)
@@ -108,8 +91,8 @@ class KineticSweep(BroadPhase):
     def coming_events(self) -> NDArray[np.int64]:
         """(RING,) how many bounds are used up in the next step, the one after it, and so on."""
         ends = self._bounds.begun[self.ids(), 1]
-        ahead = ends[ends < NEVER] - self._step - 1
-        return np.bincount(ahead[ahead >= 0], minlength=RING)[:RING]
+        ahead = ends[ends < b.NEVER] - self._step - 1
+        return np.bincount(ahead[ahead >= 0], minlength=b.RING)[: b.RING]
 
     def polygon(self, box: int) -> NDArray[np.float64]:
         """(m, 2) corners of a box's bound, counterclockwise; empty where it has none yet or is infinite.
@@ -117,10 +100,10 @@ class KineticSweep(BroadPhase):
         ValueError if there is no box of that id.
         """
         self._known(box)
-        if self._bounds.marks[box, STATE] == UNKNOWN or not np.isfinite(self._bounds.spans[box]).all():
+        if self._bounds.marks[box, b.STATE] == b.UNKNOWN or not np.isfinite(self._bounds.spans[box]).all():
             return np.empty((0, 2))
         directions = [(1.0, 0.0), (0.0, 1.0)]
-        if self._bounds.aligned[box] != NOBODY:
+        if self._bounds.aligned[box] != b.NOBODY:
             directions.append(tuple(self._directions[self._bounds.aligned[box]].tolist()))
         normals = np.array(directions)
         extents = np.empty((1, len(normals), 2))
@@ -148,10 +131,10 @@ class KineticSweep(BroadPhase):
     def _removed(self, box: int) -> None:
         self._removed_many(np.array([box]))
 
-    def _removed_many(self, ids: Ids) -> None:
+    def _removed_many(self, ids: Longs) -> None:
         forget_bounds(self._bounds, ids)
 
-    def _find_pairs(self) -> Pairs:
+    def _find_pairs(self) -> Longs:
         self._step += 1
         bounds = self._bounds
         count = find_events(bounds, self.boxes, self.alive, self.top, self._step, self._listed)
@@ -164,7 +147,7 @@ class KineticSweep(BroadPhase):
         self.events = count
         return self._test(come, tests)
 
-    def _renew(self, events: Ids) -> tuple[Pairs, int]:
+    def _renew(self, events: Longs) -> tuple[Longs, int]:
         """New bounds for some boxes, and their candidates."""
         self._begin(events, False)
         while True:
@@ -181,13 +164,13 @@ class KineticSweep(BroadPhase):
                 return self._sorter.sorted(found, self.top), tests
             self._sorter.grow(2 * len(self))
 
-    def _renew_all(self) -> tuple[Pairs, int]:
+    def _renew_all(self) -> tuple[Longs, int]:
         """New bounds for all boxes, swept along the axis on which they are spread more."""
         ids = self.ids()
         self.renewals += 1
         self._lay_out(self.boxes[ids])
         marks = self._bounds.marks
-        marks[ids, WHY] = np.where(marks[ids, WHY] == HELD, NEW, marks[ids, WHY])
+        marks[ids, b.WHY] = np.where(marks[ids, b.WHY] == b.HELD, b.NEW, marks[ids, b.WHY])
         self._begin(ids, True)
         while True:
             found, tests = sweep_all(
@@ -202,36 +185,40 @@ class KineticSweep(BroadPhase):
                 return self._sorter.sorted(found, self.top), tests
             self._sorter.grow(4 * len(self))
 
-    def _lay_out(self, held: Corners) -> None:
+    def _lay_out(self, held: Floats) -> None:
         """Choose the axis of the sweep, the typical size and the strips, for boxes (n, 4) m."""
         scales = self._scales
         sizes = held[:, 2:] - held[:, :2]
         finite = (np.abs(held) < 1e100).all(axis=1)
         if not finite.any():
             return
-        scales[TYPICAL] = float(sizes[finite].mean())
+        scales[b.TYPICAL] = float(sizes[finite].mean())
         lowest = held[finite, :2]
         spread = lowest.std(axis=0)
         axis = int(spread[1] > spread[0])
         least, greatest = float(lowest[:, 1 - axis].min()), float(lowest[:, 1 - axis].max())
-        most = min((greatest - least) / max(2.0 * scales[TYPICAL], 1e-300), 0.25 * math.sqrt(len(held)))
-        scales[AXIS], scales[ORIGIN], scales[STRIPS] = axis, least, max(min(int(most), MOST_STRIPS), 1)
-        scales[HEIGHT] = max((greatest - least) / scales[STRIPS], 1e-300)
+        most = min((greatest - least) / max(2.0 * scales[b.TYPICAL], 1e-300), 0.25 * math.sqrt(len(held)))
+        scales[b.AXIS], scales[b.ORIGIN], scales[b.STRIPS] = (
+            axis,
+            least,
+            max(min(int(most), b.MOST_STRIPS), 1),
+        )
+        scales[b.HEIGHT] = max((greatest - least) / scales[b.STRIPS], 1e-300)
 
-    def _begin(self, ids: Ids, everything: bool) -> None:
+    def _begin(self, ids: Longs, everything: bool) -> None:
         """Begin bounds, and put them in their places in the order."""
         bounds, scales = self._bounds, self._scales
-        scales[STAGGER] = float(everything)
+        scales[b.STAGGER] = float(everything)
         begin_bounds(bounds, self.boxes, self._step, ids, self._directions, scales)
-        axis = int(scales[AXIS])
+        axis = int(scales[b.AXIS])
         by_end = ids[np.argsort(bounds.spans[ids, axis], kind="stable")]
         placed = by_end[np.argsort(bounds.lanes[by_end], kind="stable")]
         if everything:
             self._order.begins[:] = 0
-        self._ordered = merge_order(bounds, self._order, placed, axis, int(scales[STRIPS]), self._merged)
+        self._ordered = merge_order(bounds, self._order, placed, axis, int(scales[b.STRIPS]), self._merged)
         self._order, self._merged = self._merged, self._order
 
-    def _test(self, come: Pairs, tests: int) -> Pairs:
+    def _test(self, come: Longs, tests: int) -> Longs:
         """Test all candidates; ``come``: the new ones, sorted."""
         most = self.candidates + len(come)
         self._sorter.check(most)
@@ -246,7 +233,7 @@ class KineticSweep(BroadPhase):
         self.tests = tests + kept
         return pairs[:found]
 
-    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         found = scan_boxes(self.boxes, self.alive, self.top, x0, y0, x1, y1, self._listed)
         return self._listed[:found].copy()
 
@@ -261,19 +248,19 @@ class KineticSweep(BroadPhase):
         bounds = self._bounds
         queued = 0
         for bucket, head in enumerate(bounds.heads.tolist()):
-            before = NOBODY
+            before = b.NOBODY
             while head >= 0:
-                assert self.alive[head] and bounds.begun[head, 1] % RING == bucket, "events are in place"
+                assert self.alive[head] and bounds.begun[head, 1] % b.RING == bucket, "events are in place"
                 assert bounds.links[head, 1] == before, "lists go both ways"
                 before, head = head, int(bounds.links[head, 0])
                 queued += 1
         ids = self.ids()
-        assert queued == int((bounds.begun[ids, 1] != NEVER).sum()), "what is to end is in the queue"
+        assert queued == int((bounds.begun[ids, 1] != b.NEVER).sum()), "what is to end is in the queue"
         if self._found is None:
             return
         assert sorted(self._order.ids[: self._ordered].tolist()) == ids.tolist(), "all are in order"
-        axis, begins = int(self._scales[AXIS]), self._order.begins
-        for lane in range(LEVELS * int(self._scales[STRIPS])):
+        axis, begins = int(self._scales[b.AXIS]), self._order.begins
+        for lane in range(b.LEVELS * int(self._scales[b.STRIPS])):
             inside = self._order.ids[begins[lane] : begins[lane + 1]]
             assert (bounds.lanes[inside] == lane).all(), "bounds stand in their lanes"
             assert (np.diff(bounds.spans[inside, axis]) >= 0.0).all(), "each lane is sorted"
@@ -286,23 +273,23 @@ class KineticSweep(BroadPhase):
 def _new_bounds(capacity: int) -> Bounds:
     """Bounds of nobody."""
     begun = np.zeros((capacity, 2), np.int64)
-    begun[:, 1] = NEVER
+    begun[:, 1] = b.NEVER
     marks = np.zeros((capacity, 3), np.uint8)
-    marks[:, WHY], marks[:, STATE] = NEW, UNKNOWN
+    marks[:, b.WHY], marks[:, b.STATE] = b.NEW, b.UNKNOWN
     return Bounds(
         np.zeros((capacity, 4)), np.zeros((capacity, 4)), np.zeros((capacity, 4)), np.zeros((capacity, 4)),
-        np.zeros((capacity, 2)), begun, np.full((capacity, 2), NOBODY, np.int32),
-        np.full(RING, NOBODY, np.int32), marks, np.zeros(capacity, np.uint16),
-        np.full(capacity, NOBODY, np.int8),
+        np.zeros((capacity, 2)), begun, np.full((capacity, 2), b.NOBODY, np.int32),
+        np.full(b.RING, b.NOBODY, np.int32), marks, np.zeros(capacity, np.uint16),
+        np.full(capacity, b.NOBODY, np.int8),
     )  # fmt: skip
 
 
 def _new_order(capacity: int) -> Order:
     """An order of nobody."""
-    lanes = LEVELS * MOST_STRIPS
+    lanes = b.LEVELS * b.MOST_STRIPS
     return Order(
         np.empty(capacity, np.int64), np.zeros((4, capacity)), np.zeros(lanes + 1, np.int64),
-        np.zeros(lanes), np.zeros(LEVELS),
+        np.zeros(lanes), np.zeros(b.LEVELS),
     )  # fmt: skip
 
 

@@ -14,16 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiler.decorator import inner_kernel, kernel
-from game.physics.broadphase.kinetic.bounds import (
-    AXIS,
-    HELD,
-    LEVELS,
-    NOBODY,
-    STRIPS,
-    WHY,
-    apart_along,
-    strip_of,
-)
+from game.physics.broadphase.kinetic import bounds as bo
+from game.physics.broadphase.kinetic.bounds import apart_along, strip_of
 from game.physics.broadphase.ordering import LOW_HALF
 
 MOST_KEY = 1 << 62
@@ -51,7 +43,7 @@ def merge_order(bounds: Any, order: Any, events, axis, strips, merged: Any):
     new_froms, new_tos = merged.ends[FROM], merged.ends[TO]
     new_lows, new_highs = merged.ends[LOW], merged.ends[HIGH]
     placed, come, old = 0, 0, 0
-    for level in range(LEVELS):
+    for level in range(bo.LEVELS):
         tall = 0.0
         for lane in range(level * strips, (level + 1) * strips):
             end, wide = order.begins[lane + 1], 0.0
@@ -61,7 +53,7 @@ def merge_order(bounds: Any, order: Any, events, axis, strips, merged: Any):
                 least = spans[events[come], axis] if more else np.inf
                 while old < end and (froms[old] <= least or not more):
                     box = order.ids[old]
-                    if marks[box, WHY] == HELD:
+                    if marks[box, bo.WHY] == bo.HELD:
                         merged.ids[placed] = box
                         new_froms[placed], new_tos[placed] = froms[old], tos[old]
                         new_lows[placed], new_highs[placed] = lows[old], highs[old]
@@ -81,7 +73,7 @@ def merge_order(bounds: Any, order: Any, events, axis, strips, merged: Any):
                 come += 1
             merged.widest[lane] = wide
         merged.tallest[level] = tall
-    merged.begins[LEVELS * strips] = placed
+    merged.begins[bo.LEVELS * strips] = placed
     return placed
 
 
@@ -102,9 +94,9 @@ def _apart(bounds, a, b, directions):
     """Whether the slab across the motion of either box parts their bounds."""
     mine, other = bounds.aligned[a], bounds.aligned[b]
     apart = False
-    if mine != NOBODY:
+    if mine != bo.NOBODY:
         apart = apart_along(bounds, a, b, directions[mine, 0], directions[mine, 1])
-    if not apart and other != NOBODY and other != mine:
+    if not apart and other != bo.NOBODY and other != mine:
         apart = apart_along(bounds, a, b, directions[other, 0], directions[other, 1])
     return apart
 
@@ -134,7 +126,7 @@ def _near(bounds, order, begin, lane, box, axis, near, count):
 @inner_kernel
 def _near_in_level(bounds, order, level, first_strip, last_strip, box, scales, near, count):
     """``_near``, in some strips of a level, as far as bounds there can reach the box's."""
-    axis, strips, tests = int(scales[AXIS]), int(scales[STRIPS]), 0
+    axis, strips, tests = int(scales[bo.AXIS]), int(scales[bo.STRIPS]), 0
     for lane in range(level * strips + first_strip, level * strips + last_strip + 1):
         if order.begins[lane] < order.begins[lane + 1]:
             least = bounds.spans[box, axis] - order.widest[lane]
@@ -152,7 +144,7 @@ def _keep_near(bounds, order, near, count, box, everything, directions, keys, fo
     """
     for i in range(count):
         other = order.ids[near[i]]
-        if not (everything or bounds.marks[other, WHY] == HELD or box < other):
+        if not (everything or bounds.marks[other, bo.WHY] == bo.HELD or box < other):
             continue
         if not _apart(bounds, box, other, directions):
             keys[found] = (min(box, other) << 32) | max(box, other)
@@ -163,12 +155,12 @@ def _keep_near(bounds, order, near, count, box, everything, directions, keys, fo
 @kernel(_nrt=False)
 def sweep_events(bounds: Any, order: Any, events, scales, directions, keys, near):
     """Find the candidates of boxes with new bounds: keys a << 32 | b. Returns number and tests, or -1."""
-    found, tests, strips = 0, 0, int(scales[STRIPS])
-    low, high = 1 - int(scales[AXIS]), 3 - int(scales[AXIS])
+    found, tests, strips = 0, 0, int(scales[bo.STRIPS])
+    low, high = 1 - int(scales[bo.AXIS]), 3 - int(scales[bo.AXIS])
     for box in events:
         count = 0
         last = strip_of(bounds.spans[box, high], scales)
-        for level in range(LEVELS):
+        for level in range(bo.LEVELS):
             if order.begins[level * strips] < order.begins[(level + 1) * strips]:
                 first = strip_of(bounds.spans[box, low] - order.tallest[level], scales)
                 count, more = _near_in_level(bounds, order, level, first, last, box, scales, near, count)
@@ -183,14 +175,14 @@ def sweep_events(bounds: Any, order: Any, events, scales, directions, keys, near
 def sweep_all(bounds: Any, order: Any, scales, directions, keys, near):
     """Find all candidates, each once: to the right in its lane, in strips above, and in all wider levels."""
     found, tests = 0, 0
-    axis, strips = int(scales[AXIS]), int(scales[STRIPS])
-    for lane in range(LEVELS * strips):
+    axis, strips = int(scales[bo.AXIS]), int(scales[bo.STRIPS])
+    for lane in range(bo.LEVELS * strips):
         for place in range(order.begins[lane], order.begins[lane + 1]):
             box = order.ids[place]
             last = strip_of(bounds.spans[box, 3 - axis], scales)
             count, more = _near(bounds, order, place + 1, lane, box, axis, near, 0)
             tests += more
-            for level in range(lane // strips, LEVELS):
+            for level in range(lane // strips, bo.LEVELS):
                 if order.begins[level * strips] < order.begins[(level + 1) * strips]:
                     first = lane % strips + 1
                     if level > lane // strips:
@@ -226,7 +218,7 @@ def keep_candidates(marks, boxes, keys, count, come, kept, pairs):
             key = keys[old]
             a, b = key >> 32, key & LOW_HALF
             old += 1
-            if (marks[a, WHY] | marks[b, WHY]) == HELD:
+            if (marks[a, bo.WHY] | marks[b, bo.WHY]) == bo.HELD:
                 kept[stay] = key
                 stay += 1
                 pairs[found, 0], pairs[found, 1] = a, b

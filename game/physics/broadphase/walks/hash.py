@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.hash_levels import COUNT, FACTOR, LEVELS, MASK, OFFSET, bucket_of, cell_at
+from game.physics.broadphase import hash_levels
+from game.physics.broadphase.hash_levels import bucket_of, cell_at
 from game.physics.broadphase.hash_search import runs_over
 from game.physics.broadphase.runs import ID_MASK
 
@@ -47,17 +48,21 @@ class Tables(NamedTuple):
 
     def bucket(self, level: int, column: int, row: int) -> int:
         """Bucket of a cell in its level's table."""
-        return int(bucket_of(column, row, self.layout[level, MASK], self.layout[level, FACTOR]))
+        return int(
+            bucket_of(
+                column, row, self.layout[level, hash_levels.MASK], self.layout[level, hash_levels.FACTOR]
+            )
+        )
 
     def chain(self, level: int, bucket: int) -> tuple[int, ...]:
         """Ids of the boxes in a bucket."""
-        first = int(self.layout[level, OFFSET]) + bucket
+        first = int(self.layout[level, hash_levels.OFFSET]) + bucket
         begin, end = int(self.start[first]), int(self.start[first + 1])
         return tuple((self.order[begin:end] & ID_MASK).tolist())
 
     def chains(self, level: int) -> list[tuple[int, ...]]:
         """Ids of the boxes in every bucket of a level's table, none if it has no boxes."""
-        return [self.chain(level, bucket) for bucket in range(int(self.layout[level, MASK]) + 1)]
+        return [self.chain(level, bucket) for bucket in range(int(self.layout[level, hash_levels.MASK]) + 1)]
 
     def visit(self, level: int, way: str, cells: list[tuple[int, int]]) -> LevelVisit:
         """A look into whole buckets."""
@@ -69,8 +74,8 @@ class Tables(NamedTuple):
 def level_visits(tables: Tables, box: int, level: int, corners: list[float]) -> list[LevelVisit]:
     """Where a box of a level looks, from the finest level up. ``corners``: x0 y0 x1 y1, m."""
     visits = []
-    for other in range(LEVELS):
-        if tables.layout[other, COUNT] == 0:
+    for other in range(hash_levels.LEVELS):
+        if tables.layout[other, hash_levels.COUNT] == 0:
             continue
         if other == level:
             visits.append(_on_its_own(tables, box, level, corners))

@@ -6,15 +6,15 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats
 from game.physics.kernels import elementwise
 from game.physics.narrowphase.depth import search as searching
 from game.physics.narrowphase.depth.grid import grid_search, overlap_of
 from game.physics.narrowphase.depth.shape import Shape
 from game.physics.narrowphase.depth.sums import Differences, Parts
 
-Floats = NDArray[np.float64]
 Place = tuple[float, float, float]  # m, m, rad
 SLACK = 1e-11  # of the reaches: so much overlap is rounding
 MOST_INTERVALS = 8_192

@@ -7,13 +7,12 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise, linear
 from game.physics.narrowphase.depth.grid import overlap_of
 from game.physics.narrowphase.depth.sums import Parts
 
-Floats = NDArray[np.float64]
 MOST_PARTS, MOST_CORNERS = 24, 64
 SAME = 1e-9  # of the extent: parts that overlap by less merely touch, corners nearer than that are one
 

@@ -12,10 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
 
-Floats = NDArray[np.float64]
 NX, NY, OFFSET = range(3)
 
 

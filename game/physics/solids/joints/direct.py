@@ -11,28 +11,7 @@ dividing by zero.
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel
-from game.physics.solids.joints.layout import (
-    EQUAL,
-    GIVE,
-    HIGH,
-    JIIA,
-    JIIB,
-    JIMA,
-    JIMB,
-    LA,
-    LB,
-    LINE,
-    LINE_GAP,
-    LINE_WIDTH,
-    MASS,
-    MOUSE,
-    OFF,
-    OWN,
-    RATE,
-    SUBSTEP,
-    UX,
-    UY,
-)
+from game.physics.solids.arrays import layout
 from game.physics.solids.joints.lines import line_speed, push_line, write_all_lines
 from game.physics.solids.joints.sweeps import (
     line_coupling,
@@ -50,16 +29,19 @@ def choose_lines(joints, plan, motion):
     for p in range(plan.order.shape[0]):
         k = plan.order[p]
         for n in range(3):
-            on = joints.rows[k, SUBSTEP] > 0.0 and joints.lines[k, n * LINE_WIDTH + LINE] == EQUAL
+            on = (
+                joints.rows[k, layout.SUBSTEP] > 0.0
+                and joints.lines[k, n * layout.LINE_WIDTH + layout.LINE] == layout.EQUAL
+            )
             plan.slots[p, n] = n if on else -1
-        at = HIGH * LINE_WIDTH
-        alone = joints.lines[k, LINE] == OFF and joints.lines[k, at + LINE] != OFF
-        if alone and joints.rows[k, SUBSTEP] > 0.0:
-            closing = joints.lines[k, at + LINE_GAP] + joints.rows[k, SUBSTEP] * line_speed(
+        at = layout.HIGH * layout.LINE_WIDTH
+        alone = joints.lines[k, layout.LINE] == layout.OFF and joints.lines[k, at + layout.LINE] != layout.OFF
+        if alone and joints.rows[k, layout.SUBSTEP] > 0.0:
+            closing = joints.lines[k, at + layout.LINE_GAP] + joints.rows[k, layout.SUBSTEP] * line_speed(
                 joints, k, at, motion
             )
-            if joints.impulses[k, HIGH] > 0.0 or closing < 0.0:
-                plan.slots[p, 0] = HIGH
+            if joints.impulses[k, layout.HIGH] > 0.0 or closing < 0.0:
+                plan.slots[p, 0] = layout.HIGH
 
 
 @inner_kernel
@@ -69,8 +51,8 @@ def fill_diagonal(joints, plan, motion, pushing):
     for p in range(plan.order.shape[0]):
         k = plan.order[p]
         soft, rate = LEAST_GIVE, 0.0
-        if (pushing or row[k, OWN] > 0.0) and row[k, SUBSTEP] > 0.0:
-            soft, rate = LEAST_GIVE + row[k, GIVE] / row[k, MASS], row[k, RATE]
+        if (pushing or row[k, layout.OWN] > 0.0) and row[k, layout.SUBSTEP] > 0.0:
+            soft, rate = LEAST_GIVE + row[k, layout.GIVE] / row[k, layout.MASS], row[k, layout.RATE]
         for n in range(3):
             plan.right[p, n] = 0.0
             for m in range(3):
@@ -79,18 +61,18 @@ def fill_diagonal(joints, plan, motion, pushing):
             slot = plan.slots[p, n]
             if slot < 0:
                 continue
-            at, right = slot * LINE_WIDTH, 0.0
+            at, right = slot * layout.LINE_WIDTH, 0.0
             for m in range(3):
                 if plan.slots[p, m] >= 0:
-                    coupling = line_coupling(joints, k, at, plan.slots[p, m] * LINE_WIDTH)
+                    coupling = line_coupling(joints, k, at, plan.slots[p, m] * layout.LINE_WIDTH)
                     if m == n:
                         plan.diagonal[p, 4 * n] = (1.0 + soft) * coupling
                     else:
                         plan.diagonal[p, 3 * n + m] = coupling
-            gap = joints.lines[k, at + LINE_GAP]
-            right = gap / row[k, SUBSTEP] if slot == HIGH and gap > 0.0 else rate * gap
+            gap = joints.lines[k, at + layout.LINE_GAP]
+            right = gap / row[k, layout.SUBSTEP] if slot == layout.HIGH and gap > 0.0 else rate * gap
             own = plan.diagonal[p, 4 * n] - plan.diagonal[p, 4 * n] / (1.0 + soft)
-            if rate > 0.0 and row[k, GIVE] > 0.0:
+            if rate > 0.0 and row[k, layout.GIVE] > 0.0:
                 right += own * joints.impulses[k, slot]
             plan.right[p, n] = -right - line_speed(joints, k, at, motion)
 
@@ -110,19 +92,26 @@ def fill_links(joints, plan):
             plan.links[link, 3],
         )
         k, q = plan.order[high], plan.order[low]
-        if row[k, SUBSTEP] < 0.0 or row[q, SUBSTEP] < 0.0:
+        if row[k, layout.SUBSTEP] < 0.0 or row[q, layout.SUBSTEP] < 0.0:
             continue
         k_is_b, q_is_b = joints.bodies[k, 1] == body, joints.bodies[q, 1] == body
         sign = 1.0 if k_is_b == q_is_b else -1.0
-        im, ii = (row[k, JIMB], row[k, JIIB]) if k_is_b else (row[k, JIMA], row[k, JIIA])
-        turn_k, turn_q = LB if k_is_b else LA, LB if q_is_b else LA
+        im, ii = (
+            (row[k, layout.JIMB], row[k, layout.JIIB])
+            if k_is_b
+            else (row[k, layout.JIMA], row[k, layout.JIIA])
+        )
+        turn_k, turn_q = layout.LB if k_is_b else layout.LA, layout.LB if q_is_b else layout.LA
         for n in range(3):
             for m in range(3):
                 i, j = plan.slots[high, n], plan.slots[low, m]
                 if i < 0 or j < 0:
                     continue
-                i, j = i * LINE_WIDTH, j * LINE_WIDTH
-                along = line[k, i + UX] * line[q, j + UX] + line[k, i + UY] * line[q, j + UY]
+                i, j = i * layout.LINE_WIDTH, j * layout.LINE_WIDTH
+                along = (
+                    line[k, i + layout.UX] * line[q, j + layout.UX]
+                    + line[k, i + layout.UY] * line[q, j + layout.UY]
+                )
                 plan.blocks[e, 3 * n + m] += sign * (
                     im * along + ii * line[k, i + turn_k] * line[q, j + turn_q]
                 )
@@ -199,10 +188,10 @@ def push_solution(joints, plan, motion):
             if slot < 0:
                 continue
             j = plan.right[p, n]
-            if slot == HIGH:
+            if slot == layout.HIGH:
                 j = max(j, -joints.impulses[k, slot])
             joints.impulses[k, slot] += j
-            push_line(joints, k, slot * LINE_WIDTH, motion, j)
+            push_line(joints, k, slot * layout.LINE_WIDTH, motion, j)
 
 
 @inner_kernel
@@ -214,7 +203,7 @@ def solve_joints(joints, plan, motion, pushing):
         write_all_lines(joints, motion)
         sweep_bounded(joints, motion, pushing)
         for k in range(joints.kinds.shape[0]):
-            if joints.kinds[k] == MOUSE and joints.rows[k, SUBSTEP] > 0.0:
+            if joints.kinds[k] == layout.MOUSE and joints.rows[k, layout.SUBSTEP] > 0.0:
                 solve_block(joints, k, motion, pushing)
         choose_lines(joints, plan, motion)
         fill_diagonal(joints, plan, motion, pushing)

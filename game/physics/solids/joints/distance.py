@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel
-from game.physics.solids.joints.layout import EQUAL, LENGTH, LIMITED, PULL_X
+from game.physics.solids.arrays import layout
 from game.physics.solids.joints.points import (
     apart_now,
     direction,
@@ -27,6 +27,8 @@ def rod_now(joints, k, motion):
 def write_distance(joints, k, motion):
     """A line along the rod; between limits it is left free."""
     length, u, torques = rod_now(joints, k, motion)
-    if not joints.flags[k] & LIMITED:
-        write_line(joints, k, PULL_X, EQUAL, u, torques, length - joints.parameters[k, LENGTH])
+    if not joints.flags[k] & layout.LIMITED:
+        write_line(
+            joints, k, layout.PULL_X, layout.EQUAL, u, torques, length - joints.parameters[k, layout.LENGTH]
+        )
     write_range_lines(joints, k, u, torques, length)

@@ -10,20 +10,9 @@ real-time constrained multibody dynamics"). This takes energy from such swings, 
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel
-from game.physics.solids.joints.layout import (
-    IMPULSES,
-    JIIA,
-    JIIB,
-    LINE,
-    LINE_WIDTH,
-    MOUSE,
-    OFF,
-    SUBSTEP,
-    UX,
-    UY,
-)
+from game.physics.solids.arrays import layout
+from game.physics.solids.arrays.state import W
 from game.physics.solids.joints.points import levers_now
-from game.physics.solids.state import W
 
 
 @inner_kernel
@@ -32,14 +21,14 @@ def gather_stiffness(joints, motion, stiffness, h):
     for i in range(stiffness.shape[0]):
         stiffness[i] = 0.0
     for k in range(joints.kinds.shape[0]):
-        if joints.rows[k, SUBSTEP] < 0.0 or joints.kinds[k] == MOUSE:
+        if joints.rows[k, layout.SUBSTEP] < 0.0 or joints.kinds[k] == layout.MOUSE:
             continue
         a, b = joints.bodies[k, 0], joints.bodies[k, 1]
         x, y = 0.0, 0.0
-        for slot in range(IMPULSES):
-            at, j = slot * LINE_WIDTH, joints.impulses[k, slot]
-            if joints.lines[k, at + LINE] != OFF:
-                x, y = x + j * joints.lines[k, at + UX], y + j * joints.lines[k, at + UY]
+        for slot in range(layout.IMPULSES):
+            at, j = slot * layout.LINE_WIDTH, joints.impulses[k, slot]
+            if joints.lines[k, at + layout.LINE] != layout.OFF:
+                x, y = x + j * joints.lines[k, at + layout.UX], y + j * joints.lines[k, at + layout.UY]
         levers = levers_now(joints.rows, k, motion, a, b)
         stiffness[a] -= h * (levers[0] * x + levers[1] * y)
         stiffness[b] += h * (levers[2] * x + levers[3] * y)
@@ -58,7 +47,7 @@ def steady_turns(bodies, joints, scratch, h):
         else:
             stiffness[i] = ii
     for k in range(joints.kinds.shape[0]):
-        if joints.rows[k, SUBSTEP] > 0.0:
-            joints.rows[k, JIIB] = stiffness[joints.bodies[k, 1]]
-            if joints.kinds[k] != MOUSE:
-                joints.rows[k, JIIA] = stiffness[joints.bodies[k, 0]]
+        if joints.rows[k, layout.SUBSTEP] > 0.0:
+            joints.rows[k, layout.JIIB] = stiffness[joints.bodies[k, 1]]
+            if joints.kinds[k] != layout.MOUSE:
+                joints.rows[k, layout.JIIA] = stiffness[joints.bodies[k, 0]]

@@ -6,30 +6,13 @@ import math
 from dataclasses import dataclass
 
 from game.physics.kernels import elementary
-from game.physics.solids.joints.layout import (
-    BREAK_FORCE,
-    BREAK_TORQUE,
-    COLLIDING,
-    DAMPING,
-    DISTANCE,
-    DRIVEN,
-    HERTZ,
-    LIMITED,
-    LOWER,
-    MOST,
-    MOTOR,
-    PIN,
-    SLIDER,
-    SPEED,
-    SPRING,
-    UPPER,
-    Joints,
-)
+from game.physics.solids.arrays import layout
+from game.physics.solids.arrays.layout import Joints
 from game.physics.solids.outlines import LARGEST
 from game.physics.solids.shapes import checked_number, checked_pair
 
 FASTEST = 1e6  # m/s, rad/s
-WITH_LIMITS = (PIN, SLIDER, MOTOR, DISTANCE, SPRING)
+WITH_LIMITS = (layout.PIN, layout.SLIDER, layout.MOTOR, layout.DISTANCE, layout.SPRING)
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,11 +69,15 @@ class JointOptions:
         limited = math.isfinite(self.limits[0]) or math.isfinite(self.limits[1])
         if limited and kind not in WITH_LIMITS:
             raise ValueError("limits: only a pin, slider, motor, distance or spring has them")
-        if kind == SPRING and not self.hertz > 0.0:
+        if kind == layout.SPRING and not self.hertz > 0.0:
             raise ValueError(f"hertz = {self.hertz!r}: expected above 0 for a spring")
-        driven = kind == MOTOR or (kind in (PIN, SLIDER) and (self.speed != 0.0 or math.isfinite(self.most)))
-        joints.flags[slot] = COLLIDING * self.colliding + LIMITED * limited + DRIVEN * driven
-        own[LOWER], own[UPPER] = self.limits
-        own[HERTZ], own[DAMPING] = self.hertz, self.damping
-        own[SPEED], own[MOST] = self.speed, self.most
-        own[BREAK_FORCE], own[BREAK_TORQUE] = self.break_force, self.break_torque
+        driven = kind == layout.MOTOR or (
+            kind in (layout.PIN, layout.SLIDER) and (self.speed != 0.0 or math.isfinite(self.most))
+        )
+        joints.flags[slot] = (
+            layout.COLLIDING * self.colliding + layout.LIMITED * limited + layout.DRIVEN * driven
+        )
+        own[layout.LOWER], own[layout.UPPER] = self.limits
+        own[layout.HERTZ], own[layout.DAMPING] = self.hertz, self.damping
+        own[layout.SPEED], own[layout.MOST] = self.speed, self.most
+        own[layout.BREAK_FORCE], own[layout.BREAK_TORQUE] = self.break_force, self.break_torque

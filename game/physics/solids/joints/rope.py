@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel
+from game.physics.solids.arrays.layout import HIGH, LENGTH, ONE_SIDED
 from game.physics.solids.joints.distance import rod_now
-from game.physics.solids.joints.layout import HIGH, LENGTH, ONE_SIDED
 from game.physics.solids.joints.points import write_line
 
 

@@ -24,40 +24,10 @@ from game.physics.kernels.lanes import (
     store,
     store_quads,
 )
-from game.physics.solids.rows import CHILLED, FIRST, SECOND, SINGLE, SIZE
+from game.physics.solids import rows as r
+from game.physics.solids.arrays import state
+from game.physics.solids.arrays.state import BATCH_GAP, BATCH_MOST, BATCH_POINTS, BATCH_RARE
 from game.physics.solids.solvers.impulses import OPEN, TILT
-from game.physics.solids.state import (
-    BATCH_GAP,
-    BATCH_MOST,
-    BATCH_POINTS,
-    BATCH_RARE,
-    COUPLING,
-    CROSS_A,
-    CROSS_B,
-    DOT_A,
-    DOT_B,
-    END_POINTS,
-    IMPACT,
-    JN,
-    JT,
-    MASS_T,
-    MOST_0,
-    MOST_1,
-    MOTION_WIDTH,
-    ROUND_A,
-    ROUND_B,
-    ROW_HARD,
-    ROW_IIA,
-    ROW_IIB,
-    ROW_IMA,
-    ROW_IMB,
-    ROW_MU,
-    ROW_NX,
-    ROW_NY,
-    SEP,
-    STIFF_N,
-    VX,
-)
 
 
 @inner_kernel
@@ -67,13 +37,13 @@ def put_back(rows, batches):
     for k in range(batches.count[0]):
         for lane in range(batches.filled[k]):
             c = batches.rows[k, lane]
-            row[c, FIRST + JN] = values[k, FIRST + JN, lane]
-            row[c, FIRST + JT] = values[k, FIRST + JT, lane]
-            rare[c, MOST_0] = values[k, BATCH_MOST, lane]
-            if rows.ends[c, END_POINTS] == 2:
-                row[c, SECOND + JN] = values[k, SECOND + JN, lane]
-                row[c, SECOND + JT] = values[k, SECOND + JT, lane]
-                rare[c, MOST_1] = values[k, BATCH_MOST + 1, lane]
+            row[c, r.FIRST + state.JN] = values[k, r.FIRST + state.JN, lane]
+            row[c, r.FIRST + state.JT] = values[k, r.FIRST + state.JT, lane]
+            rare[c, state.MOST_0] = values[k, BATCH_MOST, lane]
+            if rows.ends[c, state.END_POINTS] == 2:
+                row[c, r.SECOND + state.JN] = values[k, r.SECOND + state.JN, lane]
+                row[c, r.SECOND + state.JT] = values[k, r.SECOND + state.JT, lane]
+                rare[c, state.MOST_1] = values[k, BATCH_MOST + 1, lane]
 
 
 @inner_kernel
@@ -83,12 +53,15 @@ def take_impulses(rows, batches):
     for k in range(batches.count[0]):
         for lane in range(batches.filled[k]):
             c = batches.rows[k, lane]
-            values[k, FIRST + JN, lane], values[k, FIRST + JT, lane] = row[c, FIRST + JN], row[c, FIRST + JT]
-            values[k, BATCH_MOST, lane] = rows.rare[c, MOST_0]
-            if rows.ends[c, END_POINTS] == 2:
-                values[k, SECOND + JN, lane] = row[c, SECOND + JN]
-                values[k, SECOND + JT, lane] = row[c, SECOND + JT]
-                values[k, BATCH_MOST + 1, lane] = rows.rare[c, MOST_1]
+            values[k, r.FIRST + state.JN, lane], values[k, r.FIRST + state.JT, lane] = (
+                row[c, r.FIRST + state.JN],
+                row[c, r.FIRST + state.JT],
+            )
+            values[k, BATCH_MOST, lane] = rows.rare[c, state.MOST_0]
+            if rows.ends[c, state.END_POINTS] == 2:
+                values[k, r.SECOND + state.JN, lane] = row[c, r.SECOND + state.JN]
+                values[k, r.SECOND + state.JT, lane] = row[c, r.SECOND + state.JT]
+                values[k, BATCH_MOST + 1, lane] = rows.rare[c, state.MOST_1]
 
 
 @inner_kernel
@@ -101,8 +74,8 @@ def column(values, at, number):
 def levers(values, at, point):
     """See `impulses.levers`; point: its first column."""
     return (
-        column(values, at, point + CROSS_A), column(values, at, point + CROSS_B),
-        column(values, at, point + DOT_A), column(values, at, point + DOT_B),
+        column(values, at, point + state.CROSS_A), column(values, at, point + state.CROSS_B),
+        column(values, at, point + state.DOT_A), column(values, at, point + state.DOT_B),
     )  # fmt: skip
 
 
@@ -111,28 +84,28 @@ def warm_batches(batches, motion):
     """`impulses.start_warm`."""
     values, ends = batches.values, batches.ends
     for k in range(batches.count[0]):
-        at, end = k * SIZE, 2 * k * LANES
-        if batches.kinds[k] & CHILLED:
-            cold = column(values, at, BATCH_RARE + IMPACT) > 0.0
-            for number in (FIRST + JN, FIRST + JT, SECOND + JN, SECOND + JT):
+        at, end = k * r.SIZE, 2 * k * LANES
+        if batches.kinds[k] & r.CHILLED:
+            cold = column(values, at, BATCH_RARE + state.IMPACT) > 0.0
+            for number in (r.FIRST + state.JN, r.FIRST + state.JT, r.SECOND + state.JN, r.SECOND + state.JT):
                 store(values, at + number * LANES, choose(cold, 0.0, column(values, at, number)))
-        nx, ny = column(values, at, ROW_NX), column(values, at, ROW_NY)
-        jn, jt = column(values, at, FIRST + JN), column(values, at, FIRST + JT)
-        cross_a, cross_b, dot_a, dot_b = levers(values, at, FIRST)
+        nx, ny = column(values, at, state.ROW_NX), column(values, at, state.ROW_NY)
+        jn, jt = column(values, at, r.FIRST + state.JN), column(values, at, r.FIRST + state.JT)
+        cross_a, cross_b, dot_a, dot_b = levers(values, at, r.FIRST)
         turn_a, turn_b = cross_a * jn - dot_a * jt, cross_b * jn - dot_b * jt
-        n, t = column(values, at, SECOND + JN), column(values, at, SECOND + JT)
-        cross_a, cross_b, dot_a, dot_b = levers(values, at, SECOND)
+        n, t = column(values, at, r.SECOND + state.JN), column(values, at, r.SECOND + state.JT)
+        cross_a, cross_b, dot_a, dot_b = levers(values, at, r.SECOND)
         turn_a, turn_b = turn_a + (cross_a * n - dot_a * t), turn_b + (cross_b * n - dot_b * t)
         jn, jt = jn + n, jt + t
         x, y = jn * nx + jt * ny, jn * ny - jt * nx
-        vx, vy, w, far = load_quads(motion, MOTION_WIDTH, ends, end, VX)
-        m = column(values, at, ROW_IMA)
-        vx, vy, w = vx - m * x, vy - m * y, w - column(values, at, ROW_IIA) * turn_a
-        store_quads(motion, MOTION_WIDTH, ends, end, VX, (vx, vy, w, far))
-        vx, vy, w, far = load_quads(motion, MOTION_WIDTH, ends, end + LANES, VX)
-        m = column(values, at, ROW_IMB)
-        vx, vy, w = vx + m * x, vy + m * y, w + column(values, at, ROW_IIB) * turn_b
-        store_quads(motion, MOTION_WIDTH, ends, end + LANES, VX, (vx, vy, w, far))
+        vx, vy, w, far = load_quads(motion, state.MOTION_WIDTH, ends, end, state.VX)
+        m = column(values, at, state.ROW_IMA)
+        vx, vy, w = vx - m * x, vy - m * y, w - column(values, at, state.ROW_IIA) * turn_a
+        store_quads(motion, state.MOTION_WIDTH, ends, end, state.VX, (vx, vy, w, far))
+        vx, vy, w, far = load_quads(motion, state.MOTION_WIDTH, ends, end + LANES, state.VX)
+        m = column(values, at, state.ROW_IMB)
+        vx, vy, w = vx + m * x, vy + m * y, w + column(values, at, state.ROW_IIB) * turn_b
+        store_quads(motion, state.MOTION_WIDTH, ends, end + LANES, state.VX, (vx, vy, w, far))
 
 
 @inner_kernel
@@ -158,15 +131,24 @@ def measure(values, at, a, b, ends, motion):
 
     a, b: where their numbers begin in ends.
     """
-    ax, ay, ac, sa = load_quads(motion, MOTION_WIDTH, ends, a, VX + 3)
-    bx, by, bc, sb = load_quads(motion, MOTION_WIDTH, ends, b, VX + 3)
+    ax, ay, ac, sa = load_quads(motion, state.MOTION_WIDTH, ends, a, state.VX + 3)
+    bx, by, bc, sb = load_quads(motion, state.MOTION_WIDTH, ends, b, state.VX + 3)
     ta, tb = ac - 1.0, bc - 1.0
-    gone = (bx - ax) * column(values, at, ROW_NX) + (by - ay) * column(values, at, ROW_NY)
-    gone = gone + (tb * column(values, at, ROUND_B) - ta * column(values, at, ROUND_A))
-    cross_a, cross_b, dot_a, dot_b = levers(values, at, FIRST)
-    one = gone + column(values, at, FIRST + SEP) + tb * dot_b + sb * cross_b - ta * dot_a - sa * cross_a
-    cross_a, cross_b, dot_a, dot_b = levers(values, at, SECOND)
-    two = gone + column(values, at, SECOND + SEP) + tb * dot_b + sb * cross_b - ta * dot_a - sa * cross_a
+    gone = (bx - ax) * column(values, at, state.ROW_NX) + (by - ay) * column(values, at, state.ROW_NY)
+    gone = gone + (tb * column(values, at, state.ROUND_B) - ta * column(values, at, state.ROUND_A))
+    cross_a, cross_b, dot_a, dot_b = levers(values, at, r.FIRST)
+    one = (
+        gone + column(values, at, r.FIRST + state.SEP) + tb * dot_b + sb * cross_b - ta * dot_a - sa * cross_a
+    )
+    cross_a, cross_b, dot_a, dot_b = levers(values, at, r.SECOND)
+    two = (
+        gone
+        + column(values, at, r.SECOND + state.SEP)
+        + tb * dot_b
+        + sb * cross_b
+        - ta * dot_a
+        - sa * cross_a
+    )
     store(values, at + BATCH_GAP * LANES, one)
     store(values, at + (BATCH_GAP + 1) * LANES, two)
     return one, two
@@ -175,16 +157,16 @@ def measure(values, at, a, b, ends, motion):
 @inner_kernel
 def rub(values, at, point, mu, pressing, slide):
     """`impulses.rub`."""
-    before, most = column(values, at, point + JT), mu * pressing
-    j = larger(-most, smaller(most, before - column(values, at, point + MASS_T) * slide))
-    store(values, at + (point + JT) * LANES, j)
+    before, most = column(values, at, point + state.JT), mu * pressing
+    j = larger(-most, smaller(most, before - column(values, at, point + state.MASS_T) * slide))
+    store(values, at + (point + state.JT) * LANES, j)
     return j - before
 
 
 @inner_kernel
 def unless_open(values, at, point, gap, law):
     """`impulses.unless_open`."""
-    return choose((gap > 0.0) & (column(values, at, point + JN) <= 0.0), OPEN, law)
+    return choose((gap > 0.0) & (column(values, at, point + state.JN) <= 0.0), OPEN, law)
 
 
 @inner_kernel
@@ -194,24 +176,24 @@ def sweep_batches(batches, motion, springs, pushing, measuring):
     """
     values, ends = batches.values, batches.ends
     for k in range(batches.count[0]):
-        at, a, b = k * SIZE, 2 * k * LANES, (2 * k + 1) * LANES
+        at, a, b = k * r.SIZE, 2 * k * LANES, (2 * k + 1) * LANES
         if measuring:
             gap1, gap2 = measure(values, at, a, b, ends, motion)
         else:
             gap1, gap2 = column(values, at, BATCH_GAP), column(values, at, BATCH_GAP + 1)
-        nx, ny = column(values, at, ROW_NX), column(values, at, ROW_NY)
-        ax, ay, wa, far_a = load_quads(motion, MOTION_WIDTH, ends, a, VX)
-        bx, by, wb, far_b = load_quads(motion, MOTION_WIDTH, ends, b, VX)
+        nx, ny = column(values, at, state.ROW_NX), column(values, at, state.ROW_NY)
+        ax, ay, wa, far_a = load_quads(motion, state.MOTION_WIDTH, ends, a, state.VX)
+        bx, by, wb, far_b = load_quads(motion, state.MOTION_WIDTH, ends, b, state.VX)
         x, y = bx - ax, by - ay
         un, ut = x * nx + y * ny, x * ny - y * nx
-        ca1, cb1, da1, db1 = levers(values, at, FIRST)
-        ca2, cb2, da2, db2 = levers(values, at, SECOND)
+        ca1, cb1, da1, db1 = levers(values, at, r.FIRST)
+        ca2, cb2, da2, db2 = levers(values, at, r.SECOND)
         law1, law2 = larger(gap1, 0.0) * springs[3], larger(gap2, 0.0) * springs[3]
-        k1, k2 = column(values, at, FIRST + STIFF_N), column(values, at, SECOND + STIFF_N)
-        k12 = column(values, at, COUPLING)
+        k1, k2 = column(values, at, r.FIRST + state.STIFF_N), column(values, at, r.SECOND + state.STIFF_N)
+        k12 = column(values, at, state.COUPLING)
         k11, coupling, k22, alone = k1, k12, k2, k1
         if pushing:
-            hard = column(values, at, ROW_HARD) > 0.0
+            hard = column(values, at, state.ROW_HARD) > 0.0
             rate, give = (
                 choose(hard, springs[1][0], springs[0][0]),
                 choose(hard, springs[1][2], springs[0][2]),
@@ -224,35 +206,39 @@ def sweep_batches(batches, motion, springs, pushing, measuring):
             alone = k1 + choose(gap1 <= 0.0, k1 * give, 0.0)
         else:
             law1, law2 = (
-                unless_open(values, at, FIRST, gap1, law1),
-                unless_open(values, at, SECOND, gap2, law2),
+                unless_open(values, at, r.FIRST, gap1, law1),
+                unless_open(values, at, r.SECOND, gap2, law2),
             )
         v1, v2 = un + wb * cb1 - wa * ca1 + law1, un + wb * cb2 - wa * ca2 + law2
-        n1, n2 = column(values, at, FIRST + JN), column(values, at, SECOND + JN)
+        n1, n2 = column(values, at, r.FIRST + state.JN), column(values, at, r.SECOND + state.JN)
         j1, j2 = solve_pairs(k11, coupling, k22, v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2)
-        iia, iib = column(values, at, ROW_IIA), column(values, at, ROW_IIB)
+        iia, iib = column(values, at, state.ROW_IIA), column(values, at, state.ROW_IIB)
         d1, d2 = j1 - n1, j2 - n2
         jn = d1 + d2
         turn_a, turn_b = iia * (ca1 * d1 + ca2 * d2), iib * (cb1 * d1 + cb2 * d2)
-        if batches.kinds[k] & SINGLE:
+        if batches.kinds[k] & r.SINGLE:
             single = column(values, at, BATCH_POINTS) < 2.0
             only = larger((k1 * n1 - v1) / alone, 0.0)
             j1, j2 = choose(single, only, j1), choose(single, 0.0, j2)
             jn = choose(single, only - n1, jn)
             turn_a, turn_b = choose(single, iia * ca1 * jn, turn_a), choose(single, iib * cb1 * jn, turn_b)
-        store(values, at + (FIRST + JN) * LANES, j1)
-        store(values, at + (SECOND + JN) * LANES, j2)
+        store(values, at + (r.FIRST + state.JN) * LANES, j1)
+        store(values, at + (r.SECOND + state.JN) * LANES, j2)
         wa, wb = wa - turn_a, wb + turn_b
-        mu, ima, imb = column(values, at, ROW_MU), column(values, at, ROW_IMA), column(values, at, ROW_IMB)
-        jt = rub(values, at, FIRST, mu, j1, ut - wb * db1 + wa * da1)
+        mu, ima, imb = (
+            column(values, at, state.ROW_MU),
+            column(values, at, state.ROW_IMA),
+            column(values, at, state.ROW_IMB),
+        )
+        jt = rub(values, at, r.FIRST, mu, j1, ut - wb * db1 + wa * da1)
         ut = ut + (ima + imb) * jt
         wa, wb = wa + iia * da1 * jt, wb - iib * db1 * jt
-        j = rub(values, at, SECOND, mu, j2, ut - wb * db2 + wa * da2)
+        j = rub(values, at, r.SECOND, mu, j2, ut - wb * db2 + wa * da2)
         jt = jt + j
         wa, wb = wa + iia * da2 * j, wb - iib * db2 * j
         if not pushing:
             store(values, at + BATCH_MOST * LANES, larger(column(values, at, BATCH_MOST), j1))
             store(values, at + (BATCH_MOST + 1) * LANES, larger(column(values, at, BATCH_MOST + 1), j2))
         x, y = jn * nx + jt * ny, jn * ny - jt * nx
-        store_quads(motion, MOTION_WIDTH, ends, a, VX, (ax - ima * x, ay - ima * y, wa, far_a))
-        store_quads(motion, MOTION_WIDTH, ends, b, VX, (bx + imb * x, by + imb * y, wb, far_b))
+        store_quads(motion, state.MOTION_WIDTH, ends, a, state.VX, (ax - ima * x, ay - ima * y, wa, far_a))
+        store_quads(motion, state.MOTION_WIDTH, ends, b, state.VX, (bx + imb * x, by + imb * y, wb, far_b))

@@ -14,17 +14,7 @@ stiffness takes time to grow, so what is dropped or loaded sinks first and comes
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.solids.joints.layout import (
-    DRIVING,
-    HERTZ,
-    IMPULSES,
-    LINE,
-    LINE_WIDTH,
-    MOST,
-    OFF,
-    ONE_SIDED,
-    SUBSTEP,
-)
+from game.physics.solids.arrays import layout, state
 from game.physics.solids.joints.lines import prepare_joints, write_lines
 from game.physics.solids.solvers.descent import (
     STIFFNESS_N,
@@ -42,7 +32,6 @@ from game.physics.solids.solvers.impacts import ALL, resolve_impacts
 from game.physics.solids.solvers.motion import accelerate
 from game.physics.solids.solvers.passive import FREE, excuse, hold_energy, note_speeds
 from game.physics.solids.solvers.positions import note_gaps, remember, remember_places, velocities_from_places
-from game.physics.solids.state import END_PAIR, END_POINTS, JN, JT, ROW_POINT, ROW_POINT_WIDTH, SEP, STIFF
 
 LEFT = 0.99  # alpha: of a gap, for the next steps
 KEPT = 0.99  # gamma: of forces and stiffnesses
@@ -58,17 +47,17 @@ def start_stiffnesses(contacts, rows, joints, scratch):
     The stiffness of an earlier touch would answer a new impact with a force that ten sweeps cannot balance.
     """
     for c in range(rows.count[0]):
-        pair = rows.ends[c, END_PAIR]
-        for k in range(rows.ends[c, END_POINTS]):
-            at = ROW_POINT + k * ROW_POINT_WIDTH
-            apart = rows.rows[c, at + JN] == 0.0 and rows.rows[c, at + SEP] > MARGIN
-            rows.rows[c, at + JN] *= LEFT * KEPT
-            rows.rows[c, at + JT] *= LEFT * KEPT
+        pair = rows.ends[c, state.END_PAIR]
+        for k in range(rows.ends[c, state.END_POINTS]):
+            at = state.ROW_POINT + k * state.ROW_POINT_WIDTH
+            apart = rows.rows[c, at + state.JN] == 0.0 and rows.rows[c, at + state.SEP] > MARGIN
+            rows.rows[c, at + state.JN] *= LEFT * KEPT
+            rows.rows[c, at + state.JT] *= LEFT * KEPT
             for n in range(2):
-                stiff = 0.0 if apart else contacts.manifolds[pair, STIFF + 2 * n + k]
+                stiff = 0.0 if apart else contacts.manifolds[pair, state.STIFF + 2 * n + k]
                 scratch.points[c, STIFFNESS_N + 2 * n + k] = max(LEAST, min(LARGEST, KEPT * stiff))
     for k in range(joints.kinds.shape[0]):
-        for slot in range(IMPULSES):
+        for slot in range(layout.IMPULSES):
             joints.impulses[k, slot] *= LEFT * KEPT
             joints.stiffnesses[k, slot] = max(LEAST, min(LARGEST, KEPT * joints.stiffnesses[k, slot]))
 
@@ -77,9 +66,9 @@ def start_stiffnesses(contacts, rows, joints, scratch):
 def keep_stiffnesses(contacts, rows, scratch):
     """Back to where the next step finds them."""
     for c in range(rows.count[0]):
-        for k in range(rows.ends[c, END_POINTS]):
+        for k in range(rows.ends[c, state.END_POINTS]):
             for n in range(2):
-                contacts.manifolds[rows.ends[c, END_PAIR], STIFF + 2 * n + k] = scratch.points[
+                contacts.manifolds[rows.ends[c, state.END_PAIR], state.STIFF + 2 * n + k] = scratch.points[
                     c, STIFFNESS_N + 2 * n + k
                 ]
 
@@ -89,29 +78,29 @@ def update_forces(rows, joints, scratch, rule):
     """Forces become what they were found to be; what is not at its bound gets stiffer."""
     row, motion, h = rows.rows, scratch.motion, rule[1]
     for c in range(rows.count[0]):
-        for k in range(rows.ends[c, END_POINTS]):
-            at = ROW_POINT + k * ROW_POINT_WIDTH
+        for k in range(rows.ends[c, state.END_POINTS]):
+            at = state.ROW_POINT + k * state.ROW_POINT_WIDTH
             jn, gap, slid = point_force(row, c, k, motion, scratch, rows.ends, rule)
             jt, holds = friction_force(row, c, k, slid, scratch, h)
-            row[c, at + JN], row[c, at + JT] = jn, jt
+            row[c, at + state.JN], row[c, at + state.JT] = jn, jt
             if jn > 0.0:
                 stiffen(scratch.points, c, STIFFNESS_N + k, gap)
                 if holds:
                     stiffen(scratch.points, c, STIFFNESS_T + k, slid)
     for k in range(joints.kinds.shape[0]):
-        if joints.rows[k, SUBSTEP] < 0.0:
+        if joints.rows[k, layout.SUBSTEP] < 0.0:
             continue
         write_lines(joints, k, motion)
-        for slot in range(IMPULSES):
-            kind = joints.lines[k, slot * LINE_WIDTH + LINE]
-            if kind == OFF:
+        for slot in range(layout.IMPULSES):
+            kind = joints.lines[k, slot * layout.LINE_WIDTH + layout.LINE]
+            if kind == layout.OFF:
                 continue
             j, _, gap = line_force(joints, k, slot, motion, scratch.before, rule[0])
             joints.impulses[k, slot] = j
-            at_bound = (kind == ONE_SIDED and j == 0.0) or (
-                kind == DRIVING and abs(j) >= h * joints.parameters[k, MOST]
+            at_bound = (kind == layout.ONE_SIDED and j == 0.0) or (
+                kind == layout.DRIVING and abs(j) >= h * joints.parameters[k, layout.MOST]
             )
-            if not at_bound and joints.parameters[k, HERTZ] == 0.0:
+            if not at_bound and joints.parameters[k, layout.HERTZ] == 0.0:
                 stiffen(joints.stiffnesses, k, slot, gap)
 
 

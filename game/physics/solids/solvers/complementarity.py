@@ -18,37 +18,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
 from game.physics.kernels import linear
 from game.physics.kernels.limits import LimitError
-from game.physics.solids.joints.layout import (
-    DRIVE,
-    DRIVING,
-    EQUAL,
-    GIVE,
-    IMPULSES,
-    JIIA,
-    JIIB,
-    JIMA,
-    JIMB,
-    LA,
-    LB,
-    LINE,
-    LINE_GAP,
-    LINE_WIDTH,
-    MASS,
-    MOST,
-    MOUSE,
-    OFF,
-    ONE_SIDED,
-    RATE,
-    SPEED,
-    SUBSTEP,
-    UX,
-    UY,
-)
+from game.physics.solids.arrays import layout, state
 from game.physics.solids.joints.lines import prepare_joints, write_all_lines
 from game.physics.solids.joints.sweeps import solve_block
 from game.physics.solids.solvers.impacts import ALONE, resolve_impacts
@@ -56,27 +31,7 @@ from game.physics.solids.solvers.lemke import solve_complementarity
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.positions import clear_impulses, note_gaps
 from game.physics.solids.solvers.xpbd import clear_joint_impulses
-from game.physics.solids.state import (
-    CROSS_A,
-    CROSS_B,
-    DOT_A,
-    DOT_B,
-    END_A,
-    END_B,
-    END_POINTS,
-    JN,
-    JT,
-    MOST_0,
-    ROW_MU,
-    ROW_NX,
-    ROW_NY,
-    ROW_POINT,
-    ROW_POINT_WIDTH,
-    VX,
-    W,
-)
 
-Floats = NDArray[np.float64]
 MOST_POINTS = 60
 PART = 0.1  # of an overlap beyond the slop, that a substep takes away
 LEAST_GIVE = 1e-9
@@ -98,7 +53,7 @@ def begin_substep(rows, joints, scratch, numbers):
     note_gaps(rows, scratch.motion, scratch.points)
     write_all_lines(joints, scratch.motion)
     for k in range(joints.kinds.shape[0]):
-        if joints.kinds[k] == MOUSE and joints.rows[k, SUBSTEP] > 0.0:
+        if joints.kinds[k] == layout.MOUSE and joints.rows[k, layout.SUBSTEP] > 0.0:
             solve_block(joints, k, scratch.motion, True)
 
 
@@ -140,19 +95,19 @@ def contact_conditions(rows: Any, scratch: Any, numbers: Any) -> tuple[Condition
     n = len(scratch.motion)
     normals, tangents, frictions = Conditions(n), Conditions(n), []
     for c in range(int(rows.count[0])):
-        ends = int(rows.ends[c, END_A]), int(rows.ends[c, END_B])
+        ends = int(rows.ends[c, state.END_A]), int(rows.ends[c, state.END_B])
         row = rows.rows[c]
-        nx, ny = float(row[ROW_NX]), float(row[ROW_NY])
-        for k in range(int(rows.ends[c, END_POINTS])):
-            at, gap = ROW_POINT + k * ROW_POINT_WIDTH, float(scratch.points[c, k])
+        nx, ny = float(row[state.ROW_NX]), float(row[state.ROW_NY])
+        for k in range(int(rows.ends[c, state.END_POINTS])):
+            at, gap = state.ROW_POINT + k * state.ROW_POINT_WIDTH, float(scratch.points[c, k])
             wanted = gap / numbers.h
             if gap < 0.0:
                 wanted = max(PART * min(0.0, gap + numbers.slop) / numbers.h, -numbers.push)
-            normals.add(ends, (nx, ny), (row[at + CROSS_A], row[at + CROSS_B]), wanted)
-            normals.to.append((rows.rows, (c, at + JN), 1.0))
-            tangents.add(ends, (ny, -nx), (-row[at + DOT_A], -row[at + DOT_B]), 0.0)
-            tangents.to.append((rows.rows, (c, at + JT), 1.0))
-            frictions.append(float(row[ROW_MU]))
+            normals.add(ends, (nx, ny), (row[at + state.CROSS_A], row[at + state.CROSS_B]), wanted)
+            normals.to.append((rows.rows, (c, at + state.JN), 1.0))
+            tangents.add(ends, (ny, -nx), (-row[at + state.DOT_A], -row[at + state.DOT_B]), 0.0)
+            tangents.to.append((rows.rows, (c, at + state.JT), 1.0))
+            frictions.append(float(row[state.ROW_MU]))
     return normals, tangents, frictions
 
 
@@ -162,33 +117,39 @@ def joint_conditions(
     """Equal lines, one-sided ones, drives, and the most impulse of these."""
     equal, limits, drives = Conditions(bodies), Conditions(bodies), Conditions(bodies)
     most = []
-    for k in np.flatnonzero((joints.rows[:, SUBSTEP] > 0.0) & (joints.kinds != MOUSE)).tolist():
+    for k in np.flatnonzero((joints.rows[:, layout.SUBSTEP] > 0.0) & (joints.kinds != layout.MOUSE)).tolist():
         ends = int(joints.bodies[k, 0]), int(joints.bodies[k, 1])
         row = joints.rows[k]
-        for slot in range(IMPULSES):
-            line = joints.lines[k, slot * LINE_WIDTH : (slot + 1) * LINE_WIDTH]
-            if line[LINE] == OFF:
+        for slot in range(layout.IMPULSES):
+            line = joints.lines[k, slot * layout.LINE_WIDTH : (slot + 1) * layout.LINE_WIDTH]
+            if line[layout.LINE] == layout.OFF:
                 continue
-            u, torques = (line[UX], line[UY]), (line[LA], line[LB])
-            kind, to = line[LINE], (joints.impulses, (k, slot), 1.0)
-            bound = h * float(joints.parameters[k, MOST])
-            if kind == ONE_SIDED:
-                gap = float(line[LINE_GAP])
+            u, torques = (line[layout.UX], line[layout.UY]), (line[layout.LA], line[layout.LB])
+            kind, to = line[layout.LINE], (joints.impulses, (k, slot), 1.0)
+            bound = h * float(joints.parameters[k, layout.MOST])
+            if kind == layout.ONE_SIDED:
+                gap = float(line[layout.LINE_GAP])
                 limits.add(ends, u, torques, gap / h if gap > 0.0 else PART * gap / h)
                 limits.to.append(to)
-            elif kind == EQUAL or (kind == DRIVING and not np.isfinite(bound)):
+            elif kind == layout.EQUAL or (kind == layout.DRIVING and not np.isfinite(bound)):
                 equal.add(
                     ends,
                     u,
                     torques,
-                    row[RATE] * line[LINE_GAP] if kind == EQUAL else -float(joints.parameters[k, SPEED]),
+                    row[layout.RATE] * line[layout.LINE_GAP]
+                    if kind == layout.EQUAL
+                    else -float(joints.parameters[k, layout.SPEED]),
                 )
-                weight = (u[0] * u[0] + u[1] * u[1]) * (row[JIMA] + row[JIMB])
-                weight += row[JIIA] * (torques[0] * torques[0]) + row[JIIB] * (torques[1] * torques[1])
-                equal.give[-1] = weight * (LEAST_GIVE + (row[GIVE] / row[MASS] if slot != DRIVE else 0.0))
+                weight = (u[0] * u[0] + u[1] * u[1]) * (row[layout.JIMA] + row[layout.JIMB])
+                weight += row[layout.JIIA] * (torques[0] * torques[0]) + row[layout.JIIB] * (
+                    torques[1] * torques[1]
+                )
+                equal.give[-1] = weight * (
+                    LEAST_GIVE + (row[layout.GIVE] / row[layout.MASS] if slot != layout.DRIVE else 0.0)
+                )
                 equal.to.append(to)
             else:
-                drives.add(ends, u, torques, -float(joints.parameters[k, SPEED]))
+                drives.add(ends, u, torques, -float(joints.parameters[k, layout.SPEED]))
                 drives.to.append(to)
                 most.append(bound)
     return equal, limits, drives, most
@@ -228,7 +189,7 @@ def solve_substep(bodies: Any, rows: Any, joints: Any, scratch: Any, numbers: An
     normals, tangents, frictions = contact_conditions(rows, scratch, numbers)
     equal, limits, drives, most = joint_conditions(joints, n, numbers.h)
     m = np.diag(inverse)
-    free = motion[:, VX : W + 1].ravel().copy()
+    free = motion[:, state.VX : state.W + 1].ravel().copy()
     e = equal.matrix()
     if len(e):  # equal lines are always kept: what is left moves within them
         hold = linear.solve(
@@ -258,7 +219,7 @@ def solve_substep(bodies: Any, rows: Any, joints: Any, scratch: Any, numbers: An
     give_back(tangents.to + drives.to, impulses[p : p + d] - impulses[p + d : p + 2 * d])
     if len(e):
         give_back(equal.to, -(across + linear.product(linear.product(along, j.T), impulses)))
-    motion[:, VX : W + 1] = after.reshape(n, 3)
+    motion[:, state.VX : state.W + 1] = after.reshape(n, 3)
 
 
 def give_back(to: list[tuple[Any, tuple[int, int], float]], impulses: Floats) -> None:
@@ -272,7 +233,7 @@ def solve_by_complementarity(
 ) -> None:
     """All substeps of one step. See the package. LimitError for more than MOST_POINTS contact points."""
     count = int(rows.count[0])
-    points = int(rows.ends[:count, END_POINTS].sum())
+    points = int(rows.ends[:count, state.END_POINTS].sum())
     if points > MOST_POINTS:
         raise LimitError(f"contact points = {points}: the complementarity solver takes at most {MOST_POINTS}")
     begin(bodies, joints, numbers)
@@ -280,11 +241,11 @@ def solve_by_complementarity(
         begin_substep(rows, joints, scratch, numbers)
         solve_substep(bodies, rows, joints, scratch, numbers)
         for k in range(2):
-            at = ROW_POINT + k * ROW_POINT_WIDTH + JN
-            held = rows.ends[:count, END_POINTS] > k
+            at = state.ROW_POINT + k * state.ROW_POINT_WIDTH + state.JN
+            held = rows.ends[:count, state.END_POINTS] > k
             np.maximum(
-                rows.rare[:count, MOST_0 + k],
+                rows.rare[:count, state.MOST_0 + k],
                 np.where(held, rows.rows[:count, at], 0.0),
-                out=rows.rare[:count, MOST_0 + k],
+                out=rows.rare[:count, state.MOST_0 + k],
             )
         end_substep(scratch, numbers.h)

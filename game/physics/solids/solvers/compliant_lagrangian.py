@@ -18,7 +18,7 @@ remembered.
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.solids.joints.layout import IMPULSES, LINE, LINE_WIDTH, OFF, SUBSTEP
+from game.physics.solids.arrays import layout, state
 from game.physics.solids.joints.lines import prepare_joints, write_lines
 from game.physics.solids.joints.points import line_weight
 from game.physics.solids.solvers.descent import (
@@ -37,7 +37,6 @@ from game.physics.solids.solvers.descent import (
 from game.physics.solids.solvers.impacts import BOUNCES, resolve_impacts
 from game.physics.solids.solvers.motion import accelerate
 from game.physics.solids.solvers.positions import note_gaps, remember, remember_places, velocities_from_places
-from game.physics.solids.state import END_POINTS, JN, JT, MASS_T, ROW_POINT, ROW_POINT_WIDTH, STIFF_N
 
 LEFT = 0.99  # of a gap, for the next substeps
 KEPT = 0.999  # of forces
@@ -48,18 +47,18 @@ def start_forces(rows, joints, scratch, h):
     """Stiffnesses by inertia; what is kept of forces."""
     row = rows.rows
     for c in range(rows.count[0]):
-        for k in range(rows.ends[c, END_POINTS]):
-            at = ROW_POINT + k * ROW_POINT_WIDTH
-            row[c, at + JN] *= KEPT
-            row[c, at + JT] *= KEPT
-            scratch.points[c, STIFFNESS_N + k] = 1.0 / (row[c, at + STIFF_N] * h * h)
-            scratch.points[c, STIFFNESS_T + k] = row[c, at + MASS_T] / (h * h)
+        for k in range(rows.ends[c, state.END_POINTS]):
+            at = state.ROW_POINT + k * state.ROW_POINT_WIDTH
+            row[c, at + state.JN] *= KEPT
+            row[c, at + state.JT] *= KEPT
+            scratch.points[c, STIFFNESS_N + k] = 1.0 / (row[c, at + state.STIFF_N] * h * h)
+            scratch.points[c, STIFFNESS_T + k] = row[c, at + state.MASS_T] / (h * h)
     for k in range(joints.kinds.shape[0]):
-        if joints.rows[k, SUBSTEP] < 0.0:
+        if joints.rows[k, layout.SUBSTEP] < 0.0:
             continue
-        for slot in range(IMPULSES):
-            at = slot * LINE_WIDTH
-            if joints.lines[k, at + LINE] == OFF:
+        for slot in range(layout.IMPULSES):
+            at = slot * layout.LINE_WIDTH
+            if joints.lines[k, at + layout.LINE] == layout.OFF:
                 continue
             joints.impulses[k, slot] *= KEPT
             joints.stiffnesses[k, slot] = 1.0 / (h * h * line_weight(joints, k, at))
@@ -70,17 +69,17 @@ def update_forces(rows, joints, scratch, rule):
     """Forces become what they were found to be."""
     row, motion, h = rows.rows, scratch.motion, rule[1]
     for c in range(rows.count[0]):
-        for k in range(rows.ends[c, END_POINTS]):
-            at = ROW_POINT + k * ROW_POINT_WIDTH
+        for k in range(rows.ends[c, state.END_POINTS]):
+            at = state.ROW_POINT + k * state.ROW_POINT_WIDTH
             jn, _, slid = point_force(row, c, k, motion, scratch, rows.ends, rule)
             jt = friction_force(row, c, k, slid, scratch, h)[0]
-            row[c, at + JN], row[c, at + JT] = jn, jt
+            row[c, at + state.JN], row[c, at + state.JT] = jn, jt
     for k in range(joints.kinds.shape[0]):
-        if joints.rows[k, SUBSTEP] < 0.0:
+        if joints.rows[k, layout.SUBSTEP] < 0.0:
             continue
         write_lines(joints, k, motion)
-        for slot in range(IMPULSES):
-            if joints.lines[k, slot * LINE_WIDTH + LINE] != OFF:
+        for slot in range(layout.IMPULSES):
+            if joints.lines[k, slot * layout.LINE_WIDTH + layout.LINE] != layout.OFF:
                 joints.impulses[k, slot] = line_force(joints, k, slot, motion, scratch.before, rule[0])[0]
 
 

@@ -18,27 +18,12 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
+from game.physics.solids.arrays import state
 from game.physics.solids.islands import root_of, unite
 from game.physics.solids.rows import FIRST, SECOND
 from game.physics.solids.solvers.motion import cosine_sine
 from game.physics.solids.solvers.passive import EXCUSED
 from game.physics.solids.solvers.springs import STORED, measure_springs
-from game.physics.solids.state import (
-    DA,
-    DC,
-    DS,
-    DX,
-    DY,
-    DYNAMIC,
-    END_A,
-    END_B,
-    GIVEN,
-    SEP,
-    TOUCHING,
-    VX,
-    VY,
-    W,
-)
 
 NEXT_TO_NOTHING = 1e-6  # of the energy m (h g)²/2 that gravity gives in a substep: below that it is rounding
 LOWERED = 0.02  # of the slop: how far a group is lowered at most, before it is slowed down
@@ -57,16 +42,20 @@ def start_going(going):
 def note_going(motion, going):
     """Add the velocities that bodies go on with when overlap has been driven apart."""
     for i in range(motion.shape[0]):
-        going[i, 0] += motion[i, VX]
-        going[i, 1] += motion[i, VY]
-        going[i, 2] += motion[i, W]
+        going[i, 0] += motion[i, state.VX]
+        going[i, 1] += motion[i, state.VY]
+        going[i, 2] += motion[i, state.W]
 
 
 @inner_kernel
 def pushed(scratch, h, i):
     """What overlap alone has moved body i since the step began: the way less that of its own velocities."""
     motion, going = scratch.motion, scratch.going
-    return motion[i, DX] - h * going[i, 0], motion[i, DY] - h * going[i, 1], motion[i, DA] - h * going[i, 2]
+    return (
+        motion[i, state.DX] - h * going[i, 0],
+        motion[i, state.DY] - h * going[i, 1],
+        motion[i, state.DA] - h * going[i, 2],
+    )
 
 
 @inner_kernel
@@ -88,9 +77,13 @@ def gain_of(bodies, scratch, i):
     motion = scratch.motion
     m, inertia = mass_of(bodies, i)
     x, y, w = bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i]
-    motions = (motion[i, VX] - x) * (motion[i, VX] + x) + (motion[i, VY] - y) * (motion[i, VY] + y)
-    turns = (motion[i, W] - w) * (motion[i, W] + w)
-    height = raised(bodies, scratch.accelerations, i, motion[i, DX], motion[i, DY], motion[i, DA])
+    motions = (motion[i, state.VX] - x) * (motion[i, state.VX] + x) + (motion[i, state.VY] - y) * (
+        motion[i, state.VY] + y
+    )
+    turns = (motion[i, state.W] - w) * (motion[i, state.W] + w)
+    height = raised(
+        bodies, scratch.accelerations, i, motion[i, state.DX], motion[i, state.DY], motion[i, state.DA]
+    )
     return 0.5 * (m * motions + inertia * turns) + height
 
 
@@ -131,17 +124,23 @@ def group_by_contact(bodies, contacts, scratch):
         parents[i] = i
     for k in range(batches.count[0]):
         for lane in range(batches.filled[k]):
-            a, b, pair = batches.ends[k, END_A, lane], batches.ends[k, END_B, lane], batches.pairs[k, lane]
+            a, b, pair = (
+                batches.ends[k, state.END_A, lane],
+                batches.ends[k, state.END_B, lane],
+                batches.pairs[k, lane],
+            )
             # of a second point that there is not, the gap is 0
-            deepest = min(batches.values[k, FIRST + SEP, lane], batches.values[k, SECOND + SEP, lane])
-            if not (contacts.marks[pair, TOUCHING] or deepest < 0.0):
+            deepest = min(
+                batches.values[k, FIRST + state.SEP, lane], batches.values[k, SECOND + state.SEP, lane]
+            )
+            if not (contacts.marks[pair, state.TOUCHING] or deepest < 0.0):
                 continue
             moves_a, moves_b = bodies.inverse_masses[a] > 0.0, bodies.inverse_masses[b] > 0.0
             if moves_a and moves_b:
                 unite(parents, a, b)
             else:
                 drifts[a if moves_a else b, HELD] = 1.0
-            if contacts.marks[pair, GIVEN]:
+            if contacts.marks[pair, state.GIVEN]:
                 excused[a], excused[b] = EXCUSED, EXCUSED
     for i in range(parents.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
@@ -188,22 +187,24 @@ def sum_groups(bodies, scratch, h):
         works[r, LIFT] += raised(bodies, pulls, i, x, y, turn)
         works[r, STORED] += bodies.stored[i]
         works[r, FORCE] += m * pull_of(scratch, i)
-        works[r, HEIGHT] += raised(bodies, pulls, i, motion[i, DX], motion[i, DY], motion[i, DA])
+        works[r, HEIGHT] += raised(
+            bodies, pulls, i, motion[i, state.DX], motion[i, state.DY], motion[i, state.DA]
+        )
         x, y = bodies.positions[i, 0], bodies.positions[i, 1]
-        px, py = m * motion[i, VX], m * motion[i, VY]
+        px, py = m * motion[i, state.VX], m * motion[i, state.VY]
         drifts[r, MASS] += m
         drifts[r, CENTRE_X] += m * x
         drifts[r, CENTRE_Y] += m * y
         drifts[r, PUSH_X] += px
         drifts[r, PUSH_Y] += py
-        drifts[r, TURN] += x * py - y * px + inertia * motion[i, W]
+        drifts[r, TURN] += x * py - y * px + inertia * motion[i, state.W]
         drifts[r, INERTIA] += m * (x * x + y * y) + inertia
     for i in range(motion.shape[0]):
         if bodies.inverse_masses[i] > 0.0:
             r = root_of(parents, i)
             m, inertia = mass_of(bodies, i)
             vx, vy, w = along(bodies, drifts, r, i)
-            vx, vy, w = motion[i, VX] - vx, motion[i, VY] - vy, motion[i, W] - w
+            vx, vy, w = motion[i, state.VX] - vx, motion[i, state.VY] - vy, motion[i, state.W] - w
             works[r, MOTION] += 0.5 * (m * (vx * vx + vy * vy) + inertia * w * w)
 
 
@@ -246,7 +247,7 @@ def give_back(bodies, scratch):
 def weigh_sleepers(bodies, scratch, numbers):
     """Gravity of what slept when the step began: not that has moved it, but what touched it."""
     for i in range(bodies.flags.shape[0]):
-        if bodies.flags[i] & DYNAMIC and scratch.air[i, 2] == 0.0:
+        if bodies.flags[i] & state.DYNAMIC and scratch.air[i, 2] == 0.0:
             scratch.accelerations[i, 0] = bodies.gravity_scales[i] * numbers.gravity_x
             scratch.accelerations[i, 1] = bodies.gravity_scales[i] * numbers.gravity_y
 
@@ -281,11 +282,11 @@ def hold_step(bodies, contacts, scratch, numbers):
         pull = pull_of(scratch, i)
         lower = down / pull if pull > 0.0 else 0.0
         x, y, turn = pushed(scratch, numbers.h, i)
-        motion[i, DX] = stay * (motion[i, DX] - back * x + lower * scratch.accelerations[i, 0])
-        motion[i, DY] = stay * (motion[i, DY] - back * y + lower * scratch.accelerations[i, 1])
-        motion[i, DA] = stay * (motion[i, DA] - back * turn)
-        motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
+        motion[i, state.DX] = stay * (motion[i, state.DX] - back * x + lower * scratch.accelerations[i, 0])
+        motion[i, state.DY] = stay * (motion[i, state.DY] - back * y + lower * scratch.accelerations[i, 1])
+        motion[i, state.DA] = stay * (motion[i, state.DA] - back * turn)
+        motion[i, state.DC], motion[i, state.DS] = cosine_sine(motion[i, state.DA])
         vx, vy, w = along(bodies, scratch.drifts, r, i)
-        motion[i, VX] = vx + keep * (motion[i, VX] - vx)
-        motion[i, VY] = vy + keep * (motion[i, VY] - vy)
-        motion[i, W] = w + keep * (motion[i, W] - w)
+        motion[i, state.VX] = vx + keep * (motion[i, state.VX] - vx)
+        motion[i, state.VY] = vy + keep * (motion[i, state.VY] - vy)
+        motion[i, state.W] = w + keep * (motion[i, state.W] - w)

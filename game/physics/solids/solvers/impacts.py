@@ -18,43 +18,12 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
+from game.physics.solids.arrays import state
 from game.physics.solids.joints.sweeps import solve_three
 from game.physics.solids.rows import FIRST, RESTLESS, SECOND
 from game.physics.solids.solvers.impact_law import impact_impulse
 from game.physics.solids.solvers.impulses import gap_now, gap_speed
 from game.physics.solids.solvers.motion import cosine_sine
-from game.physics.solids.state import (
-    CROSS_A,
-    CROSS_B,
-    DA,
-    DC,
-    DOT_A,
-    DOT_B,
-    DS,
-    DX,
-    DY,
-    END_A,
-    END_B,
-    END_POINTS,
-    JN,
-    JT,
-    MOST_0,
-    RESTITUTION,
-    ROUND_A,
-    ROUND_B,
-    ROW_IIA,
-    ROW_IIB,
-    ROW_IMA,
-    ROW_IMB,
-    ROW_MU,
-    ROW_NX,
-    ROW_NY,
-    ROW_POINT_WIDTH,
-    SEP,
-    VX,
-    VY,
-    W,
-)
 
 MOST_SWEEPS = 32
 # bounces only; those too that do not bounce, of bodies that meet nothing else in the substep; all, by turns
@@ -70,9 +39,9 @@ AT_CENTRE = 1e-12  # m: a disc's core is its body's centre
 def pose_at(scratch, i, t, h):
     """Of body i at the time t (s) of a substep: way since the step began, turn; velocity and spin."""
     motion, pulls, left = scratch.motion, scratch.accelerations, h - t
-    vx, vy = motion[i, VX] - left * pulls[i, 0], motion[i, VY] - left * pulls[i, 1]
-    w = motion[i, W] - left * pulls[i, 2]
-    return motion[i, DX] + t * vx, motion[i, DY] + t * vy, motion[i, DA] + t * w, vx, vy, w
+    vx, vy = motion[i, state.VX] - left * pulls[i, 0], motion[i, state.VY] - left * pulls[i, 1]
+    w = motion[i, state.W] - left * pulls[i, 2]
+    return motion[i, state.DX] + t * vx, motion[i, state.DY] + t * vy, motion[i, state.DA] + t * w, vx, vy, w
 
 
 @inner_kernel
@@ -93,27 +62,27 @@ def where_they_meet(row, c, at, pose_a, pose_b):
     That point is midway, or on the one that moves where the other cannot. Of two discs, the normal joins the
     centres.
     """
-    nx, ny = row[c, ROW_NX], row[c, ROW_NY]
-    ca, da = turned(row[c, at + CROSS_A], row[c, at + DOT_A], row[c, ROUND_A], pose_a[2])
-    cb, db = turned(row[c, at + CROSS_B], row[c, at + DOT_B], row[c, ROUND_B], pose_b[2])
+    nx, ny = row[c, state.ROW_NX], row[c, state.ROW_NY]
+    ca, da = turned(row[c, at + state.CROSS_A], row[c, at + state.DOT_A], row[c, state.ROUND_A], pose_a[2])
+    cb, db = turned(row[c, at + state.CROSS_B], row[c, at + state.DOT_B], row[c, state.ROUND_B], pose_b[2])
     x, y = pose_b[0] - pose_a[0], pose_b[1] - pose_a[1]
     gap, slid = x * nx + y * ny, x * ny - y * nx
-    gap += row[c, at + SEP] + db - row[c, at + DOT_B] - da + row[c, at + DOT_A]
-    slid += cb - row[c, at + CROSS_B] - ca + row[c, at + CROSS_A]
-    round_a, round_b = -row[c, ROUND_A], row[c, ROUND_B]
+    gap += row[c, at + state.SEP] + db - row[c, at + state.DOT_B] - da + row[c, at + state.DOT_A]
+    slid += cb - row[c, at + state.CROSS_B] - ca + row[c, at + state.CROSS_A]
+    round_a, round_b = -row[c, state.ROUND_A], row[c, state.ROUND_B]
     if max(abs(ca), abs(cb), abs(da - round_a), abs(db + round_b)) <= AT_CENTRE:
-        far = row[c, at + SEP] + round_a + round_b + x * nx + y * ny
+        far = row[c, at + state.SEP] + round_a + round_b + x * nx + y * ny
         length = math.sqrt(far * far + slid * slid)
         if length > 0.0:
             gap = length - round_a - round_b
             nx, ny = (far * nx + slid * ny) / length, (far * ny - slid * nx) / length
             return nx, ny, 0.0, 0.0, round_a + 0.5 * gap, -round_b - 0.5 * gap, gap
     share = 0.5
-    if row[c, ROW_IMA] == 0.0:
+    if row[c, state.ROW_IMA] == 0.0:
         share = 1.0
-    elif row[c, ROW_IMB] == 0.0:
+    elif row[c, state.ROW_IMB] == 0.0:
         share = 0.0
-    apart = gap - min(row[c, at + SEP], 0.0)  # of what overlapped, both levers ended at one point
+    apart = gap - min(row[c, at + state.SEP], 0.0)  # of what overlapped, both levers ended at one point
     ca, da = ca + share * slid, da + share * apart
     cb, db = cb - (1.0 - share) * slid, db - (1.0 - share) * apart
     return nx, ny, ca, cb, da, db, gap
@@ -130,7 +99,7 @@ def speeds_there(pose_a, pose_b, place):
 @inner_kernel
 def moment(row, c, at, ends, scratch, h):
     """When (s) the gap of a point that closes is 0; 0 if it overlaps, infinite: not in this substep."""
-    a, b = ends[c, END_A], ends[c, END_B]
+    a, b = ends[c, state.END_A], ends[c, state.END_B]
     t = 0.0
     for _ in range(MOST_LOOKS):
         pose_a, pose_b = pose_at(scratch, a, t, h), pose_at(scratch, b, t, h)
@@ -154,7 +123,11 @@ def moment(row, c, at, ends, scratch, h):
 @inner_kernel
 def coupling_there(row, c, first, second):
     """Entries of K between impulses at two places: knn, knt, ktt (the same place twice: of one point)."""
-    both, iia, iib = row[c, ROW_IMA] + row[c, ROW_IMB], row[c, ROW_IIA], row[c, ROW_IIB]
+    both, iia, iib = (
+        row[c, state.ROW_IMA] + row[c, state.ROW_IMB],
+        row[c, state.ROW_IIA],
+        row[c, state.ROW_IIB],
+    )
     _, _, ca, cb, da, db, _ = first
     _, _, ga, gb, ea, eb, _ = second
     return (
@@ -168,24 +141,40 @@ def coupling_there(row, c, first, second):
 def hit(rows, c, scratch, t, h, place, impulse):
     """Give both bodies of a row an impulse (normal, tangential) at one place, at the time t of a substep."""
     row, (nx, ny, ca, cb, da, db, _), (jn, jt) = rows.rows, place, impulse
-    x, y, a, b = jn * nx + jt * ny, jn * ny - jt * nx, rows.ends[c, END_A], rows.ends[c, END_B]
-    kick(scratch, a, t, h, -row[c, ROW_IMA] * x, -row[c, ROW_IMA] * y, -row[c, ROW_IIA] * (ca * jn - da * jt))
-    kick(scratch, b, t, h, row[c, ROW_IMB] * x, row[c, ROW_IMB] * y, row[c, ROW_IIB] * (cb * jn - db * jt))
+    x, y, a, b = jn * nx + jt * ny, jn * ny - jt * nx, rows.ends[c, state.END_A], rows.ends[c, state.END_B]
+    kick(
+        scratch,
+        a,
+        t,
+        h,
+        -row[c, state.ROW_IMA] * x,
+        -row[c, state.ROW_IMA] * y,
+        -row[c, state.ROW_IIA] * (ca * jn - da * jt),
+    )
+    kick(
+        scratch,
+        b,
+        t,
+        h,
+        row[c, state.ROW_IMB] * x,
+        row[c, state.ROW_IMB] * y,
+        row[c, state.ROW_IIB] * (cb * jn - db * jt),
+    )
 
 
 @inner_kernel
 def kick(scratch, i, t, h, x, y, turn):
     """Change velocity and spin of body i at the time t of a substep: it has gone with the old ones so far."""
     motion, going = scratch.motion, scratch.going
-    motion[i, VX] += x
-    motion[i, VY] += y
-    motion[i, W] += turn
+    motion[i, state.VX] += x
+    motion[i, state.VY] += y
+    motion[i, state.W] += turn
     if t > 0.0:
-        motion[i, DX] -= t * x
-        motion[i, DY] -= t * y
+        motion[i, state.DX] -= t * x
+        motion[i, state.DY] -= t * y
         if turn != 0.0:
-            motion[i, DA] -= t * turn
-            motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
+            motion[i, state.DA] -= t * turn
+            motion[i, state.DC], motion[i, state.DS] = cosine_sine(motion[i, state.DA])
         going[i, 0] -= t * x / h
         going[i, 1] -= t * y / h
         going[i, 2] -= t * turn / h
@@ -194,23 +183,23 @@ def kick(scratch, i, t, h, x, y, turn):
 @inner_kernel
 def restitution_at(rare, c, vn, numbers):
     """Of what closes at vn (negative, m/s): slow impacts do not bounce."""
-    return rare[c, RESTITUTION] if vn <= -numbers.bounce else 0.0
+    return rare[c, state.RESTITUTION] if vn <= -numbers.bounce else 0.0
 
 
 @inner_kernel
 def note_impact(row, rare, c, k, jn):
     """An impulse is remembered for events, and is no guess for the next substep."""
-    at = FIRST + k * ROW_POINT_WIDTH
-    rare[c, MOST_0 + k] = max(rare[c, MOST_0 + k], jn)
-    row[c, at + JN], row[c, at + JT] = 0.0, 0.0
+    at = FIRST + k * state.ROW_POINT_WIDTH
+    rare[c, state.MOST_0 + k] = max(rare[c, state.MOST_0 + k], jn)
+    row[c, at + state.JN], row[c, at + state.JT] = 0.0, 0.0
 
 
 @inner_kernel
 def strike_point(rows, c, k, scratch, t, numbers, calm):
     """The impact of one point at the time t; False if it does not close faster than calm there."""
-    row, a, b, h = rows.rows, rows.ends[c, END_A], rows.ends[c, END_B], numbers.h
+    row, a, b, h = rows.rows, rows.ends[c, state.END_A], rows.ends[c, state.END_B], numbers.h
     pose_a, pose_b = pose_at(scratch, a, t, h), pose_at(scratch, b, t, h)
-    place = where_they_meet(row, c, FIRST + k * ROW_POINT_WIDTH, pose_a, pose_b)
+    place = where_they_meet(row, c, FIRST + k * state.ROW_POINT_WIDTH, pose_a, pose_b)
     speeds = speeds_there(pose_a, pose_b, place)
     if speeds[0] >= -calm:
         return False
@@ -218,7 +207,7 @@ def strike_point(rows, c, k, scratch, t, numbers, calm):
     if e == 0.0 and t == 0.0:  # they touch already: to hold them is for contacts
         return False
     jn, jt = impact_impulse(
-        coupling_there(row, c, place, place), speeds, row[c, ROW_MU], e, numbers.impact_law
+        coupling_there(row, c, place, place), speeds, row[c, state.ROW_MU], e, numbers.impact_law
     )
     hit(rows, c, scratch, t, h, place, (jn, jt))
     note_impact(row, rows.rare, c, k, jn)
@@ -251,7 +240,7 @@ def face_impulses(matrix, speeds, wanted, mu):
 @inner_kernel
 def strike_face(rows, c, scratch, t, numbers, calm):
     """The impact of both points of a row at once; False if they are better taken one after the other."""
-    row, a, b, h = rows.rows, rows.ends[c, END_A], rows.ends[c, END_B], numbers.h
+    row, a, b, h = rows.rows, rows.ends[c, state.END_A], rows.ends[c, state.END_B], numbers.h
     pose_a, pose_b = pose_at(scratch, a, t, h), pose_at(scratch, b, t, h)
     one = where_they_meet(row, c, FIRST, pose_a, pose_b)
     two = where_they_meet(row, c, SECOND, pose_a, pose_b)
@@ -271,7 +260,7 @@ def strike_face(rows, c, scratch, t, numbers, calm):
         k11, max(-most, min(most, k12)), k22, 0.5 * (k1t + k12t), 0.5 * (k2t + k21t),
         0.25 * (ktt + utt) + 0.5 * kttt,
     )  # fmt: skip
-    j1, j2, jt = face_impulses(matrix, (v1, v2, 0.5 * (vt + ut)), wanted, row[c, ROW_MU])
+    j1, j2, jt = face_impulses(matrix, (v1, v2, 0.5 * (vt + ut)), wanted, row[c, state.ROW_MU])
     if j1 < 0.0:
         return False
     energy = j1 * v1 + j2 * v2 + 0.5 * jt * (vt + ut)
@@ -290,11 +279,11 @@ def strike_face(rows, c, scratch, t, numbers, calm):
 @inner_kernel
 def strike_row(rows, c, scratch, numbers, calm):
     """The next impact of a row in this substep; False if there is none."""
-    row, a, b, h = rows.rows, rows.ends[c, END_A], rows.ends[c, END_B], numbers.h
+    row, a, b, h = rows.rows, rows.ends[c, state.END_A], rows.ends[c, state.END_B], numbers.h
     motion, t1, t2 = scratch.motion, math.inf, math.inf
     if gap_speed(row, c, FIRST, motion, a, b) < -SLOW * calm:
         t1 = moment(row, c, FIRST, rows.ends, scratch, h)
-    if rows.ends[c, END_POINTS] == 2 and gap_speed(row, c, SECOND, motion, a, b) < -SLOW * calm:
+    if rows.ends[c, state.END_POINTS] == 2 and gap_speed(row, c, SECOND, motion, a, b) < -SLOW * calm:
         t2 = moment(row, c, SECOND, rows.ends, scratch, h)
     if t1 == math.inf and t2 == math.inf:
         return False
@@ -322,9 +311,9 @@ def count_meetings(rows, scratch, h, calm):
     row, motion, meetings, any_meets = rows.rows, scratch.motion, scratch.meetings, False
     meetings[:] = 0
     for c in range(rows.count[0]):
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
         meets = closes_within(row, c, FIRST, motion, a, b, h, calm)
-        if not meets and rows.ends[c, END_POINTS] == 2:
+        if not meets and rows.ends[c, state.END_POINTS] == 2:
             meets = closes_within(row, c, SECOND, motion, a, b, h, calm)
         if meets:
             meetings[a] += 1
@@ -336,9 +325,9 @@ def count_meetings(rows, scratch, h, calm):
 @inner_kernel
 def is_crowded(rows, c, scratch):
     """True if one of the two of a row meets others at the same time, too."""
-    a, b = rows.ends[c, END_A], rows.ends[c, END_B]
-    many = scratch.meetings[a] if rows.rows[c, ROW_IMA] > 0.0 else 0
-    return max(many, scratch.meetings[b] if rows.rows[c, ROW_IMB] > 0.0 else 0) > 1
+    a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
+    many = scratch.meetings[a] if rows.rows[c, state.ROW_IMA] > 0.0 else 0
+    return max(many, scratch.meetings[b] if rows.rows[c, state.ROW_IMB] > 0.0 else 0) > 1
 
 
 @inner_kernel
@@ -353,7 +342,7 @@ def resolve_impacts(rows, scratch, numbers, which):
         found = False
         for c in range(rows.count[0]):
             if (
-                rows.rare[c, RESTITUTION] == 0.0
+                rows.rare[c, state.RESTITUTION] == 0.0
                 and which < ALL
                 and (which < ALONE or is_crowded(rows, c, scratch))
             ):

@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.kernels import linear
 
-Floats = NDArray[np.float64]
 TINY = 1e-11
 PROXIMAL = 3  # points: each leaves the shift's share of what was left
 ON_RAY, TOO_LONG = -1, -2

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.solids.state import ASLEEP, DA, DC, DS, DX, DY, DYNAMIC, USED, VX, VY, W
+from game.physics.solids.arrays import state
 
 SMALL_TURN = 0.1  # rad, up to which a short series gives cosine and sine to 1e-12
 
@@ -17,15 +17,15 @@ def start_motion(bodies, scratch, numbers):
     motion, pulls = scratch.motion, scratch.accelerations
     for i in range(bodies.flags.shape[0]):
         flags = bodies.flags[i]
-        awake = flags & USED and not flags & ASLEEP
-        motion[i, VX] = bodies.velocities[i, 0] if awake else 0.0
-        motion[i, VY] = bodies.velocities[i, 1] if awake else 0.0
-        motion[i, W] = bodies.spins[i] if awake else 0.0
-        motion[i, DX], motion[i, DY], motion[i, DA] = 0.0, 0.0, 0.0
-        motion[i, DC], motion[i, DS] = 1.0, 0.0
+        awake = flags & state.USED and not flags & state.ASLEEP
+        motion[i, state.VX] = bodies.velocities[i, 0] if awake else 0.0
+        motion[i, state.VY] = bodies.velocities[i, 1] if awake else 0.0
+        motion[i, state.W] = bodies.spins[i] if awake else 0.0
+        motion[i, state.DX], motion[i, state.DY], motion[i, state.DA] = 0.0, 0.0, 0.0
+        motion[i, state.DC], motion[i, state.DS] = 1.0, 0.0
         pulls[i, 0], pulls[i, 1], pulls[i, 2] = 0.0, 0.0, 0.0
-        scratch.air[i, 2] = 1.0 if awake and flags & DYNAMIC else 0.0
-        if awake and flags & DYNAMIC:
+        scratch.air[i, 2] = 1.0 if awake and flags & state.DYNAMIC else 0.0
+        if awake and flags & state.DYNAMIC:
             scale, weight = bodies.gravity_scales[i], bodies.inverse_masses[i]
             pulls[i, 0] = scale * numbers.gravity_x + weight * bodies.forces[i, 0]
             pulls[i, 1] = scale * numbers.gravity_y + weight * bodies.forces[i, 1]
@@ -38,16 +38,16 @@ def accelerate(scratch, numbers):
     """Velocities after h of forces; then of drag, against the air, implicitly."""
     motion, pulls, air, h = scratch.motion, scratch.accelerations, scratch.air, numbers.h
     for i in range(motion.shape[0]):
-        motion[i, VX] += h * pulls[i, 0]
-        motion[i, VY] += h * pulls[i, 1]
-        motion[i, W] += h * pulls[i, 2]
+        motion[i, state.VX] += h * pulls[i, 0]
+        motion[i, state.VY] += h * pulls[i, 1]
+        motion[i, state.W] += h * pulls[i, 2]
     if numbers.drag > 0.0 or numbers.spin_drag > 0.0:
         keep, keep_spin = 1.0 / (1.0 + h * numbers.drag), 1.0 / (1.0 + h * numbers.spin_drag)
         for i in range(motion.shape[0]):
             if air[i, 2] > 0.0:
-                motion[i, VX] = air[i, 0] + keep * (motion[i, VX] - air[i, 0])
-                motion[i, VY] = air[i, 1] + keep * (motion[i, VY] - air[i, 1])
-                motion[i, W] *= keep_spin
+                motion[i, state.VX] = air[i, 0] + keep * (motion[i, state.VX] - air[i, 0])
+                motion[i, state.VY] = air[i, 1] + keep * (motion[i, state.VY] - air[i, 1])
+                motion[i, state.W] *= keep_spin
 
 
 @inner_kernel
@@ -65,8 +65,8 @@ def cosine_sine(angle):
 def move(motion, h):
     """Places after h of the velocities that there are."""
     for i in range(motion.shape[0]):
-        motion[i, DX] += h * motion[i, VX]
-        motion[i, DY] += h * motion[i, VY]
-        if motion[i, W] != 0.0:
-            motion[i, DA] += h * motion[i, W]
-            motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
+        motion[i, state.DX] += h * motion[i, state.VX]
+        motion[i, state.DY] += h * motion[i, state.VY]
+        if motion[i, state.W] != 0.0:
+            motion[i, state.DA] += h * motion[i, state.W]
+            motion[i, state.DC], motion[i, state.DS] = cosine_sine(motion[i, state.DA])

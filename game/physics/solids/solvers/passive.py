@@ -13,32 +13,13 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
+from game.physics.solids.arrays import state
+from game.physics.solids.arrays.layout import SUBSTEP
 from game.physics.solids.islands import is_moving, root_of, unite
-from game.physics.solids.joints.layout import SUBSTEP
 from game.physics.solids.rows import RESTLESS
 from game.physics.solids.solvers.motion import cosine_sine
-from game.physics.solids.state import (
-    APPROACH_0,
-    APPROACH_1,
-    DA,
-    DC,
-    DS,
-    DX,
-    DY,
-    END_A,
-    END_B,
-    END_POINTS,
-    IMPACT,
-    JN,
-    JT,
-    ROW_POINT,
-    ROW_POINT_WIDTH,
-    VX,
-    VY,
-    W,
-)
 
-FIRST, SECOND = ROW_POINT, ROW_POINT + ROW_POINT_WIDTH
+FIRST, SECOND = state.ROW_POINT, state.ROW_POINT + state.ROW_POINT_WIDTH
 EXCUSED, HIT = 1, 2  # marks of a body; shifted by two, of its group
 FREE, PUSHED = 0, 3  # columns of Scratch.speeds: velocities and spin after the forces, and with the push
 
@@ -46,10 +27,10 @@ FREE, PUSHED = 0, 3  # columns of Scratch.speeds: velocities and spin after the 
 @inner_kernel
 def is_violent(rows, c, dt):
     """True if the two of a row overlap deeply, or closed or parted fast when the step began."""
-    speed = abs(rows.rare[c, APPROACH_0])
-    if rows.ends[c, END_POINTS] == 2:
-        speed = max(speed, abs(rows.rare[c, APPROACH_1]))
-    return rows.rare[c, IMPACT] > 0.0 or speed > RESTLESS * dt
+    speed = abs(rows.rare[c, state.APPROACH_0])
+    if rows.ends[c, state.END_POINTS] == 2:
+        speed = max(speed, abs(rows.rare[c, state.APPROACH_1]))
+    return rows.rare[c, state.IMPACT] > 0.0 or speed > RESTLESS * dt
 
 
 @inner_kernel
@@ -65,7 +46,7 @@ def excuse(bodies, rows, joints, scratch):
         any_moving = any_moving or is_moving(bodies, i)
     if any_moving:
         for c in range(rows.count[0]):
-            a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+            a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
             if is_moving(bodies, a) or is_moving(bodies, b):
                 excused[a], excused[b] = EXCUSED, EXCUSED
 
@@ -74,7 +55,11 @@ def excuse(bodies, rows, joints, scratch):
 def note_speeds(motion, speeds, at):
     """Keep velocities and spins in three columns of speeds."""
     for i in range(motion.shape[0]):
-        speeds[i, at], speeds[i, at + 1], speeds[i, at + 2] = motion[i, VX], motion[i, VY], motion[i, W]
+        speeds[i, at], speeds[i, at + 1], speeds[i, at + 2] = (
+            motion[i, state.VX],
+            motion[i, state.VY],
+            motion[i, state.W],
+        )
 
 
 @inner_kernel
@@ -82,7 +67,7 @@ def work_on(bodies, motion, speeds, i):
     """a and b of a body: see the module."""
     m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
     vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
-    x, y, t = motion[i, VX] - vx, motion[i, VY] - vy, motion[i, W] - w
+    x, y, t = motion[i, state.VX] - vx, motion[i, state.VY] - vy, motion[i, state.W] - w
     return m * (vx * x + vy * y) + inertia * w * t, 0.5 * (m * (x * x + y * y) + inertia * t * t)
 
 
@@ -100,8 +85,10 @@ def group_by_touch(bodies, rows, scratch, dt):
     for i in range(parents.shape[0]):
         parents[i] = i
     for c in range(rows.count[0]):
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
-        pushing = row[c, FIRST + JN] > 0.0 or (rows.ends[c, END_POINTS] == 2 and row[c, SECOND + JN] > 0.0)
+        a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
+        pushing = row[c, FIRST + state.JN] > 0.0 or (
+            rows.ends[c, state.END_POINTS] == 2 and row[c, SECOND + state.JN] > 0.0
+        )
         if pushing and bodies.inverse_masses[a] > 0.0 and bodies.inverse_masses[b] > 0.0:
             unite(parents, a, b)
         if is_violent(rows, c, dt):
@@ -143,9 +130,9 @@ def hold_energy(bodies, rows, scratch, numbers):
         keep = works[root_of(parents, i), 0]
         if bodies.inverse_masses[i] > 0.0 and keep < 1.0:
             vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
-            motion[i, VX] = vx + keep * (motion[i, VX] - vx)
-            motion[i, VY] = vy + keep * (motion[i, VY] - vy)
-            motion[i, W] = w + keep * (motion[i, W] - w)
+            motion[i, state.VX] = vx + keep * (motion[i, state.VX] - vx)
+            motion[i, state.VY] = vy + keep * (motion[i, state.VY] - vy)
+            motion[i, state.W] = w + keep * (motion[i, state.W] - w)
     scale_impulses(bodies, rows, works, parents)
 
 
@@ -154,12 +141,12 @@ def scale_impulses(bodies, rows, works, parents):
     """The impulses of groups that were held, likewise."""
     row = rows.rows
     for c in range(rows.count[0]):
-        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
         keep = works[root_of(parents, a if bodies.inverse_masses[a] > 0.0 else b), 0]
         if keep < 1.0:
             for at in (FIRST, SECOND):
-                row[c, at + JN] *= keep
-                row[c, at + JT] *= keep
+                row[c, at + state.JN] *= keep
+                row[c, at + state.JT] *= keep
 
 
 @inner_kernel
@@ -177,13 +164,13 @@ def hold_push(bodies, scratch, numbers):
         fx, fy = speeds[i, FREE], speeds[i, FREE + 1]
         fastest = math.sqrt(fx * fx + fy * fy) + abs(speeds[i, FREE + 2]) * reach
         after = (
-            math.sqrt(motion[i, VX] * motion[i, VX] + motion[i, VY] * motion[i, VY])
-            + abs(motion[i, W]) * reach
+            math.sqrt(motion[i, state.VX] * motion[i, state.VX] + motion[i, state.VY] * motion[i, state.VY])
+            + abs(motion[i, state.W]) * reach
         )
         excess = pushed - numbers.push - max(fastest, after)
         if excess > 0.0:
             part = numbers.h * excess / pushed
-            motion[i, DX] -= part * vx
-            motion[i, DY] -= part * vy
-            motion[i, DA] -= part * w
-            motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
+            motion[i, state.DX] -= part * vx
+            motion[i, state.DY] -= part * vy
+            motion[i, state.DA] -= part * w
+            motion[i, state.DC], motion[i, state.DS] = cosine_sine(motion[i, state.DA])

@@ -8,13 +8,13 @@ soft step takes out. Impacts come first (`impacts`).
 from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel, lean_kernel
+from game.physics.solids.arrays import state
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
 from game.physics.solids.solvers.impacts import ALONE, resolve_impacts
 from game.physics.solids.solvers.impulses import start_warm, sweep_contacts
 from game.physics.solids.solvers.motion import accelerate, move
-from game.physics.solids.state import END_POINTS, ROW_POINT, ROW_POINT_WIDTH, SEP
 
 BAUMGARTE = 0.2  # part of an overlap that becomes speed in one substep
 
@@ -23,8 +23,8 @@ BAUMGARTE = 0.2  # part of an overlap that becomes speed in one substep
 def leave_slop(rows, slop):
     """Count gaps from a little overlap on, which keeps contacts alive."""
     for c in range(rows.count[0]):
-        for k in range(rows.ends[c, END_POINTS]):
-            rows.rows[c, ROW_POINT + k * ROW_POINT_WIDTH + SEP] += slop
+        for k in range(rows.ends[c, state.END_POINTS]):
+            rows.rows[c, state.ROW_POINT + k * state.ROW_POINT_WIDTH + state.SEP] += slop
 
 
 @lean_kernel

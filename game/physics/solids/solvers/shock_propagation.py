@@ -22,40 +22,13 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
+from game.physics.solids.arrays import state
 from game.physics.solids.joints.direct import solve_joints
 from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
 from game.physics.solids.solvers.impulses import gap_now, solve_two
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.solvers.positions import clear_impulses, turn_body
-from game.physics.solids.state import (
-    CROSS_A,
-    CROSS_B,
-    DOT_A,
-    DOT_B,
-    DX,
-    DY,
-    DYNAMIC,
-    END_A,
-    END_B,
-    END_POINTS,
-    JN,
-    JT,
-    MOST_0,
-    RESTITUTION,
-    ROW_IIA,
-    ROW_IIB,
-    ROW_IMA,
-    ROW_IMB,
-    ROW_MU,
-    ROW_NX,
-    ROW_NY,
-    ROW_POINT,
-    ROW_POINT_WIDTH,
-    VX,
-    VY,
-    W,
-)
 
 COLLISION_SWEEPS, CONTACT_SWEEPS, SHOCK_SWEEPS, PUSHING_SWEEPS = 5, 10, 4, 2
 NO_LEVEL = 1 << 30
@@ -66,16 +39,16 @@ PART = 0.5  # of an overlap beyond the slop, that a substep takes away
 def find_levels(bodies, rows, motion, levels, near):
     """Levels (n,): 0 for what cannot move, else one more than the lowest that is touched."""
     for i in range(levels.shape[0]):
-        levels[i] = NO_LEVEL if bodies.flags[i] & DYNAMIC else 0
+        levels[i] = NO_LEVEL if bodies.flags[i] & state.DYNAMIC else 0
     found = True
     while found:
         found = False
         for c in range(rows.count[0]):
-            a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+            a, b = rows.ends[c, state.END_A], rows.ends[c, state.END_B]
             if abs(levels[a] - levels[b]) <= 1:
                 continue
-            for k in range(rows.ends[c, END_POINTS]):
-                at = ROW_POINT + k * ROW_POINT_WIDTH
+            for k in range(rows.ends[c, state.END_POINTS]):
+                at = state.ROW_POINT + k * state.ROW_POINT_WIDTH
                 if gap_now(rows.rows, c, at, motion, a, b) < near:
                     levels[a] = min(levels[a], levels[b] + 1)
                     levels[b] = min(levels[b], levels[a] + 1)
@@ -85,10 +58,20 @@ def find_levels(bodies, rows, motion, levels, near):
 @inner_kernel
 def point_speeds(row, c, at, motion, a, b):
     """Speeds of b against a at a point, along normal and tangent."""
-    vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-    nx, ny = row[c, ROW_NX], row[c, ROW_NY]
-    vn = vx * nx + vy * ny + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
-    vt = vx * ny - vy * nx - motion[b, W] * row[c, at + DOT_B] + motion[a, W] * row[c, at + DOT_A]
+    vx, vy = motion[b, state.VX] - motion[a, state.VX], motion[b, state.VY] - motion[a, state.VY]
+    nx, ny = row[c, state.ROW_NX], row[c, state.ROW_NY]
+    vn = (
+        vx * nx
+        + vy * ny
+        + motion[b, state.W] * row[c, at + state.CROSS_B]
+        - motion[a, state.W] * row[c, at + state.CROSS_A]
+    )
+    vt = (
+        vx * ny
+        - vy * nx
+        - motion[b, state.W] * row[c, at + state.DOT_B]
+        + motion[a, state.W] * row[c, at + state.DOT_A]
+    )
     return vn, vt
 
 
@@ -96,7 +79,12 @@ def point_speeds(row, c, at, motion, a, b):
 def coupled(row, c, at, masses):
     """K of a point: normal, tangent, and between both, for these inverse masses and inertias."""
     ima, iia, imb, iib = masses
-    ca, cb, da, db = row[c, at + CROSS_A], row[c, at + CROSS_B], row[c, at + DOT_A], row[c, at + DOT_B]
+    ca, cb, da, db = (
+        row[c, at + state.CROSS_A],
+        row[c, at + state.CROSS_B],
+        row[c, at + state.DOT_A],
+        row[c, at + state.DOT_B],
+    )
     knn = ima + imb + iia * ca * ca + iib * cb * cb
     ktt = ima + imb + iia * da * da + iib * db * db
     return knn, ktt, -iia * ca * da - iib * cb * db
@@ -112,7 +100,7 @@ def strike(row, c, at, motion, a, b, wanted, masses):
     under = knn * ktt - knt * knt
     dn, dt = wanted - vn, -vt
     jn, jt = (ktt * dn - knt * dt) / under, (knn * dt - knt * dn) / under
-    mu = row[c, ROW_MU]
+    mu = row[c, state.ROW_MU]
     if jn < 0.0 or abs(jt) > mu * jn:
         side = -1.0 if vt > 0.0 else 1.0
         slope = knn + side * mu * knt
@@ -127,7 +115,7 @@ def strike(row, c, at, motion, a, b, wanted, masses):
 @inner_kernel
 def masses_of(row, c):
     """Inverse masses and inertias of a row."""
-    return row[c, ROW_IMA], row[c, ROW_IIA], row[c, ROW_IMB], row[c, ROW_IIB]
+    return row[c, state.ROW_IMA], row[c, state.ROW_IIA], row[c, state.ROW_IMB], row[c, state.ROW_IIB]
 
 
 @inner_kernel
@@ -136,13 +124,13 @@ def collide(rows, motion, numbers):
     row, ends, rare = rows.rows, rows.ends, rows.rare
     for _sweep in range(COLLISION_SWEEPS):
         for c in range(rows.count[0]):
-            a, b = ends[c, END_A], ends[c, END_B]
-            for k in range(ends[c, END_POINTS]):
-                at = ROW_POINT + k * ROW_POINT_WIDTH
+            a, b = ends[c, state.END_A], ends[c, state.END_B]
+            for k in range(ends[c, state.END_POINTS]):
+                at = state.ROW_POINT + k * state.ROW_POINT_WIDTH
                 vn, _ = point_speeds(row, c, at, motion, a, b)
                 if vn >= 0.0 or gap_now(row, c, at, motion, a, b) + numbers.h * vn > 0.0:
                     continue
-                e = rare[c, RESTITUTION] if -vn > numbers.bounce else 0.0
+                e = rare[c, state.RESTITUTION] if -vn > numbers.bounce else 0.0
                 strike(row, c, at, motion, a, b, -e * vn, masses_of(row, c))
 
 
@@ -150,16 +138,16 @@ def collide(rows, motion, numbers):
 def push(row, c, at, motion, a, b, j, masses):
     """Impulses j = (normal, tangent) at a point."""
     ima, iia, imb, iib = masses
-    nx, ny = row[c, ROW_NX], row[c, ROW_NY]
+    nx, ny = row[c, state.ROW_NX], row[c, state.ROW_NY]
     x, y = j[0] * nx + j[1] * ny, j[0] * ny - j[1] * nx
-    motion[a, VX] -= ima * x
-    motion[a, VY] -= ima * y
-    motion[a, W] -= iia * (row[c, at + CROSS_A] * j[0] - row[c, at + DOT_A] * j[1])
-    motion[b, VX] += imb * x
-    motion[b, VY] += imb * y
-    motion[b, W] += iib * (row[c, at + CROSS_B] * j[0] - row[c, at + DOT_B] * j[1])
-    row[c, at + JN] += j[0]
-    row[c, at + JT] += j[1]
+    motion[a, state.VX] -= ima * x
+    motion[a, state.VY] -= ima * y
+    motion[a, state.W] -= iia * (row[c, at + state.CROSS_A] * j[0] - row[c, at + state.DOT_A] * j[1])
+    motion[b, state.VX] += imb * x
+    motion[b, state.VY] += imb * y
+    motion[b, state.W] += iib * (row[c, at + state.CROSS_B] * j[0] - row[c, at + state.DOT_B] * j[1])
+    row[c, at + state.JN] += j[0]
+    row[c, at + state.JT] += j[1]
 
 
 @inner_kernel
@@ -175,18 +163,18 @@ def rub(row, c, at, motion, a, b, masses):
     """Friction at a point: all of the substep so far within the cone of all that pressed so far."""
     _, vt = point_speeds(row, c, at, motion, a, b)
     _, ktt, _ = coupled(row, c, at, masses)
-    most, before = row[c, ROW_MU] * row[c, at + JN], row[c, at + JT]
+    most, before = row[c, state.ROW_MU] * row[c, at + state.JN], row[c, at + state.JT]
     push(row, c, at, motion, a, b, (0.0, max(-most, min(most, before - vt / ktt)) - before), masses)
 
 
 @inner_kernel
 def touch(rows, motion, c, masses, keep, h):
     """Contacts of one row, without restitution: normals of both points together, then friction of each."""
-    row, a, b = rows.rows, rows.ends[c, END_A], rows.ends[c, END_B]
-    at, second = ROW_POINT, ROW_POINT + ROW_POINT_WIDTH
+    row, a, b = rows.rows, rows.ends[c, state.END_A], rows.ends[c, state.END_B]
+    at, second = state.ROW_POINT, state.ROW_POINT + state.ROW_POINT_WIDTH
     knn, _, _ = coupled(row, c, at, masses)
     v1 = asked(row, c, at, motion, a, b, keep, h)
-    if rows.ends[c, END_POINTS] == 1:
+    if rows.ends[c, state.END_POINTS] == 1:
         if v1 < 0.0:
             vn, _ = point_speeds(row, c, at, motion, a, b)
             strike(row, c, at, motion, a, b, vn - v1, masses)
@@ -194,8 +182,8 @@ def touch(rows, motion, c, masses, keep, h):
         v2 = asked(row, c, second, motion, a, b, keep, h)
         other, _, _ = coupled(row, c, second, masses)
         ima, iia, imb, iib = masses
-        between = ima + imb + iia * row[c, at + CROSS_A] * row[c, second + CROSS_A]
-        between += iib * row[c, at + CROSS_B] * row[c, second + CROSS_B]
+        between = ima + imb + iia * row[c, at + state.CROSS_A] * row[c, second + state.CROSS_A]
+        between += iib * row[c, at + state.CROSS_B] * row[c, second + state.CROSS_B]
         between = min(between, 0.98 * math.sqrt(knn * other))
         j1, j2 = solve_two(knn, between, other, v1, v2)
         push(row, c, at, motion, a, b, (j1, 0.0), masses)
@@ -208,7 +196,7 @@ def touch(rows, motion, c, masses, keep, h):
 def heaviest_below(rows, c, levels):
     """Masses of a row with the lower level as if it could not move."""
     ima, iia, imb, iib = masses_of(rows.rows, c)
-    a, b = levels[rows.ends[c, END_A]], levels[rows.ends[c, END_B]]
+    a, b = levels[rows.ends[c, state.END_A]], levels[rows.ends[c, state.END_B]]
     if a < b:
         return 0.0, 0.0, imb, iib
     if b < a:
@@ -222,7 +210,7 @@ def propagate(rows, motion, levels, highest, h):
     for level in range(1, highest + 1):
         for _ in range(SHOCK_SWEEPS):
             for c in range(rows.count[0]):
-                if max(levels[rows.ends[c, END_A]], levels[rows.ends[c, END_B]]) == level:
+                if max(levels[rows.ends[c, state.END_A]], levels[rows.ends[c, state.END_B]]) == level:
                     touch(rows, motion, c, heaviest_below(rows, c, levels), 0.0, h)
 
 
@@ -233,12 +221,12 @@ def push_apart(rows, motion, levels, highest, numbers):
     for level in range(1, highest + 1):
         for _sweep in range(PUSHING_SWEEPS):
             for c in range(rows.count[0]):
-                a, b = ends[c, END_A], ends[c, END_B]
+                a, b = ends[c, state.END_A], ends[c, state.END_B]
                 if max(levels[a], levels[b]) != level:
                     continue
                 masses = heaviest_below(rows, c, levels)
-                for k in range(ends[c, END_POINTS]):
-                    at = ROW_POINT + k * ROW_POINT_WIDTH
+                for k in range(ends[c, state.END_POINTS]):
+                    at = state.ROW_POINT + k * state.ROW_POINT_WIDTH
                     over = -gap_now(row, c, at, motion, a, b) - numbers.slop
                     if over > 0.0:
                         knn, _, _ = coupled(row, c, at, masses)
@@ -251,22 +239,22 @@ def push_apart(rows, motion, levels, highest, numbers):
 def shift(row, c, at, motion, a, b, j, masses):
     """Move both bodies of a point apart along its normal by j (kg m)."""
     ima, iia, imb, iib = masses
-    nx, ny = row[c, ROW_NX], row[c, ROW_NY]
-    motion[a, DX] -= ima * j * nx
-    motion[a, DY] -= ima * j * ny
-    motion[b, DX] += imb * j * nx
-    motion[b, DY] += imb * j * ny
-    turn_body(motion, a, -iia * row[c, at + CROSS_A] * j)
-    turn_body(motion, b, iib * row[c, at + CROSS_B] * j)
+    nx, ny = row[c, state.ROW_NX], row[c, state.ROW_NY]
+    motion[a, state.DX] -= ima * j * nx
+    motion[a, state.DY] -= ima * j * ny
+    motion[b, state.DX] += imb * j * nx
+    motion[b, state.DY] += imb * j * ny
+    turn_body(motion, a, -iia * row[c, at + state.CROSS_A] * j)
+    turn_body(motion, b, iib * row[c, at + state.CROSS_B] * j)
 
 
 @inner_kernel
 def note_impulses(rows):
     """What each point carried in this substep, at its most."""
     for c in range(rows.count[0]):
-        for k in range(rows.ends[c, END_POINTS]):
-            j = rows.rows[c, ROW_POINT + k * ROW_POINT_WIDTH + JN]
-            rows.rare[c, MOST_0 + k] = max(rows.rare[c, MOST_0 + k], j)
+        for k in range(rows.ends[c, state.END_POINTS]):
+            j = rows.rows[c, state.ROW_POINT + k * state.ROW_POINT_WIDTH + state.JN]
+            rows.rare[c, state.MOST_0 + k] = max(rows.rare[c, state.MOST_0 + k], j)
 
 
 @inner_kernel

@@ -13,13 +13,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats, Ints
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids.outlines import checked_points, without_doubles
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 CUBIC, VERTEX = 0, 1
 # columns of a piece: kind; x and y as polynomials of t, 0 to 1; of a vertex, direction of its normal at t = 0
 # and how far it turns (rad); way along the curve at t = 0 and 1, m; number of the curve; its length if closed

@@ -10,11 +10,9 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
-
-Floats = NDArray[np.float64]
 
 NODES = 64  # of the quadrature, whose integrand is smooth
 

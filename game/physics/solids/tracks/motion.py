@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.solids.tracks.curves import AROUND, FROM, TO, TRACK
+from game.physics.solids.tracks import curves
 from game.physics.solids.tracks.places import FAR, along, nearest_on, place_on, walk
 
 # columns of a ball: place m, velocity m/s, angle rad, spin rad/s, radius m, mass kg, k = I/(m r²), friction,
@@ -33,11 +33,11 @@ STILL = 1e-4  # m/s
 @inner_kernel
 def is_far(rows, i, t, j, tj, radius):
     """Whether two places are far along one curve: a ball that rides a branch passes through the others."""
-    if rows[i, TRACK] != rows[j, TRACK]:
+    if rows[i, curves.TRACK] != rows[j, curves.TRACK]:
         return False
     apart = abs(along(rows, i, t) - along(rows, j, tj))
-    if rows[i, AROUND] > 0.0:
-        apart = min(apart, rows[i, AROUND] - apart)
+    if rows[i, curves.AROUND] > 0.0:
+        apart = min(apart, rows[i, curves.AROUND] - apart)
     return apart > 2.0 * math.pi * radius
 
 
@@ -46,7 +46,7 @@ def _faces(rows, i, t, j, tj):
     """Whether two places on one side of a curve look at each other as the flanks of a corner do that a ball
     touches so far apart: of less than 35 degrees, 2 atan(1 / pi).
     """
-    if (rows[i, TO] - rows[i, FROM]) * (rows[j, TO] - rows[j, FROM]) <= 0.0:
+    if (rows[i, curves.TO] - rows[i, curves.FROM]) * (rows[j, curves.TO] - rows[j, curves.FROM]) <= 0.0:
         return False
     _, _, ax, ay, _, _ = place_on(rows, i, t, 0.0)
     _, _, bx, by, _, _ = place_on(rows, j, tj, 0.0)
@@ -325,7 +325,7 @@ def settle_balls(pieces, balls, tracks, margin):
             if distance == FAR:
                 continue
             gap = distance - ball[b, RADIUS]
-            rolled = tracks[b] >= 0 and pieces.rows[j, TRACK] == tracks[b]
+            rolled = tracks[b] >= 0 and pieces.rows[j, curves.TRACK] == tracks[b]
             if (rolled and abs(gap) < best) or (gap < 0.0 and -gap < min(best, ball[b, RADIUS])):
                 best, found, place = abs(gap), j, t
         balls.pieces[b, PIECE], balls.pieces[b, WEDGE] = FREE, FREE

@@ -6,7 +6,7 @@ import math
 
 from game.compiler.decorator import inner_kernel
 from game.physics.kernels import elementary
-from game.physics.solids.tracks.curves import CX, CY, FROM, KIND, PHI, SWEEP, TO, VERTEX
+from game.physics.solids.tracks import curves
 
 FAR = 1e300
 LEAST_RATIO = 0.02  # of the centre's way to the curve's, where a curve is nearly as tight as the ball
@@ -15,17 +15,28 @@ LEAST_RATIO = 0.02  # of the centre's way to the curve's, where a curve is nearl
 @inner_kernel
 def place_on(rows, i, t, r):
     """Centre (x, y) of a ball that touches piece i at t, normal, curvature of its way, and dt by its way."""
-    if rows[i, KIND] == VERTEX:
-        phi = rows[i, PHI] + rows[i, SWEEP] * t
+    if rows[i, curves.KIND] == curves.VERTEX:
+        phi = rows[i, curves.PHI] + rows[i, curves.SWEEP] * t
         nx, ny = elementary.cos(phi), elementary.sin(phi)
-        return rows[i, CX] + r * nx, rows[i, CY] + r * ny, nx, ny, -1.0 / r, -1.0 / (r * rows[i, SWEEP])
-    x = rows[i, CX] + t * (rows[i, CX + 1] + t * (rows[i, CX + 2] + t * rows[i, CX + 3]))
-    y = rows[i, CY] + t * (rows[i, CY + 1] + t * (rows[i, CY + 2] + t * rows[i, CY + 3]))
-    dx = rows[i, CX + 1] + t * (2.0 * rows[i, CX + 2] + 3.0 * t * rows[i, CX + 3])
-    dy = rows[i, CY + 1] + t * (2.0 * rows[i, CY + 2] + 3.0 * t * rows[i, CY + 3])
+        return (
+            rows[i, curves.CX] + r * nx,
+            rows[i, curves.CY] + r * ny,
+            nx,
+            ny,
+            -1.0 / r,
+            -1.0 / (r * rows[i, curves.SWEEP]),
+        )
+    x = rows[i, curves.CX] + t * (
+        rows[i, curves.CX + 1] + t * (rows[i, curves.CX + 2] + t * rows[i, curves.CX + 3])
+    )
+    y = rows[i, curves.CY] + t * (
+        rows[i, curves.CY + 1] + t * (rows[i, curves.CY + 2] + t * rows[i, curves.CY + 3])
+    )
+    dx = rows[i, curves.CX + 1] + t * (2.0 * rows[i, curves.CX + 2] + 3.0 * t * rows[i, curves.CX + 3])
+    dy = rows[i, curves.CY + 1] + t * (2.0 * rows[i, curves.CY + 2] + 3.0 * t * rows[i, curves.CY + 3])
     ex, ey = (
-        2.0 * rows[i, CX + 2] + 6.0 * t * rows[i, CX + 3],
-        2.0 * rows[i, CY + 2] + 6.0 * t * rows[i, CY + 3],
+        2.0 * rows[i, curves.CX + 2] + 6.0 * t * rows[i, curves.CX + 3],
+        2.0 * rows[i, curves.CY + 2] + 6.0 * t * rows[i, curves.CY + 3],
     )
     speed = math.sqrt(dx * dx + dy * dy)
     nx, ny = -dy / speed, dx / speed
@@ -37,7 +48,7 @@ def place_on(rows, i, t, r):
 @inner_kernel
 def along(rows, i, t):
     """Length along the curve, m, for telling what is near."""
-    return rows[i, FROM] + t * (rows[i, TO] - rows[i, FROM])
+    return rows[i, curves.FROM] + t * (rows[i, curves.TO] - rows[i, curves.FROM])
 
 
 @inner_kernel
@@ -69,29 +80,29 @@ def walk(rows, links, i, t, r, s):
 @inner_kernel
 def nearest_on(rows, i, x, y):
     """Distance m from piece i on its left, t and normal there; FAR if none of its normals meets the point."""
-    if rows[i, KIND] == VERTEX:
-        dx, dy = x - rows[i, CX], y - rows[i, CY]
+    if rows[i, curves.KIND] == curves.VERTEX:
+        dx, dy = x - rows[i, curves.CX], y - rows[i, curves.CY]
         distance = math.sqrt(dx * dx + dy * dy)
         if distance == 0.0:
             return FAR, 0.0, 0.0, 0.0
-        turn = rows[i, PHI] - elementary.atan2(dy, dx)
+        turn = rows[i, curves.PHI] - elementary.atan2(dy, dx)
         turn -= 2.0 * math.pi * math.floor(turn / (2.0 * math.pi))
-        if turn > -rows[i, SWEEP]:
+        if turn > -rows[i, curves.SWEEP]:
             return FAR, 0.0, 0.0, 0.0
-        return distance, -turn / rows[i, SWEEP], dx / distance, dy / distance
-    ax, ay = rows[i, CX], rows[i, CY]
-    bx = ax + rows[i, CX + 1] + rows[i, CX + 2] + rows[i, CX + 3]
-    by = ay + rows[i, CY + 1] + rows[i, CY + 2] + rows[i, CY + 3]
+        return distance, -turn / rows[i, curves.SWEEP], dx / distance, dy / distance
+    ax, ay = rows[i, curves.CX], rows[i, curves.CY]
+    bx = ax + rows[i, curves.CX + 1] + rows[i, curves.CX + 2] + rows[i, curves.CX + 3]
+    by = ay + rows[i, curves.CY + 1] + rows[i, curves.CY + 2] + rows[i, curves.CY + 3]
     wx, wy = bx - ax, by - ay
     t = min(max(((x - ax) * wx + (y - ay) * wy) / (wx * wx + wy * wy), 0.0), 1.0)
     off, speed, px, py, dx, dy = 0.0, 1.0, ax, ay, wx, wy
     for _ in range(10):
-        px = ax + t * (rows[i, CX + 1] + t * (rows[i, CX + 2] + t * rows[i, CX + 3]))
-        py = ay + t * (rows[i, CY + 1] + t * (rows[i, CY + 2] + t * rows[i, CY + 3]))
-        dx = rows[i, CX + 1] + t * (2.0 * rows[i, CX + 2] + 3.0 * t * rows[i, CX + 3])
-        dy = rows[i, CY + 1] + t * (2.0 * rows[i, CY + 2] + 3.0 * t * rows[i, CY + 3])
-        ex = 2.0 * rows[i, CX + 2] + 6.0 * t * rows[i, CX + 3]
-        ey = 2.0 * rows[i, CY + 2] + 6.0 * t * rows[i, CY + 3]
+        px = ax + t * (rows[i, curves.CX + 1] + t * (rows[i, curves.CX + 2] + t * rows[i, curves.CX + 3]))
+        py = ay + t * (rows[i, curves.CY + 1] + t * (rows[i, curves.CY + 2] + t * rows[i, curves.CY + 3]))
+        dx = rows[i, curves.CX + 1] + t * (2.0 * rows[i, curves.CX + 2] + 3.0 * t * rows[i, curves.CX + 3])
+        dy = rows[i, curves.CY + 1] + t * (2.0 * rows[i, curves.CY + 2] + 3.0 * t * rows[i, curves.CY + 3])
+        ex = 2.0 * rows[i, curves.CX + 2] + 6.0 * t * rows[i, curves.CX + 3]
+        ey = 2.0 * rows[i, curves.CY + 2] + 6.0 * t * rows[i, curves.CY + 3]
         speed = dx * dx + dy * dy
         off = (px - x) * dx + (py - y) * dy
         slope = speed + (px - x) * ex + (py - y) * ey

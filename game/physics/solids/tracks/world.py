@@ -6,30 +6,15 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from game.arrays import Floats, Ints
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids.shapes import checked_number, checked_pair
+from game.physics.solids.tracks import motion
 from game.physics.solids.tracks.curves import TRACK, Curve, grid_of, pieces_of
-from game.physics.solids.tracks.motion import (
-    BALL_WIDTH,
-    BOUNCE,
-    FREE,
-    FRICTION,
-    MASS,
-    PIECE,
-    RADIUS,
-    SHARE,
-    SPIN,
-    VX,
-    X,
-    Y,
-    settle_balls,
-    step_balls,
-)
+from game.physics.solids.tracks.motion import settle_balls, step_balls
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
 DISC, SPHERE = 0.5, 0.4  # I / (m r²)
 MOST_BALLS = 20_000
 
@@ -70,7 +55,7 @@ class TrackWorld:
 
     def __init__(self, curves: list[Curve] | None = None, settings: TrackSettings | None = None):
         self.settings = settings or TrackSettings()
-        self.balls = Balls(np.zeros((0, BALL_WIDTH)), np.zeros((0, 2), dtype=np.int32))
+        self.balls = Balls(np.zeros((0, motion.BALL_WIDTH)), np.zeros((0, 2), dtype=np.int32))
         self.curves: list[Curve] = []
         self._lay(list(curves or []))
 
@@ -83,9 +68,9 @@ class TrackWorld:
         """Other tracks: balls stay on the ones of their number, if these moved by no more than margin m; none
         gets faster by it. ValueError: nothing is changed.
         """
-        on = self.balls.pieces[:, PIECE]
-        tracks = np.full(len(on), FREE, dtype=np.int32)
-        rolling = on != FREE
+        on = self.balls.pieces[:, motion.PIECE]
+        tracks = np.full(len(on), motion.FREE, dtype=np.int32)
+        rolling = on != motion.FREE
         tracks[rolling] = self.pieces.rows[on[rolling], TRACK].astype(np.int32)
         self._lay(list(curves))
         settle_balls(self.pieces, self.balls, tracks, float(margin))
@@ -97,18 +82,18 @@ class TrackWorld:
         """A ball, free; its number. share: I/(m r²), above 0 to 1. ValueError for nonsense."""
         if len(self.balls.rows) >= MOST_BALLS:
             raise ValueError(f"balls: there is room for {MOST_BALLS}")
-        row = np.zeros(BALL_WIDTH)
-        row[X : Y + 1] = checked_pair("position", position)
-        row[VX : VX + 2] = checked_pair("velocity", velocity)
-        row[SPIN] = checked_number("spin", spin, -1e6, 1e6)
-        row[RADIUS] = checked_number("radius", radius, 1e-6, 1e4)
-        row[SHARE] = checked_number("share", share, 0.0, 1.0, above=True)
-        row[MASS] = checked_number("mass", mass, 0.0, 1e12, above=True)
-        row[FRICTION] = checked_number("friction", friction, 0.0, 1e9)
-        row[BOUNCE] = checked_number("restitution", restitution, 0.0, 1.0)
+        row = np.zeros(motion.BALL_WIDTH)
+        row[motion.X : motion.Y + 1] = checked_pair("position", position)
+        row[motion.VX : motion.VX + 2] = checked_pair("velocity", velocity)
+        row[motion.SPIN] = checked_number("spin", spin, -1e6, 1e6)
+        row[motion.RADIUS] = checked_number("radius", radius, 1e-6, 1e4)
+        row[motion.SHARE] = checked_number("share", share, 0.0, 1.0, above=True)
+        row[motion.MASS] = checked_number("mass", mass, 0.0, 1e12, above=True)
+        row[motion.FRICTION] = checked_number("friction", friction, 0.0, 1e9)
+        row[motion.BOUNCE] = checked_number("restitution", restitution, 0.0, 1.0)
         self.balls = Balls(
             np.concatenate([self.balls.rows, row[None]]),
-            np.concatenate([self.balls.pieces, np.full((1, 2), FREE, dtype=np.int32)]),
+            np.concatenate([self.balls.pieces, np.full((1, 2), motion.FREE, dtype=np.int32)]),
         )
         return len(self.balls.rows) - 1
 
@@ -122,24 +107,28 @@ class TrackWorld:
     def put_down(self, ball: int, reach: float) -> bool:
         """Put a ball on the nearest track within reach m of touching it, as fast as it is; False: none."""
         one = Balls(self.balls.rows[ball : ball + 1], self.balls.pieces[ball : ball + 1])
-        best = FREE
+        best = motion.FREE
         for track in range(len(self.curves)):
             before = one.rows.copy()
             settle_balls(self.pieces, one, np.array([track], dtype=np.int32), float(reach))
-            if one.pieces[0, PIECE] != FREE:
-                reach = float(elementwise.hypot(*(one.rows[0, X : Y + 1] - before[0, X : Y + 1])))
+            if one.pieces[0, motion.PIECE] != motion.FREE:
+                reach = float(
+                    elementwise.hypot(
+                        *(one.rows[0, motion.X : motion.Y + 1] - before[0, motion.X : motion.Y + 1])
+                    )
+                )
                 best = track
             one.rows[:] = before
-            one.pieces[:] = FREE
-        if best == FREE:
+            one.pieces[:] = motion.FREE
+        if best == motion.FREE:
             return False
         settle_balls(self.pieces, one, np.array([best], dtype=np.int32), reach * (1.0 + 1e-9) + 1e-12)
-        return bool(one.pieces[0, PIECE] != FREE)
+        return bool(one.pieces[0, motion.PIECE] != motion.FREE)
 
     def track_of(self, ball: int) -> int:
         """Number of the track that a ball rolls on, or FREE."""
-        piece = int(self.balls.pieces[ball, PIECE])
-        return FREE if piece == FREE else int(self.pieces.rows[piece, TRACK])
+        piece = int(self.balls.pieces[ball, motion.PIECE])
+        return motion.FREE if piece == motion.FREE else int(self.pieces.rows[piece, TRACK])
 
     def step(self, dt: float) -> None:
         """One step of dt (s). ValueError; ArithmeticError if a ball's state is no longer finite."""
@@ -147,16 +136,25 @@ class TrackWorld:
         substeps = self.settings.substeps
         gravity = np.array(self.settings.gravity, dtype=np.float64)
         wrong = step_balls(self.pieces, self.grid, self.balls, gravity, length / substeps, substeps)
-        if wrong != FREE:
+        if wrong != motion.FREE:
             raise ArithmeticError(f"ball {wrong}: not finite")
 
     def energies(self) -> Floats:
         """(n, 3) J of each ball: of its way, of its spin, of its height above y = 0."""
         rows = self.balls.rows
-        mass, gravity = rows[:, MASS], self.settings.gravity
-        way = 0.5 * mass * (rows[:, VX] * rows[:, VX] + rows[:, VX + 1] * rows[:, VX + 1])
-        turn = 0.5 * mass * rows[:, SHARE] * elementary.square(rows[:, RADIUS] * rows[:, SPIN])
-        height = -mass * (gravity[0] * rows[:, X] + gravity[1] * rows[:, Y])
+        mass, gravity = rows[:, motion.MASS], self.settings.gravity
+        way = (
+            0.5
+            * mass
+            * (rows[:, motion.VX] * rows[:, motion.VX] + rows[:, motion.VX + 1] * rows[:, motion.VX + 1])
+        )
+        turn = (
+            0.5
+            * mass
+            * rows[:, motion.SHARE]
+            * elementary.square(rows[:, motion.RADIUS] * rows[:, motion.SPIN])
+        )
+        height = -mass * (gravity[0] * rows[:, motion.X] + gravity[1] * rows[:, motion.Y])
         return np.stack([way, turn, height], axis=1)
 
     def state(self) -> TrackState:

@@ -9,15 +9,13 @@ from time import perf_counter
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.search.outcomes import GIVEN_UP, SCRATCH
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
 from game.physics.kernels import elementwise
-
-Array = NDArray[np.float64]
 
 SAMPLES = 256  # strokes
 BATCH = 8  # between two looks at the clock
@@ -30,12 +28,12 @@ class Landing(NamedTuple):
     so far.
     """
 
-    ends: Array
+    ends: Floats
     scratches: int
     tried: int
 
     @property
-    def middle(self) -> Array:
+    def middle(self) -> Floats:
         """Mean (2,) m of the ends; nan without any."""
         return self.ends.mean(axis=0) if len(self.ends) else np.full(2, np.nan)
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.search.legality import legality_of
@@ -38,8 +36,6 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.theme import FELT, FELT_WARM
 
-Array = NDArray[np.float64]
-
 HINT_EVENTS = 200  # to the end of its shot
 
 
@@ -67,7 +63,7 @@ class BilliardsView:
         self._close_up = CloseUpView()
         self._end_card = EndCard()
 
-    def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
+    def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
         play, frame = self.play, self.play.model.frame
         draw_table(canvas, frame.table)
@@ -128,7 +124,7 @@ class BilliardsView:
         solution = self.play.model.content.solution
         return solution.stroke() if self.buttons.hint_shown and solution is not None else None
 
-    def _moment(self, alpha: float, clock_before: Array | None) -> float:
+    def _moment(self, alpha: float, clock_before: Floats | None) -> float:
         """Time of the phase, or place in the replay, that is shown, s."""
         column = REPLAY_S if self.play.phase == REPLAY else PHASE_S
         time = float(self.play.clock[column])

@@ -7,11 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.broadphase.validation import first_bad_box
-from game.scenes.boxes.level import FARTHEST, HEIGHT, MOST_LISTED, WIDTH, BoxEntry, BoxesContent
+from game.scenes.boxes import level
+from game.scenes.boxes.level import BoxEntry, BoxesContent
 
-Array = NDArray[np.float64]
-LOWER, UPPER = np.zeros(2), np.array([WIDTH, HEIGHT])
+LOWER, UPPER = np.zeros(2), np.array([level.WIDTH, level.HEIGHT])
 
 
 class BoxesState(NamedTuple):
@@ -20,13 +21,13 @@ class BoxesState(NamedTuple):
     swept_lowers, swept_uppers: (n, 2) m, what the boxes covered in the last step, if that is asked for.
     """
 
-    lowers: Array
-    uppers: Array
-    velocities: Array
-    growth: Array
+    lowers: Floats
+    uppers: Floats
+    velocities: Floats
+    growth: Floats
     alive: NDArray[np.uint8]
-    swept_lowers: Array
-    swept_uppers: Array
+    swept_lowers: Floats
+    swept_uppers: Floats
 
 
 class BoxArrays:
@@ -35,7 +36,7 @@ class BoxArrays:
     lowers, uppers, velocities (n, 2) m, m/s; growth (n,) m/s; alive (n,); ids: those in use.
     """
 
-    def __init__(self, lowers: Array, uppers: Array, velocities: Array, growth: Array):
+    def __init__(self, lowers: Floats, uppers: Floats, velocities: Floats, growth: Floats):
         self.lowers, self.uppers, self.velocities, self.growth = lowers, uppers, velocities, growth
         self.alive = np.ones(len(lowers), dtype=np.uint8)
         self.swept_lowers = self.swept_uppers = np.empty((0, 2))
@@ -68,13 +69,13 @@ class BoxArrays:
         finite: NDArray[np.bool_] = np.all(np.isfinite(ends), axis=1)
         return finite
 
-    def covered(self) -> tuple[Array, Array]:
+    def covered(self) -> tuple[Floats, Floats]:
         """What broad phases work on: the boxes as they are, or all that they covered in the last step."""
         if len(self.swept_lowers):
             return self.swept_lowers, self.swept_uppers
         return self.lowers, self.uppers
 
-    def sweep(self, lowers: Array, uppers: Array) -> None:
+    def sweep(self, lowers: Floats, uppers: Floats) -> None:
         """Note what the boxes have covered since they had these corners."""
         self.swept_lowers = np.minimum(lowers, self.lowers)
         self.swept_uppers = np.maximum(uppers, self.uppers)
@@ -85,7 +86,7 @@ class BoxArrays:
 
     # -- rows are filled and emptied ----------------------------------------------------------------
 
-    def put(self, ids: NDArray[np.int64], lowers: Array, uppers: Array, velocities: Array) -> None:
+    def put(self, ids: NDArray[np.int64], lowers: Floats, uppers: Floats, velocities: Floats) -> None:
         """Boxes with these ids, in rows that are free or yet to be made. `note_ids` is to follow."""
         missing = int(ids.max(initial=-1)) + 1 - len(self.alive)
         if missing > 0:
@@ -132,7 +133,7 @@ class BoxArrays:
 
     def to_content(self) -> BoxesContent | None:
         """The boxes as a level lists them; None if they are too many."""
-        if len(self.ids) > MOST_LISTED:
+        if len(self.ids) > level.MOST_LISTED:
             return None
         rows = zip(
             self.lowers[self.ids].tolist(), self.uppers[self.ids].tolist(),
@@ -153,10 +154,12 @@ def listed_boxes(boxes: tuple[BoxEntry, ...]) -> BoxArrays:
     if bad >= 0:
         raise ValueError(f"boxes[{bad}]: lower {boxes[bad].lower} must not be above upper {boxes[bad].upper}")
     for name, given in (("lower", lowers), ("upper", uppers)):
-        far = np.flatnonzero((np.isfinite(given) & (np.abs(given) > FARTHEST)).any(axis=1))
+        far = np.flatnonzero((np.isfinite(given) & (np.abs(given) > level.FARTHEST)).any(axis=1))
         if len(far):
             corner = tuple(given[far[0]].tolist())
-            raise ValueError(f"boxes[{far[0]}]: {name} {corner} must be within {FARTHEST:g} m, or infinite")
+            raise ValueError(
+                f"boxes[{far[0]}]: {name} {corner} must be within {level.FARTHEST:g} m, or infinite"
+            )
     return BoxArrays(
         lowers,
         uppers,

@@ -8,6 +8,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.effects import BOUNDARY, BOXES, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
@@ -15,7 +16,7 @@ from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
 from game.scenes.boxes.level import HEIGHT, WIDTH, BoxesContent
-from game.scenes.boxes.model.arrays import LOWER, UPPER, Array, BoxArrays, BoxesState, listed_boxes
+from game.scenes.boxes.model.arrays import LOWER, UPPER, BoxArrays, BoxesState, listed_boxes
 from game.scenes.boxes.parameters import BoxesParameters
 from game.stage import Param, Part
 from game.stage.messages import Messages
@@ -155,7 +156,7 @@ class BoxesModel(Part):
 
     # -- boxes come and go --------------------------------------------------------------------------
 
-    def add(self, lowers: Array, uppers: Array, velocities: Array) -> NDArray[np.int64]:
+    def add(self, lowers: Floats, uppers: Floats, velocities: Floats) -> NDArray[np.int64]:
         """Add boxes to the arrays and to every structure; their ids are the smallest free ones."""
         self.boxes.forget_sweep()
         ids = np.empty(0, dtype=np.int64)
@@ -260,7 +261,7 @@ class BoxesModel(Part):
         self.remove(np.array([box]))
         self.pair_up()
 
-    def add_one(self, lower: Array, upper: Array) -> None:
+    def add_one(self, lower: Floats, upper: Floats) -> None:
         """Add a box that goes in a random direction, and pair it up; a message if there are too many."""
         if len(self.boxes) >= self.most:
             self.messages.say(f"{self.most} boxes are the most.")

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.broadphase import SweepAndPrune
 from game.physics.broadphase.effects import MOTION
 from game.physics.broadphase.workloads import expected_swaps
 from game.physics.kernels import elementary
 from game.scenes.boxes.level import HEIGHT, WIDTH
-from game.scenes.boxes.model.arrays import Array
 from game.scenes.boxes.model.compared import ComparedModel
 from game.scenes.boxes.model.managers import MOST_IN_MATRIX, manager_for
 from game.scenes.boxes.model.names import named
@@ -50,7 +50,7 @@ class SweepAndPruneModel(ComparedModel):
         """Whether the sorted end points are shown."""
         return self.parameters.axes and len(self.boxes) <= MOST_TICKS
 
-    def add(self, lowers: Array, uppers: Array, velocities: Array) -> NDArray[np.int64]:
+    def add(self, lowers: Floats, uppers: Floats, velocities: Floats) -> NDArray[np.int64]:
         rows = len(self.boxes) + len(lowers)
         if self.sap.manager.greatest < rows - 1:
             if rows > MOST_IN_MATRIX:

@@ -7,6 +7,7 @@ from time import thread_time
 
 import numpy as np
 
+from game.arrays import Floats
 from game.physics.broadphase import (
     BroadPhase,
     BspTree,
@@ -16,7 +17,6 @@ from game.physics.broadphase import (
     SweepAndPrune,
     UniformGrid,
 )
-from game.physics.broadphase.validation import Corners
 from game.physics.broadphase.workloads import WORKLOADS, MovingBoxes, make_boxes
 from game.physics.kernels import elementwise
 
@@ -55,7 +55,7 @@ def steps_of(phase: BroadPhase, boxes: MovingBoxes, leap: bool, steps: int) -> I
         yield thread_time() - start
 
 
-def travelling(count: int, way: float) -> Callable[[int], tuple[Corners, Corners]]:
+def travelling(count: int, way: float) -> Callable[[int], tuple[Floats, Floats]]:
     """Boxes in heaps that each travel as one, ``way`` sizes a step, and turn back at the rim of the world.
 
     What it returns gives the lower and upper corners (count, 2) m at a step.
@@ -68,7 +68,7 @@ def travelling(count: int, way: float) -> Callable[[int], tuple[Corners, Corners
     heap = rng.integers(0, HEAPS, count)
     places = SPREAD * EXTENT[1] * rng.standard_normal((count, 2))
 
-    def at(step: int) -> tuple[Corners, Corners]:
+    def at(step: int) -> tuple[Floats, Floats]:
         middles = world - np.abs(np.mod(home + step * ways, 2.0 * world) - world)
         low = middles[heap] + places - 0.5 * size
         return low, low + size

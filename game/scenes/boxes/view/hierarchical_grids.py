@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.broadphase.hash_levels import TOP
-from game.scenes.boxes.model.arrays import Array, BoxesState
+from game.scenes.boxes.model.arrays import BoxesState
 from game.scenes.boxes.model.hierarchical_grids import HierarchicalGridModel
 from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.sheets import LEVEL_COLORS, color_index, sheets_of
@@ -62,7 +63,7 @@ class HierarchicalGridView(BoxesView):
                 column.space(6)
                 write_look(model, column, seen)
 
-    def _draw_cells(self, canvas: Canvas, levels: Levels, corners: Array, present: Levels) -> None:
+    def _draw_cells(self, canvas: Canvas, levels: Levels, corners: Floats, present: Levels) -> None:
         """The cells that hold boxes, coarse ones first; the level that is one cell has no outline."""
         for level in present[::-1].tolist():
             if level == TOP:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from game.arrays import Floats
 from game.scenes.boxes.hand import Hand
 from game.scenes.boxes.level import HEIGHT, WIDTH
-from game.scenes.boxes.model.arrays import Array, BoxesState
+from game.scenes.boxes.model.arrays import BoxesState
 from game.scenes.boxes.model.base import BoxesModel
 from game.scenes.boxes.numbers import grouped
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.boxes import HIDDEN, BoxPainter
 
-Places = tuple[Array, Array]  # lower and upper corners (n, 2) m as they are drawn
+Places = tuple[Floats, Floats]  # lower and upper corners (n, 2) m as they are drawn
 FREE, OVERLAPPING, IN_HAND = 0, 1, 2  # kinds of boxes
 MOST_LINES = 6_000
 

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.cloth.layout import CHAR, FUEL, HOT, PER, SALT, THERE, WATER, X, Z
+from game.arrays import Floats
+from game.physics.cloth import layout
 from game.scenes.burning_cloth.model import BurningClothModel, BurningClothState
 from game.scenes.burning_cloth.picture.sheet_painter import COLUMNS, PX, PY, paint_sheet, tint_sheet
 from game.scenes.burning_cloth.picture.yard import SOURCES
 from game.scenes.burning_cloth.tables import HALF, TALL
 from game.ui.canvas.canvas import Canvas
 
-Floats = NDArray[np.float64]
 EYE, FAR = 1.0, 6.0  # m: how high the eye is, and how far before the cloth
 SUN = np.array((-0.42, 0.5, 0.76))  # where the light of the sky comes from
 SKY_LIGHT = {True: (0.44, 0.47, 0.58), False: (1.0, 0.99, 0.95)}
@@ -37,9 +37,11 @@ class ClothPicture:
         too.
         """
         nodes = self.model.cloth.nodes
-        found = np.concatenate([nodes[X : Z + 1], nodes[THERE][None]])
+        found = np.concatenate([nodes[layout.X : layout.Z + 1], nodes[layout.THERE][None]])
         if previous is not None and previous.cloth.nodes.shape == nodes.shape:
-            found[:3] -= (1.0 - alpha) * (nodes[X : Z + 1] - previous.cloth.nodes[X : Z + 1])
+            found[:3] -= (1.0 - alpha) * (
+                nodes[layout.X : layout.Z + 1] - previous.cloth.nodes[layout.X : layout.Z + 1]
+            )
         there = found[3] > 0.0
         if there.all():
             return found
@@ -59,7 +61,7 @@ class ClothPicture:
         places = canvas.place_all(seen.reshape(-1, 2)).reshape(seen.shape)
         v[..., PX : PY + 1] = _doubled(places)
         patches = cloth.patches
-        left = (patches[FUEL] + patches[CHAR]) / cloth.made_of.dry
+        left = (patches[layout.FUEL] + patches[layout.CHAR]) / cloth.made_of.dry
         light_now = np.array((SKY_LIGHT[dark], FIRE))
         tint_sheet(
             patches,
@@ -73,8 +75,13 @@ class ClothPicture:
         if self.model.parameters.view in ("heat", "saltpetre"):
             v[..., 2:5] = self._measured()
         whole = cloth.whole > 0.0
-        plain = (left > 0.9) & (patches[HOT] < 400.0) & (patches[SALT] < 0.02) & (patches[WATER] < 0.02)
-        plain = plain.reshape(*whole.shape[:1], PER, whole.shape[1], PER).all(axis=(1, 3))
+        plain = (
+            (left > 0.9)
+            & (patches[layout.HOT] < 400.0)
+            & (patches[layout.SALT] < 0.02)
+            & (patches[layout.WATER] < 0.02)
+        )
+        plain = plain.reshape(*whole.shape[:1], layout.PER, whole.shape[1], layout.PER).all(axis=(1, 3))
         plain &= _all_around(plain)
         placed = nodes[3] > 0.0
         corners = placed[:-1, :-1] & placed[:-1, 1:] & placed[1:, :-1] & placed[1:, 1:]
@@ -86,8 +93,8 @@ class ClothPicture:
         """(2 ny + 1, 2 nx + 1, 3) 0 to 255: how hot the cloth is, or how much saltpetre is on it."""
         patches = self.model.cloth.patches
         if self.model.parameters.view == "heat":
-            return _by_stops(_corners((patches[HOT] - COLD) / (HOTTEST - COLD)))
-        salt = _corners(patches[SALT])[..., None]
+            return _by_stops(_corners((patches[layout.HOT] - COLD) / (HOTTEST - COLD)))
+        salt = _corners(patches[layout.SALT])[..., None]
         return np.asarray(np.array((60.0, 66.0, 74.0)) + salt * np.array((190.0, 130.0, -30.0)))
 
     def _fire_on(self, nodes: Floats, light: NDArray[np.float32]) -> Floats:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.physics.cloth.layout import CHAR, FUEL, HOT, PATCH_ROWS, SALT, WATER
+from game.physics.cloth import layout
 from game.ui.raster.pixels import OPAQUE, blend
 
 # columns of vertices: px, px, red, green, blue (0 to 255), share of the cloth that is left
@@ -147,15 +147,15 @@ def tint_sheet(patches: Any, shade: Any, fire: Any, linen: Any, light: Any, dry:
     """
     for b in range(vertices.shape[0]):
         for a in range(vertices.shape[1]):
-            hot, fuel = _mean(patches, HOT, b, a), _mean(patches, FUEL, b, a) / dry
-            salt, wet = _mean(patches, SALT, b, a), min(_mean(patches, WATER, b, a) / 0.15, 1.0)
+            hot, fuel = _mean(patches, layout.HOT, b, a), _mean(patches, layout.FUEL, b, a) / dry
+            salt, wet = _mean(patches, layout.SALT, b, a), min(_mean(patches, layout.WATER, b, a) / 0.15, 1.0)
             gone = 1.0 - min(max(fuel, 0.0), 1.0)
             scorch = 0.55 * min(max((hot - 430.0) / 170.0, 0.0), 1.0)
             brown = min(4.0 * gone + scorch, 1.0)
             black = min(max(3.0 * (gone - 0.1), 0.0), 1.0)
             glow = min(max((hot - GLOW_FROM) / (GLOW_TO - GLOW_FROM), 0.0), 1.0)
             own, warm = _between(shade, b, a), _between(fire, b, a)
-            vertices[b, a, LEFT] = fuel + _mean(patches, CHAR, b, a) / dry
+            vertices[b, a, LEFT] = fuel + _mean(patches, layout.CHAR, b, a) / dry
             for k in range(3):
                 color = (LINEN[k] + 0.8 * salt * (SALTED[k] - LINEN[k])) * linen[b, a]
                 color += (BROWN[k] - color) * brown
@@ -178,7 +178,11 @@ def warm_up_sheet() -> None:
         np.ones((1, 1), np.int64),
     )  # fmt: skip
     tint_sheet(
-        np.zeros((PATCH_ROWS, 2, 2)), np.zeros((2, 2)), np.zeros((2, 2)), np.zeros((3, 3)), np.zeros((2, 3)),
+        np.zeros((layout.PATCH_ROWS, 2, 2)),
+        np.zeros((2, 2)),
+        np.zeros((2, 2)),
+        np.zeros((3, 3)),
+        np.zeros((2, 3)),
         1.0,
         np.zeros((3, 3, COLUMNS)),
-    )  # fmt: skip
+    )

@@ -8,15 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.scenes.burning_cloth.picture.yard_picture import (
-    BOTTOM,
-    CELL,
-    LEFT,
-    RIGHT,
-    TOP_EDGE,
-    Floats,
-    yard_picture,
-)
+from game.scenes.burning_cloth.picture import yard_picture as ya
+from game.scenes.burning_cloth.picture.yard_picture import Floats, yard_picture
 from game.scenes.burning_cloth.tables import HALF, TALL
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.backdrops import Painted, Seen
@@ -86,14 +79,16 @@ class Yard:
 
     def __init__(self) -> None:
         self._seen = Seen()
-        self._down = _between(round((TOP_EDGE - BOTTOM) / CELL), ROWS)
-        self._across = _between(round((RIGHT - LEFT) / CELL), COLUMNS)
+        self._down = _between(round((ya.TOP_EDGE - ya.BOTTOM) / ya.CELL), ROWS)
+        self._across = _between(round((ya.RIGHT - ya.LEFT) / ya.CELL), COLUMNS)
 
     def draw(self, canvas: Canvas, dark: bool, light: Floats) -> None:
         """light (ROWS, COLUMNS) float32: see `light_on_yard`."""
         picture = yard_picture(dark)
         pixels, clip = canvas.raster_target
-        colors, takes = self._seen.of(canvas, Painted(LEFT, TOP_EDGE, CELL), (picture.colors, picture.takes))
+        colors, takes = self._seen.of(
+            canvas, Painted(ya.LEFT, ya.TOP_EDGE, ya.CELL), (picture.colors, picture.takes)
+        )
         rows, columns = self._seen.rows, self._seen.columns
         places = (*(part[rows] for part in self._down), *(part[columns] for part in self._across))
         gain = np.array([int(part * 256.0 / picture.own) for part in WARM], dtype=np.int64)
@@ -114,8 +109,8 @@ def warm_up_yard() -> None:
 @lru_cache(maxsize=1)
 def _spread() -> Floats:
     """(ROWS COLUMNS, sources): how much of a block's light comes to a place of the yard."""
-    x = LEFT + (np.arange(COLUMNS) + 0.5) * (RIGHT - LEFT) / COLUMNS
-    y = TOP_EDGE - (np.arange(ROWS) + 0.5) * (TOP_EDGE - BOTTOM) / ROWS
+    x = ya.LEFT + (np.arange(COLUMNS) + 0.5) * (ya.RIGHT - ya.LEFT) / COLUMNS
+    y = ya.TOP_EDGE - (np.arange(ROWS) + 0.5) * (ya.TOP_EDGE - ya.BOTTOM) / ROWS
     bx = -HALF + (np.arange(SOURCES[1]) + 0.5) * 2.0 * HALF / SOURCES[1]
     by = (np.arange(SOURCES[0]) + 0.5) * TALL / SOURCES[0]
     dx = (x[None, :, None, None] - bx[None, None, None, :]) / REACH

@@ -8,11 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.scenes.burning_cloth.tables import BOX, BOX_HIGH, SPAN, TABLE, TABLE_FROM, TABLE_TO, TOP
+from game.arrays import Inks
+from game.scenes.burning_cloth import tables
+from game.scenes.burning_cloth.tables import BOX, BOX_HIGH
 from game.ui.raster.pixels import OPAQUE
 
 Floats = NDArray[Any]  # of single precision, for pictures
-Inks = NDArray[np.uint32]
 CELL = 1.0 / 300.0  # m of the yard to a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP_EDGE = -2.5, -0.6, 2.5, 2.6  # m that are painted
 GROUND, WALL_TOP = 0.11, 0.66  # m: where the wall stands on the ground, and how high it is
@@ -206,10 +207,10 @@ def _frame(
     _lay(colors, takes, inside, tone, 0.95)
     iron = np.array((52.0, 50.0, 50.0), dtype=np.float32)
     for side in (-1.0, 1.0):
-        at = 0.5 * side * SPAN
-        shank = (np.abs(x - at) < 0.0045) & (y > TOP + 0.035) & (y < BEAM[0] + 0.012)
-        ring = np.abs(np.sqrt((x - at) ** 2 + (y - TOP - 0.012) ** 2) - 0.022) < 0.0045
-        ring &= ~((x - at > 0.004) & (y > TOP + 0.012))
+        at = 0.5 * side * tables.SPAN
+        shank = (np.abs(x - at) < 0.0045) & (y > tables.TOP + 0.035) & (y < BEAM[0] + 0.012)
+        ring = np.abs(np.sqrt((x - at) ** 2 + (y - tables.TOP - 0.012) ** 2) - 0.022) < 0.0045
+        ring &= ~((x - at > 0.004) & (y > tables.TOP + 0.012))
         plate = (np.abs(x - at) < 0.02) & (np.abs(y - BEAM[0] - 0.03) < 0.02)
         _lay(colors, takes, shank | ring | plate, iron + 0.0 * colors, 0.9)
 
@@ -221,11 +222,15 @@ def _table(
     wood = _parts(inks[6]) * np.float32(1.12)
     shadow = np.exp(-(((x - 1.25) / 0.34) ** 4)) * np.exp(-(((y + 0.02) / 0.05) ** 2))
     colors *= (1.0 - 0.45 * shadow)[..., None]
-    for at, back in ((TABLE_FROM + 0.07, True), (TABLE_TO - 0.07, True), (TABLE_FROM + 0.04, False),
-                     (TABLE_TO - 0.04, False)):  # fmt: skip
+    for at, back in (
+        (tables.TABLE_FROM + 0.07, True),
+        (tables.TABLE_TO - 0.07, True),
+        (tables.TABLE_FROM + 0.04, False),
+        (tables.TABLE_TO - 0.04, False),
+    ):
         foot = 0.05 if back else -0.03
         across = (x - at) / 0.02
-        where = (np.abs(across) < 1.0) & (y > foot) & (y < TABLE - 0.03)
+        where = (np.abs(across) < 1.0) & (y > foot) & (y < tables.TABLE - 0.03)
         _lay(
             colors,
             takes,
@@ -233,26 +238,31 @@ def _table(
             wood * ((0.5 if back else 0.8) - 0.18 * across + 0.05 * fine)[..., None],
             0.7,
         )
-    rail = (x > TABLE_FROM + 0.02) & (x < TABLE_TO - 0.02) & (y > TABLE - 0.1) & (y < TABLE - 0.03)
+    rail = (
+        (x > tables.TABLE_FROM + 0.02)
+        & (x < tables.TABLE_TO - 0.02)
+        & (y > tables.TABLE - 0.1)
+        & (y < tables.TABLE - 0.03)
+    )
     _lay(colors, takes, rail, wood * (0.66 + 0.06 * fine + 0.0 * y)[..., None], 0.8)
-    top = (y > TABLE - 0.03) & (y < TABLE + 0.035)
-    lean = 0.035 * np.clip((y - TABLE + 0.005) / 0.04, 0.0, 1.0)
-    top &= (x > TABLE_FROM + lean) & (x < TABLE_TO - lean)
-    plank = np.abs(np.mod((y - TABLE) / 0.02, 1.0) - 0.5) > 0.46
+    top = (y > tables.TABLE - 0.03) & (y < tables.TABLE + 0.035)
+    lean = 0.035 * np.clip((y - tables.TABLE + 0.005) / 0.04, 0.0, 1.0)
+    top &= (x > tables.TABLE_FROM + lean) & (x < tables.TABLE_TO - lean)
+    plank = np.abs(np.mod((y - tables.TABLE) / 0.02, 1.0) - 0.5) > 0.46
     tone = wood * (0.98 + 0.07 * np.sin(30.0 * x + 3.0 * fine) + 0.05 * fine - 0.25 * plank)[..., None]
-    front = y < TABLE - 0.006
+    front = y < tables.TABLE - 0.006
     tone = np.where(front[..., None], wood * (0.78 + 0.06 * fine)[..., None], tone)
     _lay(colors, takes, top, tone, 1.0)
-    box = (x > BOX[0]) & (x < BOX[1]) & (y > TABLE) & (y < TABLE + BOX_HIGH)
+    box = (x > BOX[0]) & (x < BOX[1]) & (y > tables.TABLE) & (y < tables.TABLE + BOX_HIGH)
     blue, rough, card = (
         np.array(c, dtype=np.float32) for c in ((150, 44, 34), (62, 44, 40), (226, 196, 134))
     )
     shade = np.exp(-(((x - 0.5 * (BOX[0] + BOX[1])) / 0.1) ** 4)) * np.exp(
-        -(((y - TABLE + 0.002) / 0.012) ** 2)
+        -(((y - tables.TABLE + 0.002) / 0.012) ** 2)
     )
-    colors *= (1.0 - 0.35 * shade * (y < TABLE + 0.002))[..., None]
+    colors *= (1.0 - 0.35 * shade * (y < tables.TABLE + 0.002))[..., None]
     _lay(colors, takes, box, rough * (1.0 + 0.12 * fine)[..., None], 0.9)
-    lid = box & (y > TABLE + BOX_HIGH - 0.014)
+    lid = box & (y > tables.TABLE + BOX_HIGH - 0.014)
     _lay(colors, takes, lid, card + 0.0 * colors, 0.95)
-    label = lid & (x > BOX[0] + 0.018) & (x < BOX[1] - 0.018) & (y < TABLE + BOX_HIGH - 0.002)
+    label = lid & (x > BOX[0] + 0.018) & (x < BOX[1] - 0.018) & (y < tables.TABLE + BOX_HIGH - 0.002)
     _lay(colors, takes, label, blue + 0.0 * colors, 0.95)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, carom_trajectory, rows_of
 from game.billiards.game.carom_summary import summarize_carom
@@ -15,7 +15,6 @@ from game.billiards.table.carom import BALL_RADIUS
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
-Array = NDArray[np.float64]
 LEAST_PATH = 0.01  # m; a ball that moves less is not shown to move
 
 
@@ -25,9 +24,9 @@ class Sight(NamedTuple):
     flights: those of the cue ball, points (n, 3) m with the height.
     """
 
-    paths: tuple[Array, ...]
+    paths: tuple[Floats, ...]
     scores: bool
-    flights: tuple[Array, ...] = ()
+    flights: tuple[Floats, ...] = ()
 
 
 class Foresight:
@@ -77,7 +76,7 @@ def draw_faint(canvas: Canvas, sight: Sight) -> None:
         canvas.polyline(points, FELT_LINE, 1.2, alpha=0.38)
 
 
-def draw_ends(canvas: Canvas, ends: Array, cue: int) -> None:
+def draw_ends(canvas: Canvas, ends: Floats, cue: int) -> None:
     """Where the balls end, stroke by stroke of a hand. ends (k, 3, 2) m of white, yellow, red."""
     own, _, red = rows_of(cue)
     for row in range(3):

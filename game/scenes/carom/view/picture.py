@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.laws.state import OFF_TABLE
 from game.billiards.table.carom import BALL_RADIUS, SPOTS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
@@ -23,8 +23,6 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM
 from game.ui.painters.ball_look import CAROM_WHITE
 from game.ui.painters.table import Dress, carom_dress
-
-Array = NDArray[np.float64]
 
 FELTS = {"blue": FELT_BLUE, "green": FELT}
 SHARES = tuple((x / CAROM_WIDTH, y / CAROM_LENGTH) for x, y in SPOTS)
@@ -47,7 +45,7 @@ class CaromView:
         """What the table wears."""
         return DRESSES[str(self.course.parameters.felt)]
 
-    def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
+    def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
         course, frame, dress = self.course, self.course.model.frame, self.dress
         draw_table(canvas, frame.table, dress=dress)
@@ -68,7 +66,7 @@ class CaromView:
             draw_tip(canvas, look, course, self.advisor.study())
             draw_foot(canvas, look, course, drawn)
 
-    def _balls(self, alpha: float, clock_before: Array | None) -> Balls:
+    def _balls(self, alpha: float, clock_before: Floats | None) -> Balls:
         """The balls as they lie, or on their paths."""
         course, model = self.course, self.course.model
         numbers = np.arange(CAROM_WHITE, CAROM_WHITE + 3)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.narrowphase import ConvexPolygon, Feature, NonConvexError, Proximity, certify
 from game.physics.narrowphase.batch import PolygonSet
@@ -19,19 +20,17 @@ from game.scenes.shared.outlines.board import places_of, with_places
 from game.stage import Part
 from game.stage.messages import Messages
 
-Array = NDArray[np.float64]
-
 
 class PairState(NamedTuple):
     """places, rates: (2, 3) unit, unit, rad of A and B, and per s. features: (2,) found last, and where from
     (2,); answer: (8,) distance, points and normal in units, steps of the query. counts: queries, steps.
     """
 
-    places: Array
-    rates: Array
+    places: Floats
+    rates: Floats
     features: NDArray[np.int64]
     begun: NDArray[np.int64]
-    answer: Array
+    answer: Floats
     counts: NDArray[np.int64]
 
 
@@ -88,7 +87,7 @@ class PairModel(Part):
         """True if there is a pair to measure."""
         return self.shapes() is not None
 
-    def drawn_corners(self, index: int) -> Array:
+    def drawn_corners(self, index: int) -> Floats:
         """Corners (n, 2) of an outline in the level's unit: those that count, or all if it is refused."""
         return self.polygons.corners(self.board.outlines[index])
 

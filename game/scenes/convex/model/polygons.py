@@ -6,14 +6,13 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase import ConvexPolygon, NonConvexError
 from game.scenes.convex.level import View
 from game.scenes.shared.outlines.board import Board, places_of, with_places
 from game.scenes.shared.outlines.outline import Outline, Point, placed
 
-Array = NDArray[np.float64]
 MOST_KEPT = 64  # outlines whose polygons are kept
 ROUND = 1e-6  # m by which corners and sides of a coin may differ
 
@@ -64,7 +63,7 @@ class KeptPolygons:
         self._worlds[index] = (outline, moved)
         return moved
 
-    def corners(self, outline: Outline) -> Array:
+    def corners(self, outline: Outline) -> Floats:
         """Corners (n, 2) of an outline in the level's unit: those that count, or all if it is refused."""
         found = self.found(outline)
         if isinstance(found, ConvexPolygon):
@@ -72,7 +71,7 @@ class KeptPolygons:
         return placed(outline)
 
 
-def drifted(board: Board, rates: Array, view: View, dt: float) -> Board:
+def drifted(board: Board, rates: Floats, view: View, dt: float) -> Board:
     """The board a step later: shapes that nobody holds go on, and turn back at the border of the view.
 
     rates: (2, 3) unit, unit, rad per s, written where a shape turns back.

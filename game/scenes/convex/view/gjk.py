@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase.minkowski import minkowski_difference
 from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.scenes.convex.hand import Hand
@@ -18,7 +18,6 @@ from game.stage import Frame
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.look.numerals import format_si
 
-Array = NDArray[np.float64]
 INSET = 0.72  # width of the difference's part of the stage, over that of the polygons
 MOST_DOTS = 80
 FEW_NAMED = 8  # corners of a polytope that are named
@@ -38,7 +37,7 @@ class Inset(NamedTuple):
     x: float
     y: float
 
-    def place(self, points: Array) -> Array:
+    def place(self, points: Floats) -> Floats:
         """Points (n, 2) of A - B where they are drawn."""
         return np.asarray(points) * self.scale + (self.x, self.y)
 
@@ -61,7 +60,7 @@ def frame_of(seen: View) -> Frame:
     return Frame(seen.left, seen.bottom, seen.right + INSET * (seen.right - seen.left), seen.top)
 
 
-def inset_for(seen: View, difference: Array) -> Inset:
+def inset_for(seen: View, difference: Floats) -> Inset:
     """Where a difference (n, 2) and the origin fit."""
     width, height = seen.right - seen.left, seen.top - seen.bottom
     points = np.vstack((difference, np.zeros((1, 2))))
@@ -110,7 +109,7 @@ def draw(model: GjkModel, hand: Hand, canvas: Canvas) -> None:
     polygons.draw_invitation(model, canvas)
 
 
-def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep | PolytopeStep) -> None:
+def draw_supports(canvas: Canvas, shapes: list[Floats], step: SimplexStep | PolytopeStep) -> None:
     """The vertices farthest along the direction, and the direction at both polygons."""
     if isinstance(step, PolytopeStep):
         count = len(step.corners)
@@ -138,7 +137,7 @@ def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep | Polyt
 
 
 def draw_difference(
-    model: GjkModel, canvas: Canvas, shapes: list[Array], shown: list[SimplexStep | PolytopeStep]
+    model: GjkModel, canvas: Canvas, shapes: list[Floats], shown: list[SimplexStep | PolytopeStep]
 ) -> None:
     """A - B, the origin, the simplexes so far, v and w."""
     seen = model.content.view
@@ -178,7 +177,7 @@ def corner_name(pair: tuple[int, int]) -> str:
     return f"a{pair[0] + 1} − b{pair[1] + 1}"
 
 
-def label_corners(canvas: Canvas, shapes: list[Array], inset: Inset, pairs: list[tuple[int, int]]) -> None:
+def label_corners(canvas: Canvas, shapes: list[Floats], inset: Inset, pairs: list[tuple[int, int]]) -> None:
     """The names of corners of the difference, a_i - b_j, on the side away from their middle."""
     points = np.array([corner_of(shapes, inset, pair) for pair in pairs])
     middle = corner_middle(shapes, inset) if len(points) < 3 else points.mean(axis=0)
@@ -191,7 +190,7 @@ def label_corners(canvas: Canvas, shapes: list[Array], inset: Inset, pairs: list
         )  # fmt: skip
 
 
-def corner_middle(shapes: list[Array], inset: Inset) -> Array:
+def corner_middle(shapes: list[Floats], inset: Inset) -> Floats:
     """The middle of the difference as it is drawn."""
     return inset.place(shapes[0].mean(axis=0) - shapes[1].mean(axis=0))
 
@@ -210,12 +209,12 @@ def draw_bounds(canvas: Canvas, inset: Inset, step: SimplexStep, scale: float, l
             canvas.polyline(points, color, 1.4, False, dash, 0.75)
 
 
-def corner_of(shapes: list[Array], inset: Inset, pair: tuple[int, int]) -> Array:
+def corner_of(shapes: list[Floats], inset: Inset, pair: tuple[int, int]) -> Floats:
     """Where a corner a - b of the difference is drawn."""
     return inset.place(shapes[0][pair[0] % len(shapes[0])] - shapes[1][pair[1] % len(shapes[1])])
 
 
-def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: PolytopeStep) -> None:
+def draw_polytope(canvas: Canvas, shapes: list[Floats], inset: Inset, step: PolytopeStep) -> None:
     """EPA's polygon, its nearest edge, the vector to it from the origin, and the corner beyond it."""
     corners = np.array([corner_of(shapes, inset, pair) for pair in step.corners])
     canvas.polygon(corners, "amber", 0.13, "amber", 1.8)
@@ -241,7 +240,7 @@ def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: Polyt
 
 
 def draw_simplexes(
-    model: GjkModel, canvas: Canvas, shapes: list[Array], inset: Inset, shown: list[SimplexStep], past: bool
+    model: GjkModel, canvas: Canvas, shapes: list[Floats], inset: Inset, shown: list[SimplexStep], past: bool
 ) -> None:
     """Simplexes, the newer the stronger; of the last one, unless EPA has gone past it, also v and w."""
     scale = model.content.scale

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase import Feature
 from game.scenes.convex.model.pair import PairModel
 from game.scenes.shared.outlines.drawn_lines import DrawnLines
@@ -15,13 +15,12 @@ from game.scenes.shared.outlines.outline import handle_of, placed
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.look.numerals import format_si
 
-Array = NDArray[np.float64]
 Point = tuple[float, float]
 COLORS = ("text1", "chalk")  # of A and B
 FEW = 24  # vertices that are numbered and drawn as dots
 
 
-def feature_points(corners: Array, feature: Feature) -> Array:
+def feature_points(corners: Floats, feature: Feature) -> Floats:
     """One corner, or the two of an edge."""
     i = feature.index % len(corners)
     if feature.kind == "vertex":
@@ -29,7 +28,7 @@ def feature_points(corners: Array, feature: Feature) -> Array:
     return corners[[i, (i + 1) % len(corners)]]
 
 
-def outward(corners: Array, feature: Feature) -> Point:
+def outward(corners: Floats, feature: Feature) -> Point:
     """A unit vector that leads away from a polygon at a feature."""
     points = feature_points(corners, feature)
     n, i = len(corners), feature.index % len(corners)
@@ -48,7 +47,7 @@ def outward(corners: Array, feature: Feature) -> Point:
     return ey / length, -ex / length
 
 
-def draw_shapes(model: PairModel, canvas: Canvas) -> list[Array]:
+def draw_shapes(model: PairModel, canvas: Canvas) -> list[Floats]:
     """Both outlines, with names and numbers; returns their corners."""
     canvas.grid(None, "")
     shapes = [model.drawn_corners(k) for k in range(len(model.board.outlines))]
@@ -68,7 +67,7 @@ def draw_shapes(model: PairModel, canvas: Canvas) -> list[Array]:
     return shapes
 
 
-def draw_names(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
+def draw_names(model: PairModel, canvas: Canvas, shapes: list[Floats]) -> None:
     """The letters of the polygons and their numbers of vertices: inside, or beyond if there is no room."""
     middles = [corners.mean(axis=0) for corners in shapes]
     crowded = len(shapes) == 2 and math.dist(*middles) < canvas.px(64.0)
@@ -89,7 +88,7 @@ def draw_names(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
             number_corners(canvas, corners)
 
 
-def number_corners(canvas: Canvas, corners: Array) -> None:
+def number_corners(canvas: Canvas, corners: Floats) -> None:
     """The numbers of the vertices, from 1, inside of them."""
     inner = corners.mean(axis=0)
     for i, corner in enumerate(corners):
@@ -113,7 +112,7 @@ def draw_hulls(model: PairModel, canvas: Canvas) -> None:
         canvas.label(top, "its hull: press H to take it", "green", 13, offset=(0.0, -16.0), clear=True)
 
 
-def draw_feature(canvas: Canvas, corners: Array, feature: Feature, color: str, alpha: float = 1.0) -> None:
+def draw_feature(canvas: Canvas, corners: Floats, feature: Feature, color: str, alpha: float = 1.0) -> None:
     """A vertex as a disc, an edge as a thick line."""
     points = feature_points(corners, feature)
     if len(points) == 1:
@@ -140,7 +139,7 @@ def label_feature(lines: DrawnLines, place: Point, words: str, toward: Point) ->
     )
 
 
-def draw_answer(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
+def draw_answer(model: PairModel, canvas: Canvas, shapes: list[Floats]) -> None:
     """Closest points, the line between them, the distance, and the features they lie on."""
     distance, ax, ay, bx, by, nx, ny, _ = model.answer.tolist()
     features = [Feature.of(int(code)) for code in model.features]
@@ -170,7 +169,7 @@ def draw_answer(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
     )
 
 
-def draw_separated(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
+def draw_separated(model: PairModel, canvas: Canvas, shapes: list[Floats]) -> None:
     """B as it would be, shifted out of an overlap by its depth."""
     distance, nx, ny = model.answer[0], model.answer[5], model.answer[6]
     if distance < 0.0 and len(shapes[1]) > 1:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.narrowphase import Feature
 from game.physics.narrowphase.queries import FeatureStep
 from game.scenes.convex.hand import Hand
@@ -15,7 +15,6 @@ from game.scenes.convex.view import polygons
 from game.scenes.convex.view.vclip_words import caption_of
 from game.ui.canvas.canvas import Canvas
 
-Array = NDArray[np.float64]
 MOST_RAYS = 200  # vertices whose borders are drawn
 
 
@@ -71,7 +70,7 @@ def draw_regions(model: VClipModel, canvas: Canvas, shown: list[FeatureStep]) ->
             canvas.segments(starts, ends, color, 1.0, alpha=0.2)
 
 
-def region(corners: Array, normals: Array, feature: Feature, far: float) -> Array:
+def region(corners: Floats, normals: Floats, feature: Feature, far: float) -> Floats:
     """The Voronoi region of a feature as far as it is drawn: a strip before an edge, a wedge at a vertex."""
     i, n = feature.index % len(corners), len(corners)
     if feature.kind == "edge":
@@ -87,7 +86,7 @@ def region(corners: Array, normals: Array, feature: Feature, far: float) -> Arra
     return np.array((o, o + far * normals[i - 1], o + tip, o + far * normals[i]))
 
 
-def draw_walk(canvas: Canvas, shapes: list[Array], shown: list[FeatureStep], whole: bool) -> None:
+def draw_walk(canvas: Canvas, shapes: list[Floats], shown: list[FeatureStep], whole: bool) -> None:
     """The features visited, the newer the stronger, with the numbers of their steps."""
     count = len(shown)
     for k in (0, 1):

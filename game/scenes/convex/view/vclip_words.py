@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from game.arrays import Floats
 from game.physics.bounds import segment_distance
 from game.physics.narrowphase import Feature
 from game.physics.narrowphase.queries import FeatureStep
-from game.scenes.convex.view.polygons import Array, feature_points
+from game.scenes.convex.view.polygons import feature_points
 from game.ui.look.numerals import format_si
 
 WORDS = {
@@ -42,7 +43,7 @@ def function_of(step: FeatureStep) -> str:
     return "clip_vertex" if moved.kind == "edge" else "clip_edge"
 
 
-def distance_of(shapes: list[Array], step: FeatureStep) -> float:
+def distance_of(shapes: list[Floats], step: FeatureStep) -> float:
     """Distance of the two features in the level's unit."""
     ends = [feature_points(shapes[k], (step.feature_a, step.feature_b)[k]) for k in (0, 1)]
     return segment_distance(*(points[[0, -1]] for points in ends))
@@ -65,7 +66,7 @@ def verdict_of(step: FeatureStep, following: FeatureStep | None) -> str:
     return words.format(border_of(here, getattr(following, name)))
 
 
-def caption_of(trace: list[FeatureStep], index: int, shapes: list[Array], scale: float) -> tuple[str, str]:
+def caption_of(trace: list[FeatureStep], index: int, shapes: list[Floats], scale: float) -> tuple[str, str]:
     """Two lines on a step of a walk: case, features and distance; function and border. scale: m a unit."""
     step = trace[index]
     following = trace[index + 1] if index + 1 < len(trace) else None

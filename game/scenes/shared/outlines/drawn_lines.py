@@ -6,11 +6,10 @@ import math
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.ui.canvas.canvas import Canvas
 
-Array = NDArray[np.float64]
 Offset = tuple[float, float]
 SPACING = 7.0  # design px between the points that stand for a line
 MOST_POINTS = 4_000  # of one line
@@ -21,13 +20,13 @@ OUTSIDE = 10_000  # what it counts to reach over the edge
 class DrawnLines:
     """Points along the lines of one picture; places and sizes in design px about a world point."""
 
-    def __init__(self, canvas: Canvas, lines: Iterable[tuple[Array, bool]]):
+    def __init__(self, canvas: Canvas, lines: Iterable[tuple[Floats, bool]]):
         """lines: corners (n, 2) in the world, and whether the last leads back to the first."""
         self.canvas = canvas
         parts = [self._along(corners, closed) for corners, closed in lines]
-        self.points: Array = np.concatenate(parts) if parts else np.empty((0, 2))
+        self.points: Floats = np.concatenate(parts) if parts else np.empty((0, 2))
 
-    def _along(self, corners: Array, closed: bool) -> Array:
+    def _along(self, corners: Floats, closed: bool) -> Floats:
         """Points (m, 2) px along a line."""
         ends = np.array(self.canvas.place_all(np.asarray(corners, dtype=np.float64)))
         if closed and len(ends) > 2:

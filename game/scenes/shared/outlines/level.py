@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import msgspec
 import numpy as np
 
+from game.arrays import Floats
 from game.scenes.shared.outlines import shapes
 from game.scenes.shared.outlines.outline import Outline
 from game.worlds.expectations import Expectations
@@ -120,7 +121,7 @@ class OutlinesContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, k
     expected: Expectations = ()
 
 
-_MAKERS: dict[type[Any], tuple[bool, Callable[[Any], shapes.Array]]] = {
+_MAKERS: dict[type[Any], tuple[bool, Callable[[Any], Floats]]] = {
     CoastEntry: (True, lambda e: shapes.coast(e.seed, e.segments, e.size, e.bays, e.roughness)),
     GearEntry: (True, lambda e: shapes.gear(e.teeth, e.radius, e.depth, e.steps)),
     HandEntry: (True, lambda e: shapes.hand(e.size, e.mirrored, e.spread, e.steps)),
@@ -159,6 +160,6 @@ def content_of(outlines: tuple[Outline, ...], view: View) -> OutlinesContent:
     )
 
 
-def array_of(outline: Outline) -> shapes.Array:
+def array_of(outline: Outline) -> Floats:
     """Corners (n, 2) of an outline in its own frame, m."""
     return np.array(outline.points, dtype=np.float64).reshape(-1, 2)

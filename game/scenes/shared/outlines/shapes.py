@@ -5,17 +5,16 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
 from game.physics.particles.random_numbers import uniform_pair
 
-Array = NDArray[np.float64]
 HARMONICS = 48  # of a coast
 SMOOTH = 7  # harmonics that make bays; those above make it rough
 
 
-def coast(seed: int, segments: int, size: float, bays: float, roughness: float) -> Array:
+def coast(seed: int, segments: int, size: float, bays: float, roughness: float) -> Floats:
     """A closed coast (segments, 2): a radius of ``size`` with waves of random height and phase.
 
     bays: share of the radius that the long waves take; roughness: the same of the short ones.
@@ -32,7 +31,7 @@ def coast(seed: int, segments: int, size: float, bays: float, roughness: float) 
     return np.column_stack((radius * elementwise.cos(angle), radius * elementwise.sin(angle)))
 
 
-def gear(teeth: int, radius: float, depth: float, steps: int) -> Array:
+def gear(teeth: int, radius: float, depth: float, steps: int) -> Floats:
     """A closed gear with so many teeth, their tips at ``radius``, each arc of so many segments."""
     pitch = 2.0 * math.pi / teeth
     points = []
@@ -54,7 +53,7 @@ FINGERS = (
 )
 
 
-def hand(size: float, mirrored: bool, spread: float, steps: int) -> Array:
+def hand(size: float, mirrored: bool, spread: float, steps: int) -> Floats:
     """A closed hand, thumb to the left unless mirrored; ``spread``: 1 as it is, more with fingers apart."""
     points = [(-0.13, -0.52), (-0.145, -0.36)]
     for x, y, degrees, length, breadth in FINGERS:
@@ -74,27 +73,27 @@ def hand(size: float, mirrored: bool, spread: float, steps: int) -> Array:
     return outline
 
 
-def arc(radius: float, start: float, sweep: float, segments: int) -> Array:
+def arc(radius: float, start: float, sweep: float, segments: int) -> Floats:
     """An open arc about the origin from one angle on, degrees."""
     angle = np.radians(start + sweep * np.arange(segments + 1) / segments)
     return radius * np.column_stack((elementwise.cos(angle), elementwise.sin(angle)))
 
 
-def spiral(inner: float, outer: float, turns: float, segments: int) -> Array:
+def spiral(inner: float, outer: float, turns: float, segments: int) -> Floats:
     """An open spiral of Archimedes."""
     share = np.arange(segments + 1) / segments
     angle, radius = 2.0 * np.pi * turns * share, inner + (outer - inner) * share
     return np.column_stack((radius * elementwise.cos(angle), radius * elementwise.sin(angle)))
 
 
-def star(points: int, outer: float, inner: float) -> Array:
+def star(points: int, outer: float, inner: float) -> Floats:
     """A closed star."""
     angle = np.pi * (0.5 + np.arange(2 * points) / points)
     radius = np.where(np.arange(2 * points) % 2 == 0, outer, inner)
     return np.column_stack((radius * elementwise.cos(angle), radius * elementwise.sin(angle)))
 
 
-def comb(teeth: int, width: float, height: float) -> Array:
+def comb(teeth: int, width: float, height: float) -> Floats:
     """A closed comb whose teeth point down, half as broad as their pitch."""
     pitch = width / (teeth - 0.5)
     left, back = -0.5 * width, 0.5 * height

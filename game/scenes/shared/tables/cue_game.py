@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from game.arrays import Floats
 from game.stage import Decision, Hearing, Pointer, Scene
-
-Array = NDArray[np.float64]
 
 
 class CueGameState(NamedTuple):
@@ -19,11 +15,11 @@ class CueGameState(NamedTuple):
     turned, and were before the last stroke. cue (7,). word: of the frame.
     """
 
-    clock: Array
-    places: Array
-    turns: Array
-    turns_before: Array
-    cue: Array
+    clock: Floats
+    places: Floats
+    turns: Floats
+    turns_before: Floats
+    cue: Floats
     word: str
 
 

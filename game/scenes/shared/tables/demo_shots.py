@@ -13,18 +13,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.table.aim import first_contact
 from game.billiards.table.rack import HEAD_SPOT
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, elementwise, linear
 
-Array = NDArray[np.float64]
-
 STEEPEST_CUT = math.radians(65.0)
 BREAK_SPEED = 7.5  # m/s
 
 
-def scattered_orientations(count: int, seed: int) -> Array:
+def scattered_orientations(count: int, seed: int) -> Floats:
     """Unit quaternions (count, 4) of balls with their numbers up, as the table is drawn, a little tilted."""
     random = np.random.default_rng((seed, count))
     axes = random.normal(size=(count, 3))
@@ -37,7 +36,7 @@ def scattered_orientations(count: int, seed: int) -> Array:
     return np.stack((w - z, x + y, y - x, z + w), axis=1) * quarter
 
 
-def free_head_spot(table: Table, radius: float, is_free: Callable[[Array], bool]) -> Array | None:
+def free_head_spot(table: Table, radius: float, is_free: Callable[[Floats], bool]) -> Floats | None:
     """The head spot (2,) m, or the free place nearest to it along the middle; None without one."""
     spot = np.array([0.5 * table.width, HEAD_SPOT * table.length])
     for k in range(400):
@@ -55,7 +54,7 @@ class ChosenStroke(NamedTuple):
 
 
 def choose_stroke(
-    positions: Array, radii: Array, in_play: NDArray[np.bool_], table: Table, seed: int, stroke: int
+    positions: Floats, radii: Floats, in_play: NDArray[np.bool_], table: Table, seed: int, stroke: int
 ) -> ChosenStroke:
     """A stroke for ball 0: the ball and pocket of the straightest open pot, else the nearest ball.
 
@@ -83,12 +82,12 @@ def choose_stroke(
     return ChosenStroke(best[1] + random.normal(0.0, 0.0015), best[2])
 
 
-def _bearing(start: Array, end: Array) -> float:
+def _bearing(start: Floats, end: Floats) -> float:
     return elementary.atan2(float(end[1] - start[1]), float(end[0] - start[0]))
 
 
 def _pot(
-    ball: int, pocket: Array, positions: Array, radii: Array, in_play: NDArray[np.bool_], table: Table
+    ball: int, pocket: Floats, positions: Floats, radii: Floats, in_play: NDArray[np.bool_], table: Table
 ) -> tuple[float, float, float] | None:
     """Difficulty, aim and speed of sending a ball straight into a pocket; None if the path is not open."""
     path = pocket[:2] - positions[ball]

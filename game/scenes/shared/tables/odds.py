@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke, arrange
 from game.billiards.game.frame import Frame
 from game.billiards.search.chances import DRAWS, as_hand_does, pocket_of
@@ -23,13 +24,11 @@ from game.billiards.search.strokes import AZIMUTH, Board, Noise
 from game.billiards.table.table import Table
 from game.physics.kernels import elementwise
 
-Array = NDArray[np.float64]
-
 HAND = Noise().scaled(1.9)  # of a practised person, as steady as an expert among the computer players
 SLICE_S = 0.002  # s that a picture may wait for it
 BATCH = 4  # strokes between two looks at the clock
 # rad; how far off the aim is tried, from the middle out, and how often the last gap is halved then
-OFFSETS: Array = math.radians(0.01) * elementwise.power(1.35, np.arange(20.0))
+OFFSETS: Floats = math.radians(0.01) * elementwise.power(1.35, np.arange(20.0))
 HALVINGS = 5
 FIRST_SAMPLES = 32  # of the hand's strokes, for the first figure
 
@@ -66,7 +65,7 @@ def measure(board: Board, stroke: Stroke, asked: Asked) -> Iterator[Odds]:
     row = board.layout.numbers.index(asked.ball)
     legality = Legality.free(board) if asked.legality is None else asked.legality
 
-    def pockets(strokes: Array) -> NDArray[np.int64]:
+    def pockets(strokes: Floats) -> NDArray[np.int64]:
         """The pocket (m,) that the ball falls into with each stroke (m, 5), -1 for none, or with a foul."""
         return pocket_of(board, board.play(np.ascontiguousarray(strokes)), legality, row)
 
@@ -101,10 +100,10 @@ def measure(board: Board, stroke: Stroke, asked: Asked) -> Iterator[Odds]:
         yield odds
 
 
-def _reach(pots: Callable[[Array], NDArray[np.bool_]], meant: Array, sign: float) -> Iterator[float]:
+def _reach(pots: Callable[[Floats], NDArray[np.bool_]], meant: Floats, sign: float) -> Iterator[float]:
     """How far, rad, a stroke (1, 5) may be turned to one side and still pots: ever better known."""
 
-    def turned(offsets: Array) -> Array:
+    def turned(offsets: Floats) -> Floats:
         strokes = np.repeat(meant, len(offsets), axis=0)
         strokes[:, AZIMUTH] += sign * offsets
         return strokes

@@ -6,22 +6,15 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame, Struck, trajectory_of
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.game.summary import is_short
-from game.billiards.laws.state import (
-    BALL_BALL,
-    BALL_CUSHION,
-    BALL_JAW,
-    BALL_POCKET,
-)
+from game.billiards.laws import state as s
 from game.billiards.shot.paths import Paths
 from game.physics.kernels import elementary, elementwise, linear
-
-Array = NDArray[np.float64]
 
 FIRST_BALL = 0  # in place of a number of events: up to the first ball, and where that sets off
 SET_OFF = 0.12  # m, so far
@@ -34,7 +27,7 @@ class BallPath(NamedTuple):
     """The path of one ball: its number, points (n, 2) m, and whether it ends in a pocket."""
 
     number: int
-    points: Array
+    points: Floats
     potted: bool
 
 
@@ -48,8 +41,8 @@ class Sight(NamedTuple):
     behind the head string, which the cue ball has not crossed.
     """
 
-    approach: Array
-    after: Array
+    approach: Floats
+    after: Floats
     ghost: tuple[float, float] | None
     target: int | None
     target_place: tuple[float, float]
@@ -57,8 +50,8 @@ class Sight(NamedTuple):
     others: tuple[BallPath, ...]
     bounces: tuple[tuple[float, float], ...]
     last: tuple[float, float] | None
-    flights: tuple[Array, ...] = ()
-    rolls: tuple[Array, ...] = ()
+    flights: tuple[Floats, ...] = ()
+    rolls: tuple[Floats, ...] = ()
     short: bool = False
 
 
@@ -66,14 +59,14 @@ def foresee(struck: Struck, events: int) -> Sight:
     """The paths of a stroke up to its n-th contact, or the FIRST_BALL. ValueError if it cannot be played."""
     trajectory = trajectory_of(struck)
     rows = trajectory.rows
-    contacts = rows[rows[:, 1] <= BALL_POCKET]
+    contacts = rows[rows[:, 1] <= s.BALL_POCKET]
     numbers = list(struck.frame.layout.numbers)
     cue = numbers.index(CUE_BALL)
     only_first, events = events == FIRST_BALL, events or _until_first_ball(contacts, cue)
     whole = len(contacts) < events
     until = trajectory.end_time if whole else float(contacts[events - 1, 0])
     seen = contacts[contacts[:, 0] <= until]
-    first = next((row for row in seen.tolist() if row[1] == BALL_BALL and cue in row[2:]), None)
+    first = next((row for row in seen.tolist() if row[1] == s.BALL_BALL and cue in row[2:]), None)
     meets = first[0] if first is not None else until
     paths = Paths(trajectory)
     ghost, target, cut, place, short = None, None, 0.0, (0.0, 0.0), False
@@ -89,7 +82,7 @@ def foresee(struck: Struck, events: int) -> Sight:
                 paths.path(cue, 0.0, meets), np.empty((0, 2)), ghost, target, place, cut, (begun,),
                 _bounces(paths, seen, cue), None, *_flown(struck, paths, cue, meets), short,
             )  # fmt: skip
-    sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == BALL_POCKET}
+    sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == s.BALL_POCKET}
     others = tuple(
         BallPath(numbers[ball], points, ball in sunk)
         for ball in range(len(numbers))
@@ -113,7 +106,7 @@ def foresee(struck: Struck, events: int) -> Sight:
 
 def _flown(
     struck: Struck, paths: Paths, cue: int, until: float
-) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+) -> tuple[tuple[Floats, ...], tuple[Floats, ...]]:
     """Flights of the cue ball, and its path between them; hops that nobody sees are rolled."""
     flights = paths.in_air(cue, 0.0, until, struck.frame.physics.gravity)
     if not any(float(flight[:, 2].max()) > LEAST_HOP for flight in flights):
@@ -121,22 +114,22 @@ def _flown(
     return tuple(flights), tuple(paths.on_cloth(cue, 0.0, until))
 
 
-def _until_first_ball(contacts: Array, cue: int) -> int:
+def _until_first_ball(contacts: Floats, cue: int) -> int:
     """How many contacts there are until the cue ball meets a ball; MOST_CUSHIONS if it never does."""
-    met = (contacts[:, 1] == BALL_BALL) & (contacts[:, 2:] == cue).any(axis=1)
+    met = (contacts[:, 1] == s.BALL_BALL) & (contacts[:, 2:] == cue).any(axis=1)
     return int(met.argmax()) + 1 if met.any() else MOST_CUSHIONS
 
 
-def _bounces(paths: Paths, seen: Array, cue: int) -> tuple[tuple[float, float], ...]:
+def _bounces(paths: Paths, seen: Floats, cue: int) -> tuple[tuple[float, float], ...]:
     """Where the cue ball meets cushions, m."""
     return tuple(
         paths.arriving(cue, t)[0]
         for t, e, i, _ in seen.tolist()
-        if e in (BALL_CUSHION, BALL_JAW) and int(i) == cue
+        if e in (s.BALL_CUSHION, s.BALL_JAW) and int(i) == cue
     )
 
 
-def _beginning(points: Array) -> Array:
+def _beginning(points: Floats) -> Floats:
     """The first SET_OFF of a path (n, 2) m."""
     way = np.concatenate([[0.0], np.cumsum(elementwise.hypot(*np.diff(points, axis=0).T))])
     count = int(np.searchsorted(way, SET_OFF))
@@ -147,7 +140,7 @@ def _beginning(points: Array) -> Array:
     return np.concatenate([points[:count], end[None]])
 
 
-def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]) -> float:
+def _cut(approach: Floats, ghost: tuple[float, float], place: tuple[float, float]) -> float:
     """Angle between the path at the contact and the line of centres, rad."""
     if len(approach) < 2:
         return 0.0
@@ -161,7 +154,7 @@ def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]
     )
 
 
-def _length(points: Array) -> float:
+def _length(points: Floats) -> float:
     """How far the end of a path, or its middle, is from its beginning, m."""
     (x, y), (mx, my), (ex, ey) = points[0].tolist(), points[len(points) // 2].tolist(), points[-1].tolist()
     return max(abs(mx - x), abs(my - y), abs(ex - x), abs(ey - y))

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.frame import Frame
 from game.billiards.laws.state import BALL_OFF, BALL_POCKET
 from game.billiards.shot.trajectory import Trajectory
 from game.scenes.shared.tables.view import Balls
 
-Array = NDArray[np.float64]
-
 FALL_S = 0.35  # s in which a ball drops out of sight
 
 
-def balls_at(before: Frame, trajectory: Trajectory, turns_before: Array, time: float) -> Balls:
+def balls_at(before: Frame, trajectory: Trajectory, turns_before: Floats, time: float) -> Balls:
     """The balls at a time of a shot, s. before: the frame from which it was played."""
     numbers = np.array(before.layout.numbers, dtype=np.int64)
     positions = trajectory.state_at(time).positions.copy()

@@ -6,8 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Places
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.table import Table
@@ -20,7 +20,6 @@ from game.ui.painters.cloth_label import draw_cloth_label
 if TYPE_CHECKING:
     from game.billiards.search.finding import FoundShot
 
-Array = NDArray[np.float64]
 
 FLIGHT_DASH = (3.0, 7.0)  # design px
 SEEN_HEIGHT = 0.005  # m; a lower flight has no side view
@@ -73,7 +72,7 @@ def _draw_flown(canvas: Canvas, sight: Sight) -> None:
         canvas.label(side_view(highest)[top], words, FELT_WARM, 12, "semibold", offset=(0.0, -12.0))
 
 
-def side_view(flight: Array) -> Array:
+def side_view(flight: Floats) -> Floats:
     """A flight (n, 3) m seen from its side, folded down onto the cloth beside its path: points (n, 2) m."""
     along = flight[-1, :2] - flight[0, :2]
     length = float(np.hypot(*along))
@@ -83,7 +82,7 @@ def side_view(flight: Array) -> Array:
     return flight[:, :2] + flight[:, 2:] * across
 
 
-def fan_of(sight: Sight, aside: float) -> Array:
+def fan_of(sight: Sight, aside: float) -> Floats:
     """Corners (3, 2) m of where a cue ball may go that sets off up to ``aside`` rad to either side.
 
     The first is where it lies; the others are as far as its path leads, or as its first cushion.

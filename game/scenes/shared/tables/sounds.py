@@ -2,14 +2,7 @@
 
 from __future__ import annotations
 
-from game.billiards.laws.state import (
-    BALL_BALL,
-    BALL_CUSHION,
-    BALL_JAW,
-    BALL_POCKET,
-    BALL_RAIL_TOP,
-    BALL_SLATE,
-)
+from game.billiards.laws import state as s
 from game.billiards.shot.impacts import heard_impacts
 from game.billiards.shot.trajectory import Trajectory
 from game.stage import Sound
@@ -20,8 +13,8 @@ def pan_of(y: float, length: float) -> float:
     return max(-1.0, min(1.0, 1.6 * (y / length - 0.5)))
 
 
-KINDS = {BALL_BALL: "ball", BALL_CUSHION: "cushion", BALL_JAW: "cushion", BALL_POCKET: "pocket",
-         BALL_SLATE: "thud", BALL_RAIL_TOP: "wood"}  # fmt: skip
+KINDS = {s.BALL_BALL: "ball", s.BALL_CUSHION: "cushion", s.BALL_JAW: "cushion", s.BALL_POCKET: "pocket",
+         s.BALL_SLATE: "thud", s.BALL_RAIL_TOP: "wood"}  # fmt: skip
 
 
 def sounds_of(trajectory: Trajectory, cue_speed: float, cue: str = "0") -> tuple[Sound, ...]:

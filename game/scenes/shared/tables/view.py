@@ -10,6 +10,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.table.aim import FirstContact, first_contact
 from game.billiards.table.table import Table
 from game.scenes.shared.tables.cue import PULLING, CueControl
@@ -22,8 +23,6 @@ from game.ui.painters import table as table_painter
 from game.ui.painters.ball import BallPainter, ScreenBalls
 from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import POOL, Dress, TablePainter, TableView
-
-Array = NDArray[np.float64]
 
 CUE_LENGTH = 1.47  # m
 WOOD = 0.074  # m, breadth of the frame outside the cushions
@@ -49,12 +48,12 @@ class Balls(NamedTuple):
     heights (n,) m above where they would lie; None: all lie.
     """
 
-    positions: Array
-    radii: Array
+    positions: Floats
+    radii: Floats
     numbers: NDArray[np.int64]
-    turns: Array
-    opacities: Array
-    heights: Array | None = None
+    turns: Floats
+    opacities: Floats
+    heights: Floats | None = None
 
     def some(self, chosen: NDArray[np.bool_]) -> Balls:
         """Some of the balls, by (n,) bools, as if they lay."""
@@ -164,7 +163,7 @@ def _paint_balls(
     _ball_painter(felt.r, felt.g, felt.b).draw(pixels, clip, drawn, middle, scale, shadows)
 
 
-def draw_aim(canvas: Canvas, first: FirstContact, start: Array, radius: float, cue: CueControl) -> None:
+def draw_aim(canvas: Canvas, first: FirstContact, start: Floats, radius: float, cue: CueControl) -> None:
     """The path to the first contact, the ghost ball there, and the cut angle."""
     canvas.line(start, first.ghost, FELT_LINE, 1.5)
     if first.kind in ("nothing", "pocket"):
@@ -207,8 +206,8 @@ def cut_words(cut: float) -> str:
 
 def _draw_dashed(
     canvas: Canvas,
-    start: Array | tuple[float, float],
-    direction: Array | tuple[float, float],
+    start: Floats | tuple[float, float],
+    direction: Floats | tuple[float, float],
     length: float,
     color: pygame.Color,
 ) -> None:
@@ -221,7 +220,7 @@ def _draw_dashed(
 def draw_cue_behind(
     canvas: Canvas,
     table: Table,
-    ball: Array,
+    ball: Floats,
     radius: float,
     cue: CueControl,
     words_y: float,

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.cells import COLUMNS, ROWS, Cell, cells_of, frame_of_cells
@@ -31,7 +31,6 @@ from game.ui.look.numerals import quantity
 from game.ui.look.shapes import draw_disc
 from game.ui.raster.curves import thinned
 
-Array = NDArray[np.float64]
 TITLES = ("Gradient", "Buss step", "Armijo", "Damped least squares", "CCD", "FABRIK")
 COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")  # as the charts have them
 DECADES = 8.0  # of the small chart, below the reach
@@ -57,7 +56,7 @@ class ChainView:
         self.words = [Words("", "", "", "")] * len(TITLES)
         self._measured = False
         self._cards: dict[tuple[Any, ...], pygame.Surface] = {}
-        self._curves: tuple[Array, float] = (np.zeros((len(TITLES), 1, 2)), 0.0)
+        self._curves: tuple[Floats, float] = (np.zeros((len(TITLES), 1, 2)), 0.0)
 
     def draw(self, canvas: Canvas, previous: ReachingState | None, alpha: float) -> None:
         """All of it: figures, bones of all figures, words."""
@@ -87,12 +86,12 @@ class ChainView:
         mine = places.index(master)
         self._draw_hand(canvas, cells[master], bases[mine], ends[mine])
 
-    def _draw_jacobian(self, canvas: Canvas, cell: Cell, bases: Array, ends: Array) -> None:
+    def _draw_jacobian(self, canvas: Canvas, cell: Cell, bases: Floats, ends: Floats) -> None:
         inside = self._model.inside
         target = cell.out(self._model.target[None])[0]
         draw_jacobian(canvas, bases[inside], ends[inside[-1]], target)
 
-    def _draw_bones(self, canvas: Canvas, places: list[int], bases: Array, ends: Array) -> None:
+    def _draw_bones(self, canvas: Canvas, places: list[int], bases: Floats, ends: Floats) -> None:
         """Bones of the figures of these methods, all in one call."""
         model, shown = self._model, self._shown
         tokens: list[str] = []
@@ -103,7 +102,7 @@ class ChainView:
             tokens += bone_tokens(model.rig.shown.count, chosen, shown.weights, inside)
         draw_bones(canvas, bases, ends, tokens)
 
-    def _draw_hand(self, canvas: Canvas, cell: Cell, bases: Array, ends: Array) -> None:
+    def _draw_hand(self, canvas: Canvas, cell: Cell, bases: Floats, ends: Floats) -> None:
         """What is being made by hand."""
         bench = self._model.bench
         if self._shown.tool == "bone" and bench.chosen != NOWHERE:
@@ -121,7 +120,7 @@ class ChainView:
             canvas.line((x, 0.0), (x, frame.top), "line", 1.0)
         canvas.line((0.0, frame.top / ROWS), (frame.right, frame.top / ROWS), "line", 1.0)
 
-    def _poses(self, previous: ReachingState | None, alpha: float) -> Array:
+    def _poses(self, previous: ReachingState | None, alpha: float) -> Floats:
         """Poses (6, n + 2) of all methods between the last two steps."""
         now, before = self._model.methods, previous
         if before is None or before.poses.shape != now.shape:
@@ -130,7 +129,7 @@ class ChainView:
         poses[:, -2:] = before.poses[:, -2:] + alpha * (now[:, -2:] - before.poses[:, -2:])
         return poses
 
-    def _draw_body(self, canvas: Canvas, k: int, cell: Cell, pose: Array) -> None:
+    def _draw_body(self, canvas: Canvas, k: int, cell: Cell, pose: Floats) -> None:
         """Skins, and what lies below the bones; ``rig.shown`` is posed so."""
         model, shown = self._model, self._shown
         rig, bench, mine = model.rig, model.bench, k == shown.master
@@ -162,7 +161,7 @@ class ChainView:
         if hole > 0.0:
             canvas.circle(root, hole * cell.scale, outline="line2", width=1.0, dash=EXACT_DASH, alpha=0.8)
 
-    def _draw_target(self, canvas: Canvas, cell: Cell, end: Array) -> None:
+    def _draw_target(self, canvas: Canvas, cell: Cell, end: Floats) -> None:
         place = cell.out(self._model.target[None])[0]
         if math.dist(place, end) > canvas.px(9.0):
             canvas.line(end, place, "amber", 1.2, dash=(4.0, 4.0))
@@ -208,7 +207,7 @@ class ChainView:
             found = self._cards[key] = _paint_card(canvas, COLORS[k], title, mine, words, level)
         return found
 
-    def _trails(self, canvas: Canvas) -> tuple[Array, float]:
+    def _trails(self, canvas: Canvas) -> tuple[Floats, float]:
         """Errors of the last steps (6, TRAIL, 2), logarithmic from the reach down, and the tolerance."""
         assert self._model.solver is not None
         wide, high = canvas.px(TRAIL_WIDE), canvas.px(TRAIL_HIGH)

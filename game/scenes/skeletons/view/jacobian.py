@@ -6,12 +6,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_number
 
-Array = NDArray[np.float64]
 SWEEP = 0.16  # rad to either side, of an arc of the end
 FULL_TURN = 0.9  # rad, of the arc at the joint of which most is asked
 FEW = 8  # joints of which the numbers are written
@@ -20,18 +19,18 @@ FEW = 8  # joints of which the numbers are written
 class Pull(NamedTuple):
     """columns (n, 2) m/rad: those of J. asked (n,) m²: J^T e, of each joint."""
 
-    columns: Array
-    asked: Array
+    columns: Floats
+    asked: Floats
 
 
-def pull_of(joints: Array, end: Array, target: Array) -> Pull:
+def pull_of(joints: Floats, end: Floats, target: Floats) -> Pull:
     """Of a chain with joints (n, 2) m and its end (2,) m towards a target (2,) m."""
     arms = end - joints
     columns = np.column_stack((-arms[:, 1], arms[:, 0]))
     return Pull(columns, columns @ (target - end))
 
 
-def draw_jacobian(canvas: Canvas, joints: Array, end: Array, target: Array) -> None:
+def draw_jacobian(canvas: Canvas, joints: Floats, end: Floats, target: Floats) -> None:
     """Arcs through the end about each joint, an arrow along each column, arcs at the joints as J^T e asks."""
     pull = pull_of(joints, end, target)
     off = target - end

@@ -9,20 +9,20 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.physics.animation import Skeleton
 from game.scenes.skeletons.cells import Cell
 from game.scenes.skeletons.rig import Rig
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.worlds.painting.polygons import NO_EDGE, paint
 
-Array = NDArray[np.float64]
 BONE_COLORS = ("chalk", "vermilion", "green", "pink", "violet", "yellow")
 WIDEST = 0.13  # of a bone's length: half of its width
 SHOULDER = 0.16  # of a bone's length: where it is widest
 MOST_DIAMONDS = 160  # bones drawn as diamonds; more are lines
 
 
-def draw_outlines(canvas: Canvas, rig: Rig, points: Array, color: str) -> None:
+def draw_outlines(canvas: Canvas, rig: Rig, points: Floats, color: str) -> None:
     """The outlines of body skins alone, dashed: what another blend makes of them."""
     for i, skin in enumerate(rig.figure.skins):
         if skin.outline and len(skin.bones) != 1:
@@ -34,7 +34,7 @@ def bone_color(bone: int) -> str:
     return BONE_COLORS[bone % len(BONE_COLORS)]
 
 
-def draw_weights(canvas: Canvas, rig: Rig, points: Array, chosen: int) -> None:
+def draw_weights(canvas: Canvas, rig: Rig, points: Floats, chosen: int) -> None:
     """Points of the skin in the colours of the bones that they follow, or by weight on the chosen one."""
     bound = rig.binding
     if bound is None:
@@ -59,7 +59,7 @@ def draw_weights(canvas: Canvas, rig: Rig, points: Array, chosen: int) -> None:
         canvas.segments(outline, np.roll(outline, -1, axis=0), np.ascontiguousarray(colors[part]), 3.0)
 
 
-def _rgb(canvas: Canvas, token: str) -> Array:
+def _rgb(canvas: Canvas, token: str) -> Floats:
     color = canvas.color(token)
     return np.array((color.r, color.g, color.b), dtype=np.float64)
 
@@ -89,7 +89,7 @@ def _sorted_bones(tokens: tuple[str, ...]) -> tuple[NDArray[np.int64], NDArray[n
     return quiet, shown, tuple(token for token in tokens if token)
 
 
-def draw_bones(canvas: Canvas, bases: Array, ends: Array, tokens: Sequence[str]) -> None:
+def draw_bones(canvas: Canvas, bases: Floats, ends: Floats, tokens: Sequence[str]) -> None:
     """Tapered diamonds from ``bases`` to ``ends`` (n, 2) in the colours named, dots at their joints."""
     quiet, shown, names = _sorted_bones(tuple(tokens))
     if len(quiet):
@@ -115,7 +115,7 @@ def draw_bones(canvas: Canvas, bases: Array, ends: Array, tokens: Sequence[str])
     canvas.discs(dots, canvas.px(1.9), "text1")
 
 
-def diamonds(bases: Array, ends: Array, narrowest: float, widest: float) -> Array:
+def diamonds(bases: Floats, ends: Floats, narrowest: float, widest: float) -> Floats:
     """Corners (4 n, 2) of bones: joint, side, end, side. Half widths are between those two lengths."""
     along = ends - bases
     length = np.sqrt((along * along).sum(axis=1, keepdims=True))

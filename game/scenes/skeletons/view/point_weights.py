@@ -6,13 +6,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.skeletons.bench import reach_of
 from game.scenes.skeletons.rig import Rig
 from game.ui.canvas.canvas import Canvas
 
-Array = NDArray[np.float64]
 LEAST_SHOWN = 0.005  # of a weight
 
 
@@ -21,10 +20,10 @@ class Share(NamedTuple):
 
     bone: int
     weight: float
-    place: Array
+    place: Floats
 
 
-def point_at(rig: Rig, points: Array, pointer: tuple[float, float]) -> int:
+def point_at(rig: Rig, points: Floats, pointer: tuple[float, float]) -> int:
     """The point of an outline nearest to the pointer, of those within reach; -1 if there is none."""
     outlines = points[: int(rig.starts[-1])]
     if rig.binding is None or not len(outlines):
@@ -48,7 +47,7 @@ def shares_of(rig: Rig, point: int) -> list[Share]:
     return sorted(found, key=lambda share: -share.weight)
 
 
-def draw_point_weights(canvas: Canvas, rig: Rig, points: Array, pointer: tuple[float, float]) -> None:
+def draw_point_weights(canvas: Canvas, rig: Rig, points: Floats, pointer: tuple[float, float]) -> None:
     """The point with a ring; a dot where each bone alone would take it, with its name and weight."""
     point = point_at(rig, points, pointer)
     if point < 0:

@@ -6,14 +6,13 @@ from typing import Any
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.scenes.skeletons.cells import WHOLE, Cell
 from game.scenes.skeletons.rig import Rig
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.polygons import NO_EDGE, paint
 
-Array = NDArray[np.float64]
 INK = pygame.Color(18, 22, 26)  # what edges are darkened with
 
 
@@ -54,7 +53,7 @@ class SkinPainter:
         self._none = np.full_like(self._edges, NO_EDGE)
 
     def paint(
-        self, canvas: Canvas, rig: Rig, points: Array, strength: float = 1.0, fine: bool = True,
+        self, canvas: Canvas, rig: Rig, points: Floats, strength: float = 1.0, fine: bool = True,
         cell: Cell = WHOLE,
     ) -> None:  # fmt: skip
         """All skins, from the first to the last, at places (v, 2) of the figure, which stands in ``cell``.

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from game.arrays import Floats
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.cells import WHOLE
 from game.scenes.skeletons.editing import joint_of, next_click
-from game.scenes.skeletons.model import Array
 from game.scenes.skeletons.skinning_model import SkinningModel, SkinningState
 from game.scenes.skeletons.view.parts import (
     bone_tokens,
@@ -81,7 +81,7 @@ class SkinningView:
         draw_pen(canvas, bench.drawn, bench.pointer, WHOLE)
         draw_next_click(canvas, next_click(bench, shown.tool), bench.pointer, WHOLE)
 
-    def _pose(self, previous: SkinningState | None, alpha: float) -> Array:
+    def _pose(self, previous: SkinningState | None, alpha: float) -> Floats:
         """The pose (n + 2,) between the last two steps."""
         pose = self._model.rig.now
         if previous is None or previous.pose.shape != pose.shape:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.snooker import BALL_RADIUS, SPOTS
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
@@ -30,8 +30,6 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_GREEN
 from game.ui.painters.table import carom_dress
 
-Array = NDArray[np.float64]
-
 DRESS = carom_dress(
     FELT_GREEN, tuple((x / SNOOKER_WIDTH, y / SNOOKER_LENGTH) for x, y in SPOTS.values())
 )._replace(sights=False)
@@ -51,7 +49,7 @@ class SnookerView:
         self._odds = OddsMeter()
         self._magnifier = Magnifier()
 
-    def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
+    def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
         course, frame = self.course, self.course.model.frame
         draw_table(canvas, frame.table, dress=DRESS)
@@ -107,7 +105,7 @@ class SnookerView:
             return None
         return self._odds.of(frame, course.stroke, Asked(sight.target, legality=legality_to_come(course)))
 
-    def _balls(self, alpha: float, clock_before: Array | None) -> Balls:
+    def _balls(self, alpha: float, clock_before: Floats | None) -> Balls:
         """The balls as they lie, or on their paths."""
         course, model = self.course, self.course.model
         played = model.played

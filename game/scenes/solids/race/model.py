@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise
-from game.physics.solids.state import DYNAMIC
+from game.physics.solids.arrays.state import DYNAMIC
 from game.scenes.solids.bodies import place_of, whole_joints
 from game.scenes.solids.measures import contact_points, energies
 from game.scenes.solids.model import ModelState, SolidModel
@@ -18,8 +18,6 @@ from game.scenes.solids.race.parameters import RaceParameters
 from game.scenes.solids.race.setups import SETUPS
 from game.stage import Part
 from game.worlds.members.solids import substeps_of
-
-Floats = NDArray[np.float64]
 
 
 class RaceState(NamedTuple):

@@ -8,8 +8,8 @@ import math
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
+from game.arrays import Floats
 from game.billiards.map.leaving import heat
 from game.billiards.map.pool import Pot
 from game.scenes.billiards.beside import MAP
@@ -21,8 +21,6 @@ from game.scenes.billiards.practice.landing import Landing, LandingMeter
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_WARM
 from game.ui.painters.cloth_label import draw_cloth_label
-
-Array = NDArray[np.float64]
 
 COLUMNS, ROWS = 24, 48  # cells across the table and along it
 MOST_ALPHA = 190.0
@@ -49,7 +47,7 @@ class OnCloth:
         if self.maker.active:
             draw_making(canvas, self.maker)
 
-    def cells(self, drawn: Drawn) -> Array:
+    def cells(self, drawn: Drawn) -> Floats:
         """Share (ROWS, COLUMNS) of the potting strokes whose cue ball ends in each cell: of all, or those of
         the row that was clicked.
         """
@@ -100,7 +98,7 @@ class OnCloth:
         draw_cloth_label(canvas.surface, canvas.fonts, cloud_words(landing), canvas.camera.to_screen(x, y))
 
 
-def heat_of(drawn: Drawn, chosen: Pot | None) -> Array:
+def heat_of(drawn: Drawn, chosen: Pot | None) -> Floats:
     """Share of potting strokes by cells: of all, or of one pot, the whole of its group."""
     board, drawn_map = drawn.board, drawn.map
     rows = np.flatnonzero(drawn_map.keys) if chosen is None else chosen.rows
@@ -108,7 +106,7 @@ def heat_of(drawn: Drawn, chosen: Pot | None) -> Array:
     return heat(ends, COLUMNS, ROWS, board.table.width, board.table.length)
 
 
-def heat_picture(cells: Array, size: tuple[int, int]) -> pygame.Surface:
+def heat_picture(cells: Floats, size: tuple[int, int]) -> pygame.Surface:
     """The cells as a warm light, the whole length of the table across. size px."""
     small = pygame.Surface(cells.shape, pygame.SRCALPHA, 32)
     small.fill((FELT_WARM.r, FELT_WARM.g, FELT_WARM.b, 255))

@@ -10,11 +10,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
+from game.arrays import Floats, Ints
 
 NO_JOINT = -1
 PIN, SLIDER, WELD, DISTANCE, ROPE, SPRING, MOTOR, MOUSE = range(8)

@@ -12,14 +12,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from game.physics.solids.joints.plan import JointPlan
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int32]
-Longs = NDArray[np.int64]
+from game.arrays import Floats, Ints, Longs
+from game.physics.solids.arrays.plan import JointPlan
 
 MOST_CORNERS = 64
 NONE, DISC, POLYGON, SEGMENT = -1, 0, 1, 2  # kinds of shapes; a capsule is a polygon of two corners

@@ -12,11 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.arrays import Floats, Ints
 from game.physics.kernels import elementary
-from game.physics.solids.joints.layout import BROKEN, MOUSE, NO_JOINT, Joints
+from game.physics.solids.arrays.layout import BROKEN, MOUSE, NO_JOINT, Joints
 
-Ints = NDArray[np.int32]
-Floats = NDArray[np.float64]
 MOST_UPDATES = 100_000  # products of blocks in one solve; beyond that joints are swept
 
 
