@@ -98,6 +98,7 @@ def test_spoilt_files_are_refused_in_one_line_or_taken(tmp_path: Path):
 
 WRITER = """
 import sys
+from pathlib import Path
 import pygame
 from game.app.window.pictures import write_png
 from game.app.window.settings import Settings, save_settings
