@@ -74,7 +74,8 @@ def burst_stars(count: int) -> StarSystem:
     rng = np.random.default_rng(2)
     state, pool = stars.state(), stars.state().fields
     pool[s.X], pool[s.Y] = rng.uniform(-100.0, 100.0, count), rng.uniform(60.0, 160.0, count)
-    pool[s.VX], pool[s.VY] = rng.normal(0.0, 20.0, count), rng.normal(0.0, 20.0, count)
+    for speed in (s.VX, s.VY, s.VZ):
+        pool[speed] = rng.normal(0.0, 20.0, count)
     pool[s.DIES], pool[s.BURNT] = 1e6, 0.5e-6
     state.counts[0] = count
     return stars
@@ -85,7 +86,8 @@ class NumpyStars:
 
     def __init__(self, stars: StarSystem):
         fields = stars.stars("star")
-        self.x, self.y, self.vx, self.vy = (fields[row].copy() for row in (s.X, s.Y, s.VX, s.VY))
+        self.x, self.y, self.z = (fields[row].copy() for row in (s.X, s.Y, s.Z))
+        self.vx, self.vy, self.vz = (fields[row].copy() for row in (s.VX, s.VY, s.VZ))
         self.age = np.zeros_like(self.x)
         self.air, self.kind = stars.air, stars.kinds[0]
 
@@ -95,11 +97,12 @@ class NumpyStars:
         wind = air.wind * (1.0 + air.shear * np.clip(self.y + 0.5 * h * self.vy, 0.0, air.ceiling))
         ux, uy = self.vx - wind, self.vy + kick
         mass = np.maximum(1.0 - self.kind.burns / self.kind.life_s * (self.age + 0.5 * h), 1e-6)
-        factor = mass / (mass + self.kind.drag_per_m * h * np.sqrt(ux * ux + uy * uy))
-        vx, vy = wind + ux * factor, uy * factor + kick
+        factor = mass / (mass + self.kind.drag_per_m * h * np.sqrt(ux * ux + uy * uy + self.vz * self.vz))
+        vx, vy, vz = wind + ux * factor, uy * factor + kick, self.vz * factor
         self.x += 0.5 * h * (self.vx + vx)
         self.y += 0.5 * h * (self.vy + vy)
-        self.vx, self.vy = vx, vy
+        self.z += 0.5 * h * (self.vz + vz)
+        self.vx, self.vy, self.vz = vx, vy, vz
         self.age += h
         if (self.age >= self.kind.life_s).any() or (self.y <= 0.0).any():
             raise AssertionError("a star ended")

@@ -2,8 +2,9 @@
 
     dv/dt = b g - (k + q |u| / m) u + thrust,   u = v - w,   m = 1 - burnt (t - t_birth)
 
-b share of gravity that is felt (smoke rises: b < 0), k 1/s and q 1/m drag at full mass, w velocity of the
-air. Thrust acts along the path and gives what Tsiolkovsky (1903) says for the mass that is lost, exactly.
+x to the right, y up, z away from who looks. b share of gravity that is felt (smoke rises: b < 0), k 1/s and
+q 1/m drag at full mass, w velocity of the air. Thrust acts along the path and gives what Tsiolkovsky (1903)
+says for the mass that is lost, exactly.
 
 Methods. Split drag (the default; Strang 1968): half of the kick, the drag alone by its exact solution, the
 other half, and the way by the trapezium of both velocities. Of second order, and never past the wind however
@@ -56,8 +57,10 @@ class Star(NamedTuple):
 
     x: float
     y: float
+    z: float
     vx: float
     vy: float
+    vz: float
     age: float
     burnt: float
 
@@ -139,58 +142,75 @@ def fly_split(terms, quadratic, star, h):
     wx = terms.wind * (1.0 + terms.shear * min(max(middle, 0.0), terms.ceiling))
     ux = star.vx - wx
     uy = star.vy + terms.kick - terms.updraught
+    uz = star.vz
     factor = terms.decay
     if quadratic:
         mass = max(1.0 - terms.burning * star.burnt * (star.age + 0.5 * h), LEAST_MASS)
-        factor = factor * mass / (mass + terms.reach * math.sqrt(ux * ux + uy * uy))
+        factor = factor * mass / (mass + terms.reach * math.sqrt(ux * ux + uy * uy + uz * uz))
     vx = wx + ux * factor
     vy = terms.updraught + uy * factor + terms.kick
-    return star.x + 0.5 * h * (star.vx + vx), star.y + 0.5 * h * (star.vy + vy), vx, vy
+    vz = uz * factor
+    half = 0.5 * h
+    return (
+        star.x + half * (star.vx + vx), star.y + half * (star.vy + vy), star.z + half * (star.vz + vz),
+        vx, vy, vz,
+    )  # fmt: skip
 
 
 @kernel
-def acceleration(mask, law, air, y, vx, vy, mass):
-    """Acceleration (m/s²) of a star of some mass."""
+def acceleration(mask, law, air, y, velocity, mass):
+    """Acceleration (m/s²) of a star of some mass, with a velocity (m/s)."""
+    vx, vy, vz = velocity
     wx, wy = wind_at(mask, air, y)
     ux = vx - wx
     uy = vy - wy
-    rate = drag_rate(mask, law, math.sqrt(ux * ux + uy * uy), mass)
-    return -rate * ux, pull(mask, law, air) - rate * uy
+    rate = drag_rate(mask, law, math.sqrt(ux * ux + uy * uy + vz * vz), mass)
+    return -rate * ux, pull(mask, law, air) - rate * uy, -rate * vz
 
 
 @kernel
 def fly_staged(method, mask, law, air, star, h):
     """Place and velocity after h (s) by a method that takes the drag as any other force."""
-    x, y, vx, vy = star.x, star.y, star.vx, star.vy
-    begin = mass_left(mask, star.age, star.burnt)
-    ax, ay = acceleration(mask, law, air, y, vx, vy, begin)
+    place = (star.x, star.y, star.z)
+    v1 = (star.vx, star.vy, star.vz)
+    a1 = acceleration(mask, law, air, star.y, v1, mass_left(mask, star.age, star.burnt))
     if method == EXPLICIT_EULER:
-        return x + h * vx, y + h * vy, vx + h * ax, vy + h * ay
+        return (*gone_on(place, v1, h), *gone_on(v1, a1, h))
     if method == SEMI_IMPLICIT_EULER:
-        return x + h * (vx + h * ax), y + h * (vy + h * ay), vx + h * ax, vy + h * ay
+        faster = gone_on(v1, a1, h)
+        return (*gone_on(place, faster, h), *faster)
     half = 0.5 * h
     middle = mass_left(mask, star.age + half, star.burnt)
-    vx2, vy2 = vx + half * ax, vy + half * ay
-    ax2, ay2 = acceleration(mask, law, air, y + half * vy, vx2, vy2, middle)
+    v2 = gone_on(v1, a1, half)
+    a2 = acceleration(mask, law, air, star.y + half * v1[1], v2, middle)
     if method == MIDPOINT:
-        return x + h * vx2, y + h * vy2, vx + h * ax2, vy + h * ay2
-    vx3, vy3 = vx + half * ax2, vy + half * ay2
-    ax3, ay3 = acceleration(mask, law, air, y + half * vy2, vx3, vy3, middle)
-    end = mass_left(mask, star.age + h, star.burnt)
-    vx4, vy4 = vx + h * ax3, vy + h * ay3
-    ax4, ay4 = acceleration(mask, law, air, y + h * vy3, vx4, vy4, end)
-    sixth = h / 6.0
+        return (*gone_on(place, v2, h), *gone_on(v1, a2, h))
+    v3 = gone_on(v1, a2, half)
+    a3 = acceleration(mask, law, air, star.y + half * v2[1], v3, middle)
+    v4 = gone_on(v1, a3, h)
+    a4 = acceleration(mask, law, air, star.y + h * v3[1], v4, mass_left(mask, star.age + h, star.burnt))
+    return (*gone_on(place, weighed(v1, v2, v3, v4), h), *gone_on(v1, weighed(a1, a2, a3, a4), h))
+
+
+@kernel(forceinline=True)
+def gone_on(value, rate, h):
+    """A vector after h (s) of an even rate."""
+    return value[0] + h * rate[0], value[1] + h * rate[1], value[2] + h * rate[2]
+
+
+@kernel(forceinline=True)
+def weighed(a, b, c, d):
+    """The mean of four stages by Runge and Kutta's weights, 1 2 2 1."""
     return (
-        x + sixth * (vx + 2.0 * (vx2 + vx3) + vx4),
-        y + sixth * (vy + 2.0 * (vy2 + vy3) + vy4),
-        vx + sixth * (ax + 2.0 * (ax2 + ax3) + ax4),
-        vy + sixth * (ay + 2.0 * (ay2 + ay3) + ay4),
+        (a[0] + 2.0 * (b[0] + c[0]) + d[0]) / 6.0,
+        (a[1] + 2.0 * (b[1] + c[1]) + d[1]) / 6.0,
+        (a[2] + 2.0 * (b[2] + c[2]) + d[2]) / 6.0,
     )
 
 
 @kernel
 def fly(method, mask, law, air, star, h):
-    """Place (m) and velocity (m/s) of a star after h (s): (x, y, vx, vy)."""
+    """Place (m) and velocity (m/s) of a star after h (s): (x, y, z, vx, vy, vz)."""
     if mask & THRUST_BIT and law.exhaust > 0.0:
         return fly_driven(method, mask, law, air, star, h)
     if method == SPLIT_DRAG:
@@ -209,18 +229,18 @@ def fly_driven(method, mask, law, air, star, h):
     after = max(1.0 - star.burnt * (star.age + h), LEAST_MASS)
     first = law.exhaust * elementary.log(before / middle)
     second = law.exhaust * elementary.log(middle / after)
-    nx, ny = heading(star.vx, star.vy)
-    pushed = Star(star.x, star.y, star.vx + first * nx, star.vy + first * ny, star.age, star.burnt)
+    n = heading(star.vx, star.vy, star.vz)
+    vx, vy, vz = gone_on((star.vx, star.vy, star.vz), n, first)
+    pushed = Star(star.x, star.y, star.z, vx, vy, vz, star.age, star.burnt)
     if method == SPLIT_DRAG:
-        x, y, vx, vy = fly_split(terms_over(mask, law, air, h), law.quadratic > 0.0, pushed, h)
+        x, y, z, vx, vy, vz = fly_split(terms_over(mask, law, air, h), law.quadratic > 0.0, pushed, h)
     else:
-        x, y, vx, vy = fly_staged(method, mask, law, air, pushed, h)
+        x, y, z, vx, vy, vz = fly_staged(method, mask, law, air, pushed, h)
     # the first half's gain is not there all the time: exactly -v_e times the mean of ln over the whole step
     mean = mean_gain(law.exhaust, before, star.burnt, h) - first
-    x = x + mean * h * nx
-    y = y + mean * h * ny
-    nx, ny = heading(vx, vy)
-    return x, y, vx + second * nx, vy + second * ny
+    place = gone_on((x, y, z), n, mean * h)
+    n = heading(vx, vy, vz)
+    return (*place, *gone_on((vx, vy, vz), n, second))
 
 
 @kernel
@@ -234,9 +254,9 @@ def mean_gain(exhaust, mass, burnt, h):
 
 
 @kernel
-def heading(vx, vy):
+def heading(vx, vy, vz):
     """Unit vector along a velocity; upwards for none."""
-    speed = math.sqrt(vx * vx + vy * vy)
+    speed = math.sqrt(vx * vx + vy * vy + vz * vz)
     if speed == 0.0:
-        return 0.0, 1.0
-    return vx / speed, vy / speed
+        return 0.0, 1.0, 0.0
+    return vx / speed, vy / speed, vz / speed

@@ -14,7 +14,7 @@ from game.physics.kernels import elementary
 from game.physics.particles.random_numbers import WORD, threefry, uniform_pair
 
 FULL_TURN = 2.0 * math.pi
-SALT_DIRECTION, SALT_SPEED, SALT_SCATTER, SALT_LIFE = 1, 2, 3, 4
+SALT_DIRECTION, SALT_SPEED, SALT_SCATTER, SALT_LIFE, SALT_REACH = 1, 2, 3, 4, 5
 
 
 @kernel
@@ -26,7 +26,7 @@ def child_identity(parent, row, number):
 
 @kernel
 def burst_velocity(birth, points, seed, identity, number):
-    """Velocity (m/s) of child ``number`` relative to what it inherits: (vx, vy).
+    """Velocity (m/s) of child ``number`` relative to what it inherits: (vx, vy, vz).
 
     birth: its row. identity: the parent's. Children 2 j and 2 j + 1 of paired patterns share their numbers.
     """
@@ -37,44 +37,62 @@ def burst_velocity(birth, points, seed, identity, number):
     a, b = uniform_pair(seed + SALT_DIRECTION, identity & WORD, (identity >> 32) * 8192 + draw)
     faster, _ = uniform_pair(seed + SALT_SPEED, identity & WORD, (identity >> 32) * 8192 + draw)
     speed = sign * birth[kinds.SPEED] * (1.0 + birth[kinds.SPEED_SPREAD] * (2.0 * faster - 1.0))
-    dx, dy = direction(birth, pattern, points, a, b, draw, number)
+    dx, dy, dz = direction(birth, pattern, points, a, b, draw, number)
     vx = speed * dx
     vy = speed * dy
+    vz = speed * dz
     if birth[kinds.SCATTER] > 0.0:
         a, b = uniform_pair(seed + SALT_SCATTER, identity & WORD, (identity >> 32) * 8192 + draw)
-        away = sign * birth[kinds.SCATTER] * math.sqrt(a)
-        vx += away * elementary.cos(FULL_TURN * b)
-        vy += away * elementary.sin(FULL_TURN * b)
-    return vx, vy
+        c, _ = uniform_pair(seed + SALT_REACH, identity & WORD, (identity >> 32) * 8192 + draw)
+        away = sign * birth[kinds.SCATTER] * elementary.cbrt(c)
+        sx, sy, sz = on_sphere(a, b)
+        vx += away * sx
+        vy += away * sy
+        vz += away * sz
+    return vx, vy, vz
+
+
+@kernel
+def on_sphere(a, b):
+    """A unit vector, even over all directions, from two random numbers: even in height (Archimedes)."""
+    height = 2.0 * a - 1.0
+    across = math.sqrt(max(1.0 - height * height, 0.0))
+    return across * elementary.cos(FULL_TURN * b), height, across * elementary.sin(FULL_TURN * b)
 
 
 @kernel
 def direction(birth, pattern, points, a, b, draw, number):
-    """Where a child goes: a vector of length 1 or, seen from the side, less. a, b: two random numbers."""
+    """Where a child goes: a vector of length 1, or less for discs and shapes. a, b: two random numbers."""
     count = birth[kinds.COUNT]
-    tilt = birth[kinds.ANGLE]
-    if pattern == kinds.SPHERE:  # uniform on a sphere: its height is uniform, and the view is from the side
-        height = 2.0 * a - 1.0
-        across = math.sqrt(max(1.0 - height * height, 0.0)) * elementary.cos(FULL_TURN * b)
-        return across, height
+    tilt, spread = birth[kinds.ANGLE], birth[kinds.SPREAD]
+    if pattern == kinds.SPHERE:
+        return on_sphere(a, b)
     if pattern == kinds.RING:  # half of it; the other half are the opposite ones
         angle = FULL_TURN * draw / count
-        flat = elementary.cos(birth[kinds.SPREAD])
-        x, y = elementary.cos(angle), flat * elementary.sin(angle)
-        return x * elementary.cos(tilt) - y * elementary.sin(tilt), x * elementary.sin(
-            tilt
-        ) + y * elementary.cos(tilt)
+        x, y = elementary.cos(angle), elementary.cos(spread) * elementary.sin(angle)
+        return (
+            x * elementary.cos(tilt) - y * elementary.sin(tilt),
+            x * elementary.sin(tilt) + y * elementary.cos(tilt),
+            elementary.sin(spread) * elementary.sin(angle),
+        )
     if pattern == kinds.DISC:
         reach = math.sqrt(a)
-        return reach * elementary.cos(FULL_TURN * b), reach * elementary.sin(FULL_TURN * b)
-    if pattern == kinds.CONE:
-        angle = tilt + birth[kinds.SPREAD] * (2.0 * a - 1.0)
-        return elementary.sin(angle), elementary.cos(angle)
-    if pattern == kinds.ARMS:
+        return reach * elementary.cos(FULL_TURN * b), reach * elementary.sin(FULL_TURN * b), 0.0
+    if pattern == kinds.CONE:  # turned about its axis by b
+        off = spread * (2.0 * a - 1.0)
+        aside, depth = elementary.sin(off) * elementary.cos(math.pi * b), elementary.sin(math.pi * b)
+        x, y = aside, elementary.cos(off)
+        return (
+            x * elementary.cos(tilt) + y * elementary.sin(tilt),
+            y * elementary.cos(tilt) - x * elementary.sin(tilt),
+            elementary.sin(off) * depth,
+        )
+    if pattern == kinds.ARMS:  # by turns to the back and to the front
         angle = tilt + FULL_TURN * number / count
-        return elementary.sin(angle), elementary.cos(angle)
+        flat, out = elementary.cos(spread), elementary.sin(spread) * (1.0 - 2.0 * (number % 2))
+        return flat * elementary.sin(angle), flat * elementary.cos(angle), out
     point = int(birth[kinds.FIRST_POINT]) + number % int(birth[kinds.SHAPE_POINTS])
-    return points[point, 0], points[point, 1]
+    return points[point, 0], points[point, 1], 0.0
 
 
 @kernel

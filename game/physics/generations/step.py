@@ -22,11 +22,12 @@ from game.physics.generations.effects import GROUND_BIT, THRUST_BIT, TRAILS_BIT
 from game.physics.generations.flight import SPLIT_DRAG, Law, Star, fly, fly_split, terms_over
 from game.physics.generations.patterns import burst_velocity, child_identity, life_of
 
-X, Y, VX, VY, BORN, DIES, BURNT, DEPTH = range(8)
-FIELDS = 8
+X, Y, Z, VX, VY, VZ, BORN, DIES, BURNT = range(9)
+FIELDS = 9
+MOVED = 6  # fields that a flight changes
 MADE, ENDED, DROPPED, LANDED, REPORTED, UNREPORTED = range(6)
 TALLIES = 6
-WHAT, WHICH, INSTANT, AT_X, AT_Y, AT_DEPTH, SPEED_X, SPEED_Y = range(8)
+WHAT, WHICH, INSTANT, AT_X, AT_Y, AT_Z, SPEED_X, SPEED_Y = range(8)
 REPORT_COLUMNS = 8
 BLOCK = 512  # stars; what one sweep of them touches stays in the nearest cache
 SLACK = 2.0**-44  # relative: an instant this near to a step's end belongs to the step
@@ -36,13 +37,13 @@ FALLS = 60  # halvings in the search for the instant of a fall
 class Pool(NamedTuple):
     """Where stars live. The first three are the state; the others are scratch and reports."""
 
-    fields: NDArray[np.float64]  # (FIELDS, n): x, y m, vx, vy m/s, born, dies s, share burnt a second, depth
+    fields: NDArray[np.float64]  # (FIELDS, n): x, y, z m, velocity m/s, born, dies s, share burnt a second
     identities: NDArray[np.int64]  # (n,)
     counts: NDArray[np.int64]  # (kinds,) alive
     tallies: NDArray[np.int64]  # (TALLIES,)
     before: NDArray[np.int64]  # (kinds,) alive at the beginning of the step
     special: NDArray[np.int64]  # (n,) places
-    kept: NDArray[np.float64]  # (4, n) state of the special ones as it was
+    kept: NDArray[np.float64]  # (MOVED, n) state of the special ones as it was
     queue: NDArray[np.float64]  # (k, FIELDS) of those born in this step
     queued: NDArray[np.int64]  # (k, 2) identity and kind
     reports: NDArray[np.float64]  # (m, REPORT_COLUMNS)
@@ -62,6 +63,12 @@ def law_of(table, kind):
     """How a kind flies."""
     row = table.kinds[kind]
     return Law(row[kinds.WEIGHT], row[kinds.LINEAR], row[kinds.QUADRATIC], row[kinds.EXHAUST])
+
+
+@kernel(forceinline=True)
+def star_of(row, now):
+    """A row of fields as a star that flies on from an instant (s)."""
+    return Star(row[X], row[Y], row[Z], row[VX], row[VY], row[VZ], now - row[BORN], row[BURNT])
 
 
 @kernel
@@ -120,7 +127,7 @@ def list_special(pool, every, places, limits, h, found):
         low = pool.fields[Y, i] + 2.0 * h * min(pool.fields[VY, i], 0.0) <= lowest
         if every or low or pool.fields[DIES, i] <= limit:
             pool.special[found] = i
-            for row in range(4):
+            for row in range(MOVED):
                 pool.kept[row, found] = pool.fields[row, i]
             found += 1
     return found
@@ -147,8 +154,9 @@ def sweep(rules, law, air, rows, places, instants):
             sweep_split(terms, False, rows, places, now, h)
         return
     for i in range(places[0], places[1]):
-        star = Star(rows[X, i], rows[Y, i], rows[VX, i], rows[VY, i], now - rows[BORN, i], rows[BURNT, i])
-        rows[X, i], rows[Y, i], rows[VX, i], rows[VY, i] = fly(rules.method, rules.mask, law, air, star, h)
+        star = star_of(rows[:, i], now)
+        flown = fly(rules.method, rules.mask, law, air, star, h)
+        rows[X, i], rows[Y, i], rows[Z, i], rows[VX, i], rows[VY, i], rows[VZ, i] = flown
 
 
 @kernel(forceinline=True)
@@ -158,17 +166,21 @@ def sweep_split(terms, quadratic, rows, places, now, h):
         end = min(begin + BLOCK, places[1])
         x = rows[X][begin:end]
         y = rows[Y][begin:end]
+        z = rows[Z][begin:end]
         vx = rows[VX][begin:end]
         vy = rows[VY][begin:end]
+        vz = rows[VZ][begin:end]
         born = rows[BORN][begin:end]
         burnt = rows[BURNT][begin:end]
         for i in range(x.shape[0]):
-            star = Star(x[i], y[i], vx[i], vy[i], now - born[i], burnt[i])
-            x1, y1, ux, uy = fly_split(terms, quadratic, star, h)
+            star = Star(x[i], y[i], z[i], vx[i], vy[i], vz[i], now - born[i], burnt[i])
+            x1, y1, z1, ux, uy, uz = fly_split(terms, quadratic, star, h)
             x[i] = x1
             y[i] = y1
+            z[i] = z1
             vx[i] = ux
             vy[i] = uy
+            vz[i] = uz
 
 
 @kernel
@@ -180,7 +192,7 @@ def fly_special(rules, table, air, pool, which, instants):
     for k in range(found - 1, -1, -1):  # from the last: whoever takes a place has been flown already
         i = pool.special[k]
         pool.queue[0] = pool.fields[:, i]
-        for row in range(4):
+        for row in range(MOVED):
             pool.queue[0, row] = pool.kept[row, k]
         pool.queued[0, 0] = pool.identities[i]
         pool.queued[0, 1] = kind
@@ -236,8 +248,8 @@ def live(rules, table, air, pool, waiting, instants):
     landed, stop = find_landing(rules, table, air, star, kind, (begin, stop))
     if rules.mask & TRAILS_BIT:
         waiting = leave_trail(rules, table, air, pool, waiting, (begin, stop, fresh))
-    flown = Star(star[X], star[Y], star[VX], star[VY], begin - star[BORN], star[BURNT])
-    star[X], star[Y], star[VX], star[VY] = fly(rules.method, rules.mask, law, air, flown, stop - begin)
+    flown = fly(rules.method, rules.mask, law, air, star_of(star, begin), stop - begin)
+    star[X], star[Y], star[Z], star[VX], star[VY], star[VZ] = flown
     if landed:
         star[Y] = rules.ground
         pool.tallies[LANDED] += 1
@@ -257,14 +269,14 @@ def find_landing(rules, table, air, star, kind, instants):
     if rules.mask & GROUND_BIT == 0 or table.kinds[kind, kinds.DIES_ON_GROUND] == 0.0:
         return False, stop
     law = law_of(table, kind)
-    flown = Star(star[X], star[Y], star[VX], star[VY], begin - star[BORN], star[BURNT])
-    _, y, _, vy = fly(rules.method, rules.mask, law, air, flown, stop - begin)
+    flown = star_of(star, begin)
+    _, y, _, _, vy, _ = fly(rules.method, rules.mask, law, air, flown, stop - begin)
     if y > rules.ground or (y == rules.ground and vy >= 0.0):
         return False, stop
     low, high = 0.0, stop - begin
     for _ in range(FALLS):
         middle = 0.5 * (low + high)
-        _, y, _, _ = fly(rules.method, rules.mask, law, air, flown, middle)
+        _, y, _, _, _, _ = fly(rules.method, rules.mask, law, air, flown, middle)
         if y > rules.ground:
             low = middle
         else:
@@ -279,7 +291,7 @@ def leave_trail(rules, table, air, pool, waiting, instants):
     star = pool.queue[0]
     kind = pool.queued[0, 1]
     law = law_of(table, kind)
-    flown = Star(star[X], star[Y], star[VX], star[VY], begin - star[BORN], star[BURNT])
+    flown = star_of(star, begin)
     for row in range(table.first[kind], table.first[kind + 1]):
         birth = table.births[row]
         if birth[kinds.OCCASION] != kinds.ALONG:
@@ -287,8 +299,8 @@ def leave_trail(rules, table, air, pool, waiting, instants):
         made = 0 if fresh else trail_until(birth[kinds.RATE], star[BORN], begin)
         for number in range(made, trail_until(birth[kinds.RATE], star[BORN], stop)):
             instant = min(max(star[BORN] + number / birth[kinds.RATE], begin), stop)
-            x, y, vx, vy = fly(rules.method, rules.mask, law, air, flown, instant - begin)
-            waiting = enqueue(rules, table, pool, waiting, (row, number), (x, y, vx, vy, instant))
+            at = fly(rules.method, rules.mask, law, air, flown, instant - begin)
+            waiting = enqueue(rules, table, pool, waiting, (row, number), (at, instant))
     return waiting
 
 
@@ -309,7 +321,7 @@ def bear(rules, table, pool, waiting, occasion, instant):
     for row in range(table.first[kind], table.first[kind + 1]):
         birth = table.births[row]
         if birth[kinds.OCCASION] == occasion:
-            at = (star[X], star[Y], star[VX], star[VY], instant)
+            at = ((star[X], star[Y], star[Z], star[VX], star[VY], star[VZ]), instant)
             for number in range(int(birth[kinds.COUNT])):
                 waiting = enqueue(rules, table, pool, waiting, (row, number), at)
     return waiting
@@ -317,29 +329,30 @@ def bear(rules, table, pool, waiting, occasion, instant):
 
 @kernel
 def enqueue(rules, table, pool, waiting, which, at):
-    """Put a child into the queue: (row of its birth, number), (place, velocity of the parent, instant)."""
+    """Put a child into the queue: (row of its birth, number), (place and velocity of the parent, instant)."""
     if waiting == pool.queue.shape[0]:
         pool.tallies[DROPPED] += 1
         return waiting
     row, number = which
-    x, y, vx, vy, instant = at
+    (x, y, z, vx, vy, vz), instant = at
     birth = table.births[row]
     child = int(birth[kinds.CHILD])
     parent = pool.queued[0, 0]
     identity = child_identity(parent, row, number)
-    ux, uy = burst_velocity(birth, table.points, rules.seed, row_identity(parent, row), number)
+    ux, uy, uz = burst_velocity(birth, table.points, rules.seed, row_identity(parent, row), number)
     life = life_of(
         table.kinds[child, kinds.LIFE], table.kinds[child, kinds.LIFE_SPREAD], rules.seed, identity
     )
     new = pool.queue[waiting]
     new[X] = x
     new[Y] = y
+    new[Z] = z
     new[VX] = birth[kinds.INHERITED] * vx + ux
     new[VY] = birth[kinds.INHERITED] * vy + uy
+    new[VZ] = birth[kinds.INHERITED] * vz + uz
     new[BORN] = instant
     new[DIES] = instant + life
     new[BURNT] = table.kinds[child, kinds.BURNS] / life
-    new[DEPTH] = pool.queue[0, DEPTH]
     pool.queued[waiting, 0] = identity
     pool.queued[waiting, 1] = child
     return waiting + 1
@@ -363,5 +376,5 @@ def report(pool, what, kind, instant, star):
     entry[WHAT] = what
     entry[WHICH] = kind
     entry[INSTANT] = instant
-    entry[AT_X], entry[AT_Y], entry[AT_DEPTH] = star[X], star[Y], star[DEPTH]
+    entry[AT_X], entry[AT_Y], entry[AT_Z] = star[X], star[Y], star[Z]
     entry[SPEED_X], entry[SPEED_Y] = star[VX], star[VY]

@@ -72,7 +72,7 @@ class StarSystem:
             tallies=np.zeros(steps.TALLIES, dtype=np.int64),
             before=np.zeros(len(self.kinds), dtype=np.int64),
             special=np.zeros(capacity, dtype=np.int64),
-            kept=np.zeros((4, capacity)),
+            kept=np.zeros((steps.MOVED, capacity)),
             queue=np.zeros((QUEUE, FIELDS)),
             queued=np.zeros((QUEUE, 2), dtype=np.int64),
             reports=np.zeros((report_lines, steps.REPORT_COLUMNS)),
@@ -138,7 +138,8 @@ class StarSystem:
         return self._numbers[kind]
 
     def launch(self, kind: str, position: ArrayLike, velocity: ArrayLike, depth: float = 0.0) -> None:
-        """Put one star that is born now: (2,) m, (2,) m/s. What is born at its birth comes with it.
+        """Put one star that is born now: (2,) m, (2,) m/s, at a depth (m). What is born at its birth comes
+        with it.
 
         ValueError for no such kind, or what is not finite. Without a place it is dropped and counted.
         """
@@ -153,8 +154,7 @@ class StarSystem:
         identity = int(child_identity(self.seed, MAX_ROW, by_hand))
         self._clock[3] += 1.0
         life = float(life_of(row[LIFE], row[LIFE_SPREAD], self.seed, identity))
-        pool.queue[1, :2], pool.queue[1, 2:4] = place, speed
-        pool.queue[1, 4:] = self.time_s, self.time_s + life, row[BURNS] / life, layer
+        pool.queue[1] = *place, layer, *speed, 0.0, self.time_s, self.time_s + life, row[BURNS] / life
         pool.queued[1] = identity, number
         raise_children(self._rules(), self.table, self._air, pool, 2, (self.time_s, self.time_s))
 

@@ -3,6 +3,8 @@ listener is dragged along the bank."""
 
 from __future__ import annotations
 
+import math
+
 from game.physics.kernels import elementary
 from game.scenes.fireworks.aiming import LEAST_RISE
 from game.scenes.fireworks.level import FARTHEST, Point
@@ -10,7 +12,7 @@ from game.scenes.fireworks.model import MUZZLE, FireworksModel
 from game.stage import Part, Pointer
 
 REACH = 7.0  # m, how near to the listener the pointer takes hold
-BANK = 5.0  # m above the lower edge of the view, where the listener stands
+BANK = 10.0  # m above the lower edge of the view, where the listener stands
 HIGHEST = 1_000.0  # m
 
 
@@ -35,7 +37,7 @@ class FireworksHand(Part):
             return self._fire(point)
         if event.kind == "down" and event.button == 3:
             if point[1] > 0.0:
-                self.model.burst_at(self.model.parameters.shell, point)
+                self.model.burst_at(self.model.parameters.shell, *self._in_space(point))
         elif event.kind == "move" and self.held:
             self.model.walk_to = point[0]
         elif event.kind in ("up", "cancel"):
@@ -45,8 +47,14 @@ class FireworksHand(Part):
     def _fire(self, point: Point) -> str:
         if point[1] < MUZZLE + LEAST_RISE:
             return f"Click {MUZZLE + LEAST_RISE:.0f} m above the shore or higher: there the shell bursts."
-        self.model.fire(self.model.parameters.shell, point)
+        at, depth = self._in_space(point)
+        self.model.fire(self.model.parameters.shell, at, depth=depth)
         return ""
+
+    def _in_space(self, point: Point) -> tuple[Point, float]:
+        """The place (m) seen there in the plane through the middle of the fleet, and its depth (m)."""
+        turn = math.radians(self.model.bearing)
+        return (point[0] * elementary.cos(turn), point[1]), point[0] * elementary.sin(turn)
 
 
 def _within(value: float, most: float) -> float:

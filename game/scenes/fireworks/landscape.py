@@ -1,7 +1,8 @@
-"""The night round the show: sky, ridges, hills, a town by the lake, trees on the near bank."""
+"""The night round the show, as a panorama about the fleet: sky, moon, ridges, hills, a town by the lake."""
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -10,10 +11,21 @@ import pygame
 from numpy.typing import NDArray
 
 from game.arrays import Floats
+from game.scenes.fireworks.eye import AWAY, EYE, Seen, at_infinity, on_circle
+from game.scenes.fireworks.shore import FLEET_LAMPS, bank, crowd, draw_fleet, firs
 from game.ui.canvas.canvas import Canvas
-from game.ui.canvas.lights import sky_picture
+from game.ui.canvas.lights import night_sky, sky_picture
 
-HALF = 900.0  # m, to each side of what is there
+HALF = 900.0  # to each side of an outline: half of the way round
+TOWN = 330.0  # m from the fleet to the far shore
+STARS = 1_500  # all round
+MOON = (math.radians(-17.5), math.radians(15.5))  # azimuth and height
+MOON_RADIUS = 5.2  # m as seen: twice the true one, as one remembers it
+MOON_HALOS = ((9.0, 0.5), (42.0, 0.16), (130.0, 0.06))  # radius m and strength of its light in the haze
+
+
+GLOW = pygame.Color(255, 214, 170)  # of bursts on the land
+MOONLIGHT = pygame.Color(238, 236, 222)
 
 
 def _ink(words: str) -> pygame.Color:
@@ -36,9 +48,9 @@ class Night(NamedTuple):
 
 
 NIGHT = Night(
-    ((0.0, _ink("050814")), (0.45, _ink("0a1226")), (0.8, _ink("16243f")), (1.0, _ink("2e3f62"))),
-    _ink("152038"), _ink("0d1628"), _ink("070b16"), _ink("a87838"), _ink("020408"), _ink("050914"),
-    (0.55, 0.65, 0.9, 0.034), 1.0, 0.66,
+    ((0.0, _ink("0a1024")), (0.45, _ink("111c38")), (0.8, _ink("1f3154")), (1.0, _ink("3d5178"))),
+    _ink("1f2d4a"), _ink("132039"), _ink("0a101f"), _ink("d8a050"), _ink("03060c"), _ink("0a1226"),
+    (0.62, 0.70, 0.92, 0.06), 1.0, 0.72,
 )  # fmt: skip
 DUSK = Night(
     (
@@ -46,23 +58,36 @@ DUSK = Night(
         (1.0, _ink("d58f6c")),
     ),
     _ink("564a72"), _ink("383758"), _ink("211f38"), _ink("a87c3c"), _ink("100f1e"), _ink("1a1c38"),
-    (0.85, 0.7, 0.75, 0.06), 0.45, 0.78,
+    (0.85, 0.7, 0.75, 0.085), 0.45, 0.78,
 )  # fmt: skip
 
 
 class Layer(NamedTuple):
-    """An outline (n, 2) m as seen from the middle, and how far it goes with the camera (1: all the way)."""
+    """An outline (n, 2) that goes all the way round: x from -HALF to HALF, y m as seen from straight before
+    it. radius: m, of the circle about the fleet on which it lies.
+    """
 
     points: Floats
-    slide: float
+    radius: float
+
+    @property
+    def azimuths(self) -> Floats:
+        """(n,) radians."""
+        return self.points[:, 0] * (math.pi / HALF)
+
+    @property
+    def heights(self) -> Floats:
+        """(n,) m, true ones."""
+        return EYE + (self.points[:, 1] - EYE) * (AWAY + self.radius) / AWAY
 
 
-def _waves(seed: int, base: float, heights: tuple[float, ...], lengths: tuple[float, ...]) -> Floats:
+def _waves(seed: int, base: float, heights: tuple[float, ...], counts: tuple[int, ...]) -> Floats:
+    """An outline of waves, each so many times round."""
     chance = np.random.default_rng(seed)
     x = np.arange(-HALF, HALF + 1.0, 4.0)
     y = np.full_like(x, base)
-    for height, length in zip(heights, lengths, strict=True):
-        y += height * np.sin(2.0 * np.pi * x / length + chance.uniform(0.0, 6.3))
+    for height, count in zip(heights, counts, strict=True):
+        y += height * np.sin(math.pi * x * count / HALF + chance.uniform(0.0, 6.3))
     y += chance.normal(0.0, 0.12 * heights[-1], len(x))
     return np.stack((x, np.maximum(y, 0.5)), axis=1)
 
@@ -70,18 +95,18 @@ def _waves(seed: int, base: float, heights: tuple[float, ...], lengths: tuple[fl
 @lru_cache(maxsize=1)
 def ridge() -> Layer:
     """Mountains far off."""
-    return Layer(_waves(3, 30.0, (11.0, 6.0, 2.5, 1.2), (430.0, 171.0, 67.0, 23.0)), 0.93)
+    return Layer(_waves(3, 30.0, (11.0, 6.0, 2.5, 1.2), (4, 11, 27, 78)), 5_600.0)
 
 
 @lru_cache(maxsize=1)
 def hills() -> Layer:
     """Wooded hills behind the town."""
-    return Layer(_waves(8, 13.0, (5.0, 2.6, 0.9), (260.0, 97.0, 13.0)), 0.75)
+    return Layer(_waves(8, 13.0, (5.0, 2.6, 0.9), (7, 19, 138)), 1_300.0)
 
 
 @lru_cache(maxsize=1)
-def town() -> tuple[Layer, Floats]:
-    """Roofs along the far shore, a church among them, and their lit windows (n, 2) m."""
+def town() -> tuple[Layer, Layer]:
+    """Roofs along the far shore, a church among them, and their lit windows."""
     chance = np.random.default_rng(21)
     points: list[tuple[float, float]] = [(-HALF, 1.0)]
     windows: list[tuple[float, float]] = []
@@ -110,33 +135,7 @@ def town() -> tuple[Layer, Floats]:
             width += 4.0
         x += width + chance.uniform(0.0, 2.5)
     points.append((HALF, 1.0))
-    return Layer(np.array(points), 0.13), np.array(windows)
-
-
-@lru_cache(maxsize=1)
-def firs() -> tuple[Layer, ...]:
-    """Firs on the near bank, to the left and to the right: outlines of their own."""
-    chance = np.random.default_rng(5)
-    made = []
-    for x, tall in (
-        (-178.0, 74.0), (-160.0, 52.0), (-147.0, 62.0), (-133.0, 33.0), (-192.0, 60.0), (-122.0, 22.0),
-        (146.0, 40.0), (158.0, 58.0), (173.0, 46.0), (188.0, 70.0), (137.0, 24.0),
-    ):  # fmt: skip
-        rows = 9
-        left, right = [], []
-        for row in range(rows):
-            share = row / rows
-            wide = 0.20 * tall * (1.0 - share) ** 1.15 * chance.uniform(0.85, 1.12)
-            foot = -46.0 + tall * (0.07 + 0.93 * share)
-            left += [(x - wide, foot), (x - 0.42 * wide, foot + 0.055 * tall)]
-            right += [(x + wide * chance.uniform(0.85, 1.1), foot), (x + 0.42 * wide, foot + 0.055 * tall)]
-        top = (x, -46.0 + 1.04 * tall)
-        trunk = 0.018 * tall
-        made.append(
-            Layer(np.array([(x - trunk, -80.0), (x - trunk, left[0][1]), *left, top, *right[::-1],
-                            (x + trunk, right[0][1]), (x + trunk, -80.0)]), -0.55)
-        )  # fmt: skip
-    return tuple(made)
+    return Layer(np.array(points), TOWN), Layer(np.array(windows), TOWN)
 
 
 class Landscape:
@@ -150,25 +149,54 @@ class Landscape:
         """The hour of the theme."""
         return DUSK if canvas.theme.name == "light" else NIGHT
 
-    def behind(self, canvas: Canvas, lit: float) -> None:
-        """Sky, stars, ridges, hills and town. lit: how strongly bursts light the land, 0 to 1."""
+    def behind(self, canvas: Canvas, seen: Seen, lit: float) -> None:
+        """Sky, stars, moon, ridges, hills and town. lit: how strongly bursts light the land, 0 to 1."""
         night = self.night(canvas)
         self._draw_sky(canvas, night)
-        canvas.stars(8.0, 520, 4, night.stars)
-        glow = pygame.Color(255, 214, 170)
-        far, near = ridge(), hills()
-        self._fill(canvas, far, night.ridge.lerp(glow, 0.05 * lit))
-        self._fill(canvas, near, night.hill.lerp(glow, 0.08 * lit))
+        self._draw_stars(canvas, seen, night.stars)
+        self._draw_moon(canvas, seen)
+        self._fill(canvas, seen, ridge(), night.ridge.lerp(GLOW, 0.05 * lit))
+        self._fill(canvas, seen, hills(), night.hill.lerp(GLOW, 0.08 * lit))
         houses, windows = town()
-        self._fill(canvas, houses, night.town.lerp(glow, 0.10 * lit))
-        shift = houses.slide * canvas.camera.center[0]
-        canvas.glow(windows + np.array((shift, 0.0)), _packed(night.window), 0, 0.04)
+        self._fill(canvas, seen, houses, night.town.lerp(GLOW, 0.10 * lit))
+        x, near, along = on_circle(seen, TOWN, windows.azimuths)
+        places = np.stack((x, EYE + near * (windows.heights - EYE)), axis=1)[along > 0.0]
+        canvas.glow(places, _packed(night.window), 0, 0.05)
 
-    def before(self, canvas: Canvas) -> None:
-        """The near bank with its trees."""
+    def fleet(self, canvas: Canvas, seen: Seen, lit: float) -> None:
+        """The pontoons with their mortars, before the smoke and the light."""
         night = self.night(canvas)
-        for tree in firs():
-            self._fill(canvas, tree, night.bank, closed=True)
+        lamps = draw_fleet(canvas, seen, night.bank.lerp(GLOW, 0.03 + 0.25 * lit))
+        canvas.glow(lamps, FLEET_LAMPS, 2, 0.3)
+
+    def before(self, canvas: Canvas, seen: Seen, lit: float) -> None:
+        """The near bank with its trees and those who watch."""
+        night = self.night(canvas)
+        ink = night.bank.lerp(GLOW, 0.05 * lit)
+        for tree in firs(seen):
+            canvas.polygon(tree, fill=ink)
+        canvas.polygon(bank(seen), fill=ink)
+        for one in crowd(seen, canvas.camera.visible()):
+            canvas.polygon(one, fill=ink)
+
+    @staticmethod
+    def _draw_stars(canvas: Canvas, seen: Seen, strength: float) -> None:
+        places, colors, sizes = night_sky(STARS, 4, round(strength, 2))
+        x, y, shown = at_infinity(
+            seen, (2.0 * places[:, 0] - 1.0) * math.pi, 0.02 + 0.55 * (1.0 - places[:, 1])
+        )
+        canvas.glow(np.stack((x, y), axis=1)[shown], colors[shown], sizes[shown])
+
+    @staticmethod
+    def _draw_moon(canvas: Canvas, seen: Seen) -> None:
+        x, y, shown = at_infinity(seen, np.array(MOON[:1]), np.array(MOON[1:]))
+        if not shown[0]:
+            return
+        at = (float(x[0]), float(y[0]))
+        canvas.circle(at, MOON_RADIUS, fill=MOONLIGHT)
+        radii = np.array([radius for radius, _ in MOON_HALOS])
+        shares = np.array([share for _, share in MOON_HALOS])
+        canvas.soft_glow(np.tile(at, (len(radii), 1)), radii, _packed(MOONLIGHT), shares)
 
     def _draw_sky(self, canvas: Canvas, night: Night) -> None:
         width, height = canvas.rect.size
@@ -183,17 +211,18 @@ class Landscape:
         canvas.backdrop(self._sky, 6.0, 2 * height - 1)
 
     @staticmethod
-    def _fill(canvas: Canvas, layer: Layer, ink: pygame.Color, closed: bool = False) -> None:
-        """An outline, down to the shore unless it is closed, where it is seen."""
-        seen = canvas.camera.visible()
-        points = layer.points + np.array((layer.slide * canvas.camera.center[0], 0.0))
-        if not closed:
-            part = (points[:, 0] > seen.left - 30.0) & (points[:, 0] < seen.right + 30.0)
-            points = points[part]
-            if len(points) < 2:
-                return
+    def _fill(canvas: Canvas, seen: Seen, layer: Layer, ink: pygame.Color) -> None:
+        """An outline, down to the shore, where it is seen."""
+        x, near, along = on_circle(seen, layer.radius, layer.azimuths)
+        points = np.stack((x, EYE + near * (layer.heights - EYE)), axis=1)[along > 0.0]
+        if np.any(np.diff(points[:, 0]) < 0.0):  # it begins anew within what is seen
+            start = int(np.argmin(np.diff(points[:, 0]))) + 1
+            points = np.concatenate((points[start:], points[:start]))
+        view = canvas.camera.visible()
+        points = points[(points[:, 0] > view.left - 60.0) & (points[:, 0] < view.right + 60.0)]
+        if len(points) > 1:
             points = np.concatenate((points, ((points[-1, 0], -1.0), (points[0, 0], -1.0))))
-        canvas.polygon(points, fill=ink)
+            canvas.polygon(points, fill=ink)
 
 
 def _packed(ink: pygame.Color) -> int:

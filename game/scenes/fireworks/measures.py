@@ -21,6 +21,7 @@ class BurstNow(NamedTuple):
     """The newest burst: age s, radius m, what ballistics say m, net momentum (share of the sum of all).
 
     stars: all that it threw and that still burn. fastest: m/s, of those that are measured.
+    depth: m, the farthest from the plane that faces the audience.
     """
 
     age: float
@@ -29,6 +30,7 @@ class BurstNow(NamedTuple):
     momentum: float
     stars: int
     fastest: float
+    depth: float
 
 
 def reach_of(speed: float, drag: float, burnt: float, age: float) -> float:
@@ -52,7 +54,7 @@ def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:
     """(FIELDS, n) of the head stars of the newest burst that still burn."""
     instant, shell = float(model.burst[0]), int(model.burst[4])
     if shell < 0:
-        return np.zeros((8, 0))
+        return np.zeros((step.FIELDS, 0))
     stars = model.system.stars(HEADS[SHELLS[shell]].star)
     return stars[:, stars[step.BORN] == instant]
 
@@ -75,17 +77,20 @@ def burst_now(model: FireworksModel) -> BurstNow | None:
     parameters = model.parameters
     drag = kind.drag_per_m * parameters.air / parameters.star_mass if QUADRATIC_DRAG in model.active else 0.0
     burnt = kind.burns / kind.life_s if BURNING in model.active else 0.0
-    x, y = stars[step.X] - stars[step.X].mean(), stars[step.Y] - stars[step.Y].mean()
-    sum_x, sum_y = math.fsum(stars[step.VX].tolist()), math.fsum(stars[step.VY].tolist())
-    speed = elementwise.hypot(stars[step.VX], stars[step.VY])
+    off = stars[[step.X, step.Y, step.Z]]
+    off = off - off.mean(axis=1, keepdims=True)
+    velocity = stars[[step.VX, step.VY, step.VZ]]
+    total = [math.fsum(row.tolist()) for row in velocity]
+    speed = np.sqrt((velocity * velocity).sum(axis=0))
     speeds = float(speed.sum())
     return BurstNow(
         age,
-        math.sqrt(float(np.max(x * x + y * y))),
+        math.sqrt(float(np.max((off * off).sum(axis=0)))),
         reach_of(head.speed, drag, burnt, age),
-        elementary.hypot(sum_x, sum_y) / speeds if speeds > 0.0 else 0.0,
+        elementary.length(*total) / speeds if speeds > 0.0 else 0.0,
         thrown_now(model),
         float(np.max(speed)),
+        float(np.max(np.abs(off[2]))),
     )
 
 

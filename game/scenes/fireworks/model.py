@@ -24,6 +24,7 @@ MUZZLE = 1.2  # m above the ground
 TUBES_EVERY = 20.0  # m
 ROCKET_START = 24.0  # m/s
 WIND_CEILING = 400.0  # m
+SOFT_S = 0.35  # s, with which the camera follows its bearing
 FLASHES = 96
 MARKS = 256
 INSTANT, FLASH_X, FLASH_Y, FLASH_DEPTH, FLASH_WHAT, FLASH_SHELL = range(6)
@@ -68,8 +69,8 @@ class Programme:
 
 class FireworksModel(Part):
     """Stars, programme, wind and sound. ``fired``: shells of the programme so far, ``round``: its repeats;
-    ``off_mark``: m by which
-    the last one missed; ``walk_to``: where along the bank the listener goes, m.
+    ``off_mark``: m by which the last one missed; ``walk_to``: where along the bank the listener goes, m;
+    ``bearing``: from where the show is seen, degrees.
     """
 
     def __init__(
@@ -94,6 +95,7 @@ class FireworksModel(Part):
         )  # of shells in the air: kind, instant s and place m of the burst
         self.fired = self.rounds = 0
         self.walk_to = content.listener
+        self.bearing = self._turning = parameters.bearing
         self.configure()
         for one in content.aloft:
             self._put(one.shell, one.position, one.velocity, one.depth, one.fuse)
@@ -161,9 +163,9 @@ class FireworksModel(Part):
         self._flash(self.system.time_s, place, 0.0, shell)
         self.thunder.emit(self.system.time_s, place, "mortar", LOUDNESS["mortar"])
 
-    def burst_at(self, shell: str, at: Point) -> None:
+    def burst_at(self, shell: str, at: Point, depth: float = 0.0) -> None:
         """Let a shell burst at a place (m) at once: its fuse is as short as it can be."""
-        self._put(shell, at, (0.0, 0.0), 0.0, 1e-6)
+        self._put(shell, at, (0.0, 0.0), depth, 1e-6)
         self.counts[LAUNCHED] += 1
 
     def _put(self, shell: str, at: Point, velocity: Point, depth: float, fuse: float | None = None) -> None:
@@ -222,6 +224,7 @@ class FireworksModel(Part):
     def advance(self, dt: float) -> None:
         """One step of everything."""
         now = self.system.time_s
+        self._go_round(dt)
         self._follow_programme()
         self.configure(0.5 * dt)
         self.system.step(dt)
@@ -229,6 +232,12 @@ class FireworksModel(Part):
             self._take(row)
         walk_to = (min(max(self.walk_to, -FARTHEST), FARTHEST), self.parameters.distance)
         self.thunder.go_on(now, dt, walk_to)
+
+    def _go_round(self, dt: float) -> None:
+        """The bearing follows its parameter softly: twice over by the same share."""
+        share = -elementary.expm1(-dt / SOFT_S)
+        self._turning += share * (self.parameters.bearing - self._turning)
+        self.bearing += share * (self._turning - self.bearing)
 
     def _take(self, row: list[float]) -> None:
         """What a report means: a flash, a sound, the newest burst."""

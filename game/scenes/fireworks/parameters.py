@@ -21,7 +21,7 @@ class FireworksParameters(Parameters):
     )
     places = Param(
         1.0, 0.01, 1.0, log=True, group="Stars", rebuild=True, label="Places",
-        help="share of the 134 000 places for stars; what finds none is dropped and counted",
+        help="share of the 136 000 places for stars; what finds none is dropped and counted",
     )  # fmt: skip
     wind = Param(
         2.0, -40.0, 40.0, unit="m/s", group="Air", help="to the right, at the ground; gusts come on top"
@@ -34,6 +34,10 @@ class FireworksParameters(Parameters):
         1.0, 0.001, 100_000.0, log=True, group="Air", label="Air density", help="beside that at sea level"
     )
     gravity = Param(9.81, 0.0, 30.0, unit="m/s²", group="Air", help="downwards")
+    bearing = Param(
+        0.0, -120.0, 120.0, unit="°", group="Camera",
+        help="from where the show is seen: the camera goes round it",
+    )  # fmt: skip
     method = Choice(
         "split-drag",
         METHODS,

@@ -26,6 +26,7 @@ def readouts(model: FireworksModel) -> list[Readout]:
         Readout("burst radius", newest.radius if newest else math.nan, "m"),
         Readout("ballistics", newest.ballistics if newest else math.nan, "m"),
         Readout("radius error", abs(newest.radius - newest.ballistics) if newest else math.nan, "m"),
+        Readout("burst depth", newest.depth if newest else math.nan, "m"),
         Readout("burst stars", newest.stars if newest else math.nan),
         Readout("burst speed", newest.fastest if newest else math.nan, "m/s"),
         Readout("burst momentum", newest.momentum if newest else math.nan),

@@ -73,7 +73,10 @@ BURSTS: dict[str, tuple[Birth, ...]] = {
         _burst("cyan", 90, 58.0, pattern="ring", angle_deg=18.0, spread_deg=62.0),
         _burst("rose", 60, 34.0, pattern="ring", angle_deg=-35.0, spread_deg=50.0),
     ),
-    "palm": (_burst("frond", 12, 46.0, 0.12, pattern="arms", angle_deg=15.0), _burst("lemon", 30, 14.0, 0.2)),
+    "palm": (
+        _burst("frond", 12, 46.0, 0.12, pattern="arms", angle_deg=15.0, spread_deg=32.0),
+        _burst("lemon", 30, 14.0, 0.2),
+    ),
     "crossette": (_burst("split", 22, 52.0, 0.03, pattern="ring", angle_deg=10.0, spread_deg=25.0),),
     "strobe": (_burst("magnesium", 120, 46.0, 0.25),),
     "spiral": (_burst("whirl", 90, 52.0, pattern="shape", points=spiral_arms(90)),),
@@ -106,7 +109,7 @@ def _launch() -> tuple[Birth, ...]:
 def _shell(name: str, amounts: Amounts) -> Kind:
     more = amounts.sparks
     puffs = Birth(
-        "death", "smoke", count=16, speed_m_s=19.0, speed_spread=0.7, inherited=0.3, scatter_m_s=5.0
+        "death", "smoke", count=24, speed_m_s=22.0, speed_spread=0.7, inherited=0.3, scatter_m_s=6.0
     )
     births = list(_launch())
     if name == "comet":

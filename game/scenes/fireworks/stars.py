@@ -36,8 +36,8 @@ def spark_kinds(amounts: Amounts) -> tuple[Kind, ...]:
         Kind("crack", life_s=0.22, life_spread=0.5, linear_drag_per_s=2.0, burns=0.9,
              capacity=_room(4_000, room)),
         Kind("lift", life_s=0.7, life_spread=0.5, drag_per_m=0.03, burns=0.9, capacity=_room(3_000, room)),
-        Kind("smoke", life_s=15.0, life_spread=0.3, weight=-0.02, linear_drag_per_s=1.3, grounded=False,
-             capacity=_room(3_600, room)),
+        Kind("smoke", life_s=34.0, life_spread=0.3, weight=-0.02, linear_drag_per_s=1.3, grounded=False,
+             capacity=_room(6_000, room)),
     )  # fmt: skip
 
 

@@ -7,21 +7,23 @@ import math
 import numpy as np
 
 from game.physics.fields import WIND
-from game.physics.generations.step import X, Y
+from game.physics.generations.step import FIELDS, X, Y, Z
 from game.scenes.fireworks import model as m
 from game.scenes.fireworks import thunder
+from game.scenes.fireworks.eye import Seen, projected, seen_from
 from game.scenes.fireworks.hand import FireworksHand
 from game.scenes.fireworks.landscape import Landscape
 from game.scenes.fireworks.looks import FLASH_COLORS, GOLD, look_of, shades_of
 from game.scenes.fireworks.measures import burst_now, stars_of_burst
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.shells import SHELLS
-from game.scenes.fireworks.shine import CAMERA_AWAY, EYE, FLASH_FADES, Glow, Seen, light_smoke, shine
+from game.scenes.fireworks.shine import CELLS, FLASH_FADES, Glow, light_smoke, shed_light, shine
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 
 MOST_LIGHTS = 160_000
-MOST_PUFFS = 4_000
+MOST_PUFFS = 8_000
 MANY_STARS = 30_000  # with more than that tails have fewer dots
+SOME = 500  # stars of a kind, of which each lights smoke; of more a part is taken for all
 BLOOM = 1.25
 MOST_WAVES = 4  # of sound that are drawn
 FLASH_S = 1.6  # s, for which a flash is drawn
@@ -47,9 +49,9 @@ class FireworksView:
         burst = model.burst
         smoke = model.system.stars("smoke")
         return {
-            "burst": (float(burst[1]), float(burst[2])) if burst[0] >= 0.0 else NOWHERE,
+            "burst": self._seen_at(*burst[1:4].tolist()) if burst[0] >= 0.0 else NOWHERE,
             "shell": self._highest_shell(),
-            "smoke": (float(smoke[X].mean()), float(smoke[Y].mean())) if smoke.shape[1] else NOWHERE,
+            "smoke": self._seen_at(*smoke[[X, Y, Z]].mean(axis=1).tolist()) if smoke.shape[1] else NOWHERE,
             "listener": self.hand.listener_place(),
         }
 
@@ -59,7 +61,12 @@ class FireworksView:
         found = [(self.hand.listener_place(), f"listener, {model.parameters.distance:.0f} m off")]
         if newest is not None and newest.age < NAMED_S:
             shell = SHELLS[int(model.burst[4])]
-            found.append((self._burst_middle(), f"{shell}, {newest.stars} stars, {newest.radius:.0f} m"))
+            found.append(
+                (
+                    self._seen_at(*self._burst_middle()),
+                    f"{shell}, {newest.stars} stars, {newest.radius:.0f} m",
+                )
+            )
         return found
 
     def legend(self) -> list[tuple[str, str, str]]:
@@ -80,26 +87,33 @@ class FireworksView:
             stars = self.model.system.stars(name)
             if stars.shape[1]:
                 i = int(np.argmax(stars[Y]))
-                best = max(best, (float(stars[Y, i]), (float(stars[X, i]), float(stars[Y, i]))))
+                best = max(best, (float(stars[Y, i]), self._seen_at(*stars[[X, Y, Z], i].tolist())))
         if best[0] < 0.0 and self.model.burst[0] >= 0.0:
-            return float(self.model.burst[1]), float(self.model.burst[2])
+            return self._seen_at(*self.model.burst[1:4].tolist())
         return best[1]
+
+    def _seen_at(self, x: float, y: float, z: float) -> tuple[float, float]:
+        """Where a place (m) is seen when the eye aims at the middle of the fleet."""
+        return projected(seen_from(0.0, 0.0, 0.0, self.model.bearing), x, y, z)[:2]
 
     def draw(self, canvas: Canvas, alpha: float) -> None:
         """All of it, from the back to the front."""
         self._reserve()
         back = (1.0 - alpha) * self.model.parameters.step_length
-        seen = Seen(float(canvas.camera.center[0]), self.model.system.time_s - back, back)
+        seen = seen_from(
+            float(canvas.camera.center[0]), self.model.system.time_s - back, back, self.model.bearing
+        )
         flashes = self._flashes_now(seen.time)
         lit = min(sum(math.exp(-(seen.time - row[0]) / FLASH_FADES) for row in flashes.tolist()), 2.5) / 2.5
-        self.landscape.behind(canvas, lit)
+        self.landscape.behind(canvas, seen, lit)
+        self.landscape.fleet(canvas, seen, lit)
         self._draw_smoke(canvas, seen, flashes)
         self._draw_flashes(canvas, seen)
         self._draw_lights(canvas, seen)
         canvas.bloom(BLOOM)
         night = self.landscape.night(canvas)
         canvas.water(0.0, canvas.camera.visible().top, seen.time, night.water, night.mirror)
-        self.landscape.before(canvas)
+        self.landscape.before(canvas, seen, lit)
         self._draw_listener(canvas)
         if canvas.teaching:
             self._explain(canvas, seen)
@@ -114,6 +128,7 @@ class FireworksView:
             self._radii = np.zeros(MOST_PUFFS)
             self._puff_colors = np.zeros(MOST_PUFFS, np.uint32)
             self._puff_shares = np.zeros(MOST_PUFFS)
+            self._cells = np.zeros((math.prod(CELLS), 7))
 
     # -- light --------------------------------------------------------------------------------------
 
@@ -124,19 +139,34 @@ class FireworksView:
             stars = system.stars(kind.name)
             if not stars.shape[1] or kind.name == "smoke":
                 continue
-            look = self._looks[kind.name]
-            glow = Glow(look.size, int(look.dots * fewer), look.tail_s, look.bloom, look.blink, look.twinkle)
+            glow = self._glow_of(kind.name, fewer)
             line = shine(
                 stars, self._shades[kind.name], glow, seen, self._places, self._colors, self._sizes,
                 self._shares, line,
             )  # fmt: skip
         canvas.glow(self._places[:line], self._colors[:line], self._sizes[:line], self._shares[:line])
 
+    def _glow_of(self, kind: str, fewer: float = 1.0) -> Glow:
+        look = self._looks[kind]
+        return Glow(look.size, int(look.dots * fewer), look.tail_s, look.bloom, look.blink, look.twinkle)
+
+    def _lamps(self, time: float) -> np.ndarray:
+        """(n, 6): x, y, z m of the light of stars near one another, and its red, green and blue."""
+        cells = self._cells
+        cells[:] = 0.0
+        for kind in self.model.system.kinds:
+            stars = self.model.system.stars(kind.name)
+            if stars.shape[1] and kind.name != "smoke":
+                every = 1 + stars.shape[1] // SOME
+                shed_light(stars, self._shades[kind.name], self._glow_of(kind.name), time, every, cells)
+        some = cells[cells[:, 6] > 0.0]
+        return np.concatenate((some[:, :3] / some[:, 6:], some[:, 3:6]), axis=1)
+
     def _draw_smoke(self, canvas: Canvas, seen: Seen, flashes: np.ndarray) -> None:
         ambient = np.array(self.landscape.night(canvas).ambient)
         line = light_smoke(
-            self.model.system.stars("smoke"), flashes, seen, ambient, self._puffs, self._radii,
-            self._puff_colors, self._puff_shares,
+            self.model.system.stars("smoke"), flashes, self._lamps(seen.time), seen, ambient, self._puffs,
+            self._radii, self._puff_colors, self._puff_shares,
         )  # fmt: skip
         canvas.soft_glow(
             self._puffs[:line], self._radii[:line], self._puff_colors[:line], self._puff_shares[:line]
@@ -162,8 +192,8 @@ class FireworksView:
         places, radii, colors, shares = [], [], [], []
         for row in self._recent(seen.time):
             age, burst = seen.time - row[m.INSTANT], row[m.FLASH_WHAT] > 0.0
-            near = CAMERA_AWAY / (CAMERA_AWAY + row[m.FLASH_DEPTH])
-            at = (seen.middle + near * (row[m.FLASH_X] - seen.middle), EYE + near * (row[m.FLASH_Y] - EYE))
+            x, y, near = projected(seen, row[m.FLASH_X], row[m.FLASH_Y], row[m.FLASH_DEPTH])
+            at = (x, y)
             red, green, blue = _color_of(row)
             tint = (int(127 + 128 * red) << 16) | (int(127 + 128 * green) << 8) | int(127 + 128 * blue)
             sizes = ((11.0, 0.9 * math.exp(-age / 0.07)), (95.0, 0.13 * math.exp(-age / FLASH_FADES)))
@@ -188,16 +218,19 @@ class FireworksView:
         model = self.model
         newest = burst_now(model)
         if newest is not None and newest.age < NAMED_S:
-            center = self._burst_middle()
-            canvas.circle(center, newest.ballistics, outline="text1", width=1.2, dash=EXACT_DASH, alpha=0.6)
+            x, y, near = projected(seen, *self._burst_middle())
+            canvas.circle(
+                (x, y), near * newest.ballistics, outline="text1", width=1.2, dash=EXACT_DASH, alpha=0.6
+            )
         waves = model.thunder.waves[: int(model.thunder.counts[thunder.WAITING])]
         for wave in waves[-MOST_WAVES:].tolist():
             age = seen.time - wave[thunder.EMITTED]
             if 0.02 < age < SOUND_S:
                 fade = 0.35 * (1.0 - age / SOUND_S)
+                x, y, near = projected(seen, *wave[thunder.AT_X : thunder.AT_DEPTH + 1])
                 canvas.circle(
-                    (wave[thunder.AT_X], wave[thunder.AT_Y]),
-                    thunder.SPEED_OF_SOUND * age,
+                    (x, y),
+                    near * thunder.SPEED_OF_SOUND * age,
                     outline="chalk",
                     width=1.0,
                     alpha=fade,
@@ -207,9 +240,9 @@ class FireworksView:
         x, y = self.hand.listener_place()
         canvas.handle((x, y + 7.5), self.hand.held)
 
-    def _burst_middle(self) -> tuple[float, float]:
-        stars = stars_of_burst(self.model)
-        return float(stars[X].mean()), float(stars[Y].mean())
+    def _burst_middle(self) -> tuple[float, float, float]:
+        x, y, z = stars_of_burst(self.model)[[X, Y, Z]].mean(axis=1).tolist()
+        return x, y, z
 
     def _draw_wind(self, canvas: Canvas) -> None:
         frame, wind = self.model.content.view, self.model.wind
@@ -230,10 +263,14 @@ def _color_of(row: list[float]) -> tuple[float, float, float]:
 
 def warm_up_shine() -> None:
     """Compile the kernels of the picture, on one star and one puff."""
-    stars, seen, one = np.zeros((8, 1)), Seen(0.0, 0.0, 0.0), np.zeros(1)
+    stars, seen, one = np.zeros((FIELDS, 1)), Seen(0.0, 0.0, 0.0), np.zeros(1)
     shades, colors = shades_of(look_of("red")), np.zeros(1, np.uint32)
+    glow = Glow(0, 0, 0.0, 0.0, 0.0, 0.0)
     shine(
-        stars, shades, Glow(0, 0, 0.0, 0.0, 0.0, 0.0), seen, np.zeros((1, 2)), colors,
+        stars, shades, glow, seen, np.zeros((1, 2)), colors,
         np.zeros(1, np.uint8), one, 0,
     )  # fmt: skip
-    light_smoke(stars, np.zeros((0, 7)), seen, np.zeros(4), np.zeros((1, 2)), one, colors, one)
+    shed_light(stars, shades, glow, 0.0, 1, np.zeros((math.prod(CELLS), 7)))
+    light_smoke(
+        stars, np.zeros((0, 7)), np.zeros((0, 6)), seen, np.zeros(4), np.zeros((1, 2)), one, colors, one,
+    )  # fmt: skip

@@ -45,7 +45,12 @@ def test_a_burst_keeps_the_momentum(pattern):
     bound = 4 * 200 * 2.0**-52 * 80.0
     assert abs(np.sum(stars[steps.VX] - 11.0)) < bound
     assert abs(np.sum(stars[steps.VY] - 7.0)) < bound
+    assert abs(np.sum(stars[steps.VZ])) < bound
     assert np.std(stars[steps.VY]) > 10.0
+    if pattern == "sphere":  # as much in each direction: a third of the mean square
+        speeds = stars[[steps.VX, steps.VY, steps.VZ]] - np.array([[11.0], [7.0], [0.0]])
+        squares = (speeds**2).mean(axis=1)
+        assert squares == pytest.approx(squares.mean(), rel=0.25)
 
 
 def test_a_burst_has_its_own_instant_within_the_step():
@@ -249,6 +254,7 @@ def test_a_ring_is_tilted_and_flattened():
     stars = grown(kinds, seconds=1.0, air=WEIGHTLESS).stars("star")
     assert np.allclose((stars[steps.VX] / 5.0) ** 2 + (stars[steps.VY] / 10.0) ** 2, 1.0)
     assert np.ptp(stars[steps.VY]) > 19.0
+    assert np.allclose((stars[[steps.VX, steps.VY, steps.VZ]] ** 2).sum(axis=0), 100.0)  # a true circle
 
 
 def test_what_falls_ends_on_the_ground_and_children_keep_the_depth():
@@ -264,7 +270,7 @@ def test_what_falls_ends_on_the_ground_and_children_keep_the_depth():
     fall = system.reports[-1]
     assert fall[4] == -3.0
     assert fall[2] == pytest.approx(math.sqrt(2.0 * 4.7 / CALM.gravity), rel=1e-9)
-    assert fall[5] == system.stars("dust")[steps.DEPTH, 0] == 2.5
+    assert fall[5] == system.stars("dust")[steps.Z, 0] == 2.5
     assert system.stars("dust")[steps.VX, 0] == 3.0
 
 

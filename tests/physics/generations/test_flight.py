@@ -7,7 +7,7 @@ import pytest
 
 from game.physics.effects import EffectSet
 from game.physics.generations import CALM, EVERYTHING, METHODS, Kind, StarSystem
-from game.physics.generations.step import VX, VY, X, Y
+from game.physics.generations.step import VX, VY, VZ, X, Y, Z
 
 DT = 1.0 / 240.0
 G = CALM.gravity
@@ -67,6 +67,34 @@ def test_a_burst_reaches_its_radius():
     star = fly(free(drag_per_m=0.03), (60.0, 0.0), 1.5, effects=EVERYTHING.without("gravity"))
     assert star[X] == pytest.approx(math.log(1.0 + 0.03 * 60.0 * 1.5) / 0.03, rel=1e-5)
     assert star[VX] == pytest.approx(60.0 / (1.0 + 0.03 * 60.0 * 1.5), rel=1e-12)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_star_flies_the_same_whichever_way_it_goes(method):
+    """Away from who looks as along the ground, and slantwise by the speed in all three directions."""
+    aside, back = (StarSystem([free(drag_per_m=0.03)], method=method) for _ in range(2))
+    aside.launch("star", (0.0, 0.0), (50.0, 20.0))
+    back.launch("star", (0.0, 0.0), (30.0, 20.0))
+    back.stars("star")[VZ, 0] = 40.0  # the same speed along the ground
+    for system in (aside, back):
+        for _ in range(240):
+            system.step(DT)
+    star, other = aside.stars("star")[:, 0], back.stars("star")[:, 0]
+    assert other[[X, Z]] == pytest.approx(star[X] * np.array((0.6, 0.8)), rel=1e-12)
+    assert other[[VX, VZ]] == pytest.approx(star[VX] * np.array((0.6, 0.8)), rel=1e-12)
+    assert other[[Y, VY]] == pytest.approx(star[[Y, VY]], rel=1e-12)
+
+
+def test_a_rocket_is_driven_along_its_way_in_depth_too():
+    systems = [StarSystem([free(exhaust_m_s=800.0, burns=0.5)]) for _ in range(2)]
+    for system, (vx, vz) in zip(systems, ((50.0, 0.0), (30.0, 40.0)), strict=True):
+        system.launch("star", (0.0, 0.0), (vx, 20.0))
+        system.stars("star")[VZ, 0] = vz
+        for _ in range(240):
+            system.step(DT)
+    star, other = (system.stars("star")[:, 0] for system in systems)
+    assert other[[X, Z]] == pytest.approx(star[X] * np.array((0.6, 0.8)), rel=1e-12)
+    assert other[[Y, VY]] == pytest.approx(star[[Y, VY]], rel=1e-12)
 
 
 def test_a_burning_star_feels_the_air_more():

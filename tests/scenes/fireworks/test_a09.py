@@ -10,6 +10,7 @@ import pytest
 from game.levels import LevelError, level_files, parse_level
 from game.physics.generations.step import BORN, DROPPED, MADE, VX, VY, X, Y
 from game.scenes.fireworks import view
+from game.scenes.fireworks.eye import AWAY, EYE
 from game.scenes.fireworks.level import FireworksContent
 from game.scenes.fireworks.measures import BurstNow
 from game.scenes.fireworks.scene import Fireworks
@@ -83,6 +84,39 @@ def test_a_shell_bursts_where_it_was_clicked(wind):
     until(stage, "bursts", 1)
     assert stage.scene.model.burst[1:3] == pytest.approx((37.0, 96.0), abs=0.05)
     assert readouts(stage)["off the mark"] < 0.05
+
+
+def test_a_click_from_the_side_bursts_where_it_was_seen():
+    stage = empty(bearing=60.0, shear=0.0)
+    click(stage, (37.0, 96.0))
+    until(stage, "bursts", 1)
+    x, _, z = stage.scene.model.burst[1:4]
+    assert math.hypot(x, z) == pytest.approx(37.0, abs=0.05) and z > 30.0
+    assert stage.scene.view.targets()["burst"] == pytest.approx((37.0, 96.0), abs=0.05)
+
+
+def test_the_camera_goes_round_and_changes_nothing_of_the_show():
+    still, round_it = empty(), empty()
+    for stage in (still, round_it):
+        stage.scene.model.burst_at("peony", (50.0, 90.0))
+        stage.run(30)
+    round_it.post(SetParameter("bearing", 90.0))
+    for stage in (still, round_it):
+        stage.run(200)
+    assert round_it.scene.model.bearing == pytest.approx(90.0, abs=0.1)
+    assert round_it.digest() == still.digest()
+    assert still.scene.view.targets()["burst"] == pytest.approx((50.0, 90.0))
+    near = AWAY / (AWAY - 50.0)  # from the right what was to the right is before the middle
+    assert round_it.scene.view.targets()["burst"] == pytest.approx((0.0, EYE + near * (90.0 - EYE)), abs=0.2)
+
+
+def test_a_ball_is_as_deep_as_it_is_large_and_a_heart_is_flat():
+    for shell, share in (("peony", 1.0), ("heart", 0.0)):
+        stage = empty(shell=shell)
+        stage.scene.model.burst_at(shell, (0.0, 100.0))
+        stage.run(60)
+        found = readouts(stage)
+        assert found["burst depth"] == pytest.approx(share * found["burst radius"], rel=0.05, abs=1e-9)
 
 
 def test_the_programme_is_laid_for_still_air():
@@ -315,9 +349,9 @@ def test_a_burst_is_named_for_so_long_and_no_longer(monkeypatch):
     """And the listener, always."""
     stage = empty()
     names, now = stage.scene.view.names, view.burst_now
-    newest = BurstNow(age=0.0, radius=40.0, ballistics=40.0, momentum=0.0, stars=60, fastest=5.0)
+    newest = BurstNow(age=0.0, radius=40.0, ballistics=40.0, momentum=0.0, stars=60, fastest=5.0, depth=40.0)
     monkeypatch.setattr(view, "burst_now", lambda model: newest)
-    monkeypatch.setattr(stage.scene.view, "_burst_middle", lambda: (0.0, 50.0))
+    monkeypatch.setattr(stage.scene.view, "_burst_middle", lambda: (0.0, 50.0, 0.0))
     stage.scene.model.burst[4] = 0.0
     for age, count in ((0.0, 2), (math.nextafter(NAMED_S, 0.0), 2), (NAMED_S, 1), (NAMED_S + 1.0, 1)):
         newest = newest._replace(age=age)
