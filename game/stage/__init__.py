@@ -26,7 +26,7 @@ from game.stage.declarations import (
 )
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
 from game.stage.messages import Messages
-from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle
+from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle, control_of
 from game.stage.part import Part
 from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
@@ -88,6 +88,7 @@ __all__ = [
     "blend",
     "blend_angles",
     "blend_quaternions",
+    "control_of",
     "jumped",
     "replay",
     "replay_scene",

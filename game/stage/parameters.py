@@ -13,6 +13,7 @@ from typing import Any, Generic, TypeVar, overload
 
 from game.definition import DefinitionError
 from game.naming import titled
+from game.settings import Number, Option, declared
 
 T = TypeVar("T")
 STEP_LENGTH = "step_length"  # a parameter of this name (s) is the length of a step
@@ -203,6 +204,28 @@ class Toggle(Parameter[bool]):
         if word in ("false", "off", "no", "0"):
             return False
         raise self._refuse(text, "expected true or false")
+
+
+def control_of(
+    kind: type[tuple[Any, ...]],
+    name: str,
+    *,
+    minimum: float = -math.inf,
+    maximum: float = math.inf,
+    **how: Any,
+) -> Any:
+    """The parameter of a method's setting, as it is declared there (`game.settings`).
+
+    minimum, maximum: of a range that is narrower here; how: group, label, labels and so on.
+    """
+    setting: Number | Option = declared(kind)[name]
+    default = kind._field_defaults[name]  # type: ignore[attr-defined]
+    if isinstance(setting, Option):
+        if not setting.words:
+            return Toggle(default, help=setting.help, **how)
+        return Choice(setting.words[default], setting.words, help=setting.help, **how)
+    low, high = max(minimum, setting.minimum), min(maximum, setting.maximum)
+    return Param(default, low, high, unit=setting.unit, whole=setting.whole, help=setting.help, **how)
 
 
 def parameters_of(owner: type) -> dict[str, Parameter[Any]]:

@@ -60,18 +60,19 @@ class Gate:
         )
 
     def _let_in_from_thread(self, event: StageEvent) -> Callable[[], object] | None:
-        """Let an event act, in a thread; what is then to be said, if it is refused."""
+        """Let a checked event act, in a thread; what is then to be said, if it is refused."""
         self._record.try_steps()
         try:
-            self._record.stage.post(event)
+            self._record.stage.let_in(event)
         except ParameterError as error:
             refusal = error
             return lambda: self._refuse(refusal)
         return None
 
     def _let_in(self, event: StageEvent) -> bool:
+        """Let a checked event act; False if the scene refuses it."""
         try:
-            self._record.stage.post(event)
+            self._record.stage.let_in(event)
         except ParameterError as error:
             self._refuse(error)
             return False
