@@ -29,7 +29,7 @@ class Number(NamedTuple):
 
     def checked(self, name: str, value: Any) -> float:
         """The value in the setting's own type; ValueError if it is none."""
-        kind = Integral if self.whole else Real
+        kind: Any = Integral if self.whole else Real
         if isinstance(value, bool) or not (
             isinstance(value, kind) and self.minimum <= float(value) <= self.maximum
         ):
@@ -41,7 +41,7 @@ class Number(NamedTuple):
 
     def placed(self, value: Any) -> float:
         """A checked value as the kernel takes it."""
-        return value  # type: ignore[no-any-return]
+        return value
 
 
 class Option(NamedTuple):
