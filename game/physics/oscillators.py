@@ -35,7 +35,8 @@ def pendulum_angle(start: float, pull: float, time: float) -> float:
 def pendulum_period(start: float, pull: float) -> float:
     """Period (s) of a pendulum let go at ``start`` rad; pull: g / l, 1/s².
 
-    Infinite without pull, or from upright on. 2 pi / (sqrt(pull) M(1, cos(start / 2))), M the arithmetic-geometric mean (Gauss 1799).
+    2 pi / (sqrt(pull) M(1, cos(start / 2))), M the arithmetic-geometric mean (Gauss 1799). Infinite without
+    pull, or from upright on.
     """
     a, b = 1.0, elementary.cos(0.5 * start)
     if not (pull > 0.0 and b > 0.0):

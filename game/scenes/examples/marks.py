@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from game.arrays import Floats, Point
+from game.physics.kernels import elementary
 from game.physics.oscillators import spring_pull
 from game.stage import Scene
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
@@ -30,7 +31,7 @@ def may_be_read(scene: Scene, name: str) -> bool:
 def mark_swing(canvas: Canvas, scene: Scene, swing: Point, length: float, pull: float) -> None:
     """Angle, velocity, weight and pull of the rod; swing: rad, rad/s; pull: g / l, 1/s². Periods as read."""
     angle, rate = swing
-    c, s = math.cos(angle), math.sin(angle)
+    c, s = elementary.cos(angle), elementary.sin(angle)
     mass, force = (length * s, -length * c), SQUARE_SECONDS * length * length
     canvas.line((0.0, 0.0), (0.0, -0.5 * length), "text3", 1.0, EXACT_DASH)
     canvas.arc((0.0, 0.0), 0.3 * length, -0.5 * math.pi, math.remainder(angle, math.tau) - 0.5 * math.pi)
@@ -40,7 +41,9 @@ def mark_swing(canvas: Canvas, scene: Scene, swing: Point, length: float, pull: 
     canvas.arrow(mass, (-rod * s, rod * c), "amber", "F")
     half = 0.5 * math.remainder(angle, math.tau)
     words = canvas.figure("angle", f"{2.0 * math.degrees(half):.1f}°")
-    canvas.label((0.42 * length * math.sin(half), -0.42 * length * math.cos(half)), words, "text1")
+    canvas.label(
+        (0.42 * length * elementary.sin(half), -0.42 * length * elementary.cos(half)), words, "text1"
+    )
     known = {one.name: one.value for one in scene.readouts() if may_be_read(scene, one.name)}
     values = [(before, known.get(name, math.nan)) for before, name in (("", "period"), (LAW, LAW))]
     told = [f"{before} {value:.3f} s".lstrip() for before, value in values if math.isfinite(value)]
