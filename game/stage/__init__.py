@@ -11,6 +11,7 @@ from game.definition import DefinitionError
 from game.stage.catalogue import Catalogue, Entry
 from game.stage.clock import FixedStep
 from game.stage.declarations import (
+    Comparison,
     Equation,
     Frame,
     Hearing,
@@ -48,6 +49,7 @@ __all__ = [
     "Action",
     "Catalogue",
     "Choice",
+    "Comparison",
     "Decision",
     "DefinitionError",
     "EffectMeter",

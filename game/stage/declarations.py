@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from game.arrays import Floats
+
 
 class Readout(NamedTuple):
     """A measured value: name, value, unit (an SI unit takes prefixes in the picture)."""
@@ -27,6 +29,23 @@ class Table(NamedTuple):
     keys: tuple[int, ...]
     room: int
     help: str = ""
+
+
+class Comparison(NamedTuple):
+    """What is measured over what is expected, as a story shows it in a corner of its picture.
+
+    measured (n, 2), expected (m, 2): places along the axis below, values. names: of both. unit: of the
+    values. over, over_unit: name and unit of the axis below; "" for a mark, one value of each and no places.
+    single: each measured value stands for itself and no line leads from one to the next.
+    """
+
+    measured: Floats
+    expected: Floats
+    names: tuple[str, str]
+    unit: str = ""
+    over: str = ""
+    over_unit: str = ""
+    single: bool = False
 
 
 class Strip(NamedTuple):

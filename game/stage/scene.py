@@ -17,7 +17,17 @@ from game.definition import DefinitionError
 from game.levels import Level, LevelError
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.stage.declarations import Frame, Hearing, Hint, Inspected, Readout, Table, ToolButton, WarmUp
+from game.stage.declarations import (
+    Comparison,
+    Frame,
+    Hearing,
+    Hint,
+    Inspected,
+    Readout,
+    Table,
+    ToolButton,
+    WarmUp,
+)
 from game.stage.events import Decision, Pointer, StageEvent
 from game.stage.parameters import (
     STEP_LENGTH,
@@ -294,6 +304,13 @@ class Scene(SceneDeclaration):
     def story_names(self) -> Sequence[tuple[tuple[float, float], str]]:
         """What single things of a story are called, and what is measured of them: place (x, y), words."""
         return ()
+
+    def story_charts(self) -> Mapping[str, Comparison]:
+        """Measured beside expected, as it stands now, by the names that a story gives them.
+
+        Readouts need none: a story draws them by itself. All that can be named is there from the beginning.
+        """
+        return {}
 
     def draw_story_row(self, surface: Any, look: Any, row: Any) -> None:
         """On film, draw what stands beside the captions, in the row below the picture (a Rect, px)."""

@@ -91,7 +91,8 @@ class Use(NamedTuple):
 
 
 class Hand(Part):
-    """``uses`` of its tools, by name. ``right``: the tool of the right button, "": none.
+    """``uses`` of its tools, by name. ``right``: the tool of the right button, "": none; ``left``: that of
+    the left one, "": the parameter ``tool`` says it.
 
     held: number of what it holds, or NOBODY; kind: of what that is, where a tool takes more than one. start,
     point: where a drag began, and is, m, None when there is none; before: where it was at the last event;
@@ -105,12 +106,14 @@ class Hand(Part):
         low: Point,
         high: Point,
         *,
+        left: str = "",
         right: str = "",
         drop: Callable[[Hand], None] | None = None,
     ):
         """low, high: corners of where a hand may be, m. drop: what letting go does to the model."""
         self.model, self.parameters = model, model.parameters
-        self._uses, self._low, self._high, self._right, self._drop = uses, low, high, right, drop
+        self._uses, self._low, self._high, self._drop = uses, low, high, drop
+        self._left, self._right = left, right
         self.held, self.kind, self.verb, self.shift = NOBODY, "", "", False
         self.start: Point | None = None
         self.point: Point | None = None
@@ -133,7 +136,7 @@ class Hand(Part):
         point = tuple(map(_within, (event.x, event.y), self._low, self._high))
         if event.kind == "down" and (event.button == 1 or (event.button == 3 and self._right)):
             self.let_go()
-            self.verb = self._right if event.button == 3 else self.parameters.tool
+            self.verb = self._right if event.button == 3 else self._left or self.parameters.tool
             self.start = self.point = self.before = point[0], point[1]
             self.path, self.shift = [self.point], event.shift
             return self._uses.get(self.verb, Use()).press(self)
