@@ -54,11 +54,12 @@ def mark_swing(canvas: Canvas, scene: Scene, swing: Point, length: float, pull: 
 
 def mark_bounces(canvas: Canvas, height: float, restitution: float) -> None:
     """How high each bounce rises by Newton's law of impact: e² times as high as the one before."""
+    level = height
     for n in range(BOUNCES):
-        level = height * restitution ** (2 * n)
         if level > 0.03 * height:
             canvas.line((-0.6 * height, level), (0.6 * height, level), "text3", 1.0, EXACT_DASH)
             canvas.formula((0.66 * height, level), f"e^{2 * n} h" if n else "h", "text2", 14, "left")
+        level *= restitution * restitution
 
 
 def mark_flight(
