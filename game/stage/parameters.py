@@ -102,6 +102,7 @@ class Param(Parameter[float]):
         help: str = "",
         group: str = "",
         rebuild: bool = False,
+        in_panel: bool = True,
     ):
         if not (math.isfinite(minimum) and math.isfinite(maximum)):
             raise ValueError(f"Param: the range {minimum} to {maximum} is not finite")
@@ -115,7 +116,7 @@ class Param(Parameter[float]):
         self.whole = whole
         self.log = log
         self.step = 1.0 if whole and step is None else step
-        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
+        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild, in_panel=in_panel)
 
     def check(self, value: Any) -> float:
         """The value as a number; ParameterError if it is none, out of range, or not whole if it must be."""
@@ -164,6 +165,7 @@ class Choice(Parameter[str]):
         help: str = "",
         group: str = "",
         rebuild: bool = False,
+        in_panel: bool = True,
     ):
         self.options = options
         self.formerly = dict(formerly or {})
@@ -173,7 +175,7 @@ class Choice(Parameter[str]):
         self.labels = labels or tuple(titled(option) for option in options)
         if len(self.labels) != len(options):
             raise ValueError("Choice: expected as many labels as options")
-        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
+        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild, in_panel=in_panel)
 
     def check(self, value: Any) -> str:
         """The option, by its present name; ParameterError, naming all, if it is none."""

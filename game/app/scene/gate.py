@@ -101,7 +101,7 @@ class Gate:
         given = dict(stage.level.parameters) if stage.level is not None else {}
         for name, parameter in stage.scene.declared_parameters().items():
             value = parameter.check(given.get(name, parameter.default))
-            if stage.scene.values[name] != value:
+            if name not in stage.scene_type.edits and stage.scene.values[name] != value:
                 self.post(SetParameter(name, value))
 
     def pause(self) -> None:
@@ -134,7 +134,7 @@ class Gate:
             self._host.tell("Not undone.", "Here one goes back step by step.")
             return
         if not done:
-            self._host.tell("Nothing to undo.", "No button has been pressed in the scene since it began.")
+            self._host.tell("Nothing to undo.", "Nothing has been done by hand in the scene since it began.")
             return
         step, events = done[-1]
         if step < stage.first_step:

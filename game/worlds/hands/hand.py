@@ -6,18 +6,25 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from game.arrays import Point
-from game.stage import Choice, Hint, Part, Pointer, SceneAction
+from game.stage import Choice, Hint, Part, Pointer, SceneAction, ToolButton
 
 NOBODY = -1
 
 
 class Tool(NamedTuple):
-    """A tool as it can be chosen: option, label, words beside its key, what the hand does next."""
+    """A tool as it can be chosen: option, label, words beside its key, what the hand does next.
+
+    key: its own; "": the next number. icon: its sign on the stage; "": it has none. apart: another group of
+    the bar begins with it.
+    """
 
     name: str
     label: str
     words: str = ""
     next: str = ""
+    key: str = ""
+    icon: str = ""
+    apart: bool = False
 
 
 def choose_tool(tools: Sequence[Tool]) -> Choice:
@@ -27,10 +34,26 @@ def choose_tool(tools: Sequence[Tool]) -> Choice:
 
 
 def tool_keys(tools: Sequence[Tool], prefix: str = "") -> tuple[SceneAction, ...]:
-    """An action for each tool that has words, on the keys 1, 2, 3 and so on."""
+    """An action for each tool that has words, on its own key or on the keys 1, 2, 3 and so on."""
     return tuple(
-        SceneAction(prefix + tool.name, tool.words, str(k + 1))
+        SceneAction(prefix + tool.name, tool.words, tool.key or str(k + 1))
         for k, tool in enumerate(tool for tool in tools if tool.words)
+    )
+
+
+def tool_buttons(tools: Sequence[Tool], chosen: str, prefix: str = "") -> tuple[ToolButton, ...]:
+    """A button on the stage for each tool that has a sign."""
+    return tuple(
+        ToolButton(
+            prefix + tool.name,
+            tool.icon,
+            f"{tool.label}: {tool.next}" if tool.next else tool.label,
+            tool.key,
+            tool.name == chosen,
+            tool.apart,
+        )
+        for tool in tools
+        if tool.icon
     )
 
 
