@@ -16,7 +16,6 @@ from game.stage import Part
 
 LEAST_ZONE, LARGEST_ZONE = BALL_RADIUS, 0.6  # m; its radius
 MOST_TRIES = 100
-ZONE = "zone"  # grip
 Point = tuple[float, float]
 
 

@@ -14,7 +14,6 @@ from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
 from game.scenes.billiards.practice.hands import hand_of
 from game.scenes.billiards.practice.sets import drill_title
-from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.view.balls import balls_at_rest
 from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.close_up import CloseUpView
@@ -25,7 +24,8 @@ from game.scenes.billiards.view.marks import draw_marks
 from game.scenes.billiards.view.score_board import draw_board, draw_line, key_rows
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
-from game.scenes.shared.tables import boxes
+from game.scenes.shared.tables import boxes, grip
+from game.scenes.shared.tables.choices import FIRST, NONE
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.rolling import balls_at
@@ -83,7 +83,7 @@ class BilliardsView:
         play, frame = self.play, self.play.model.frame
         draw_marks(canvas, play)
         self.on_cloth.draw(canvas)
-        shows_aim = play.may_aim and play.guide != NONE and play.grip != "cue ball"
+        shows_aim = play.may_aim and play.guide != NONE and play.grip != grip.CUE_BALL
         sight = self._draw_aim(canvas) if shows_aim else None
         if self.hint is not None and play.phase == AIMING:
             self._draw_hint(canvas, self.hint)

@@ -9,8 +9,8 @@ from game.billiards.map.words import explain
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Drawn
 from game.scenes.carom.course import Course
-from game.scenes.carom.parameters import GRADE_LABELS, GRADES
 from game.scenes.shared.tables.boxes import rect_of
+from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES
 from game.scenes.shared.tables.course import PERSON
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
