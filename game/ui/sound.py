@@ -59,7 +59,7 @@ RAIL = (
 STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
 KINDS = (
     "tip", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
-    "steel", "rail", "roll", "wind", "rustle",
+    "steel", "rail", "wind", "rustle",
 )  # fmt: skip
 
 
@@ -99,8 +99,6 @@ def sample_of(kind: str, layer: int) -> Floats:
         made = _tones(STEEL, 0.11, bright)
     elif kind == "rail":
         made = _tones(RAIL, 0.24, bright) + 0.1 * bright * _noise(0.24, 3000.0, 0.003, 8)
-    elif kind == "roll":
-        made = _rumble(bright)
     elif kind == "wind":
         made = _breath(bright)
     elif kind == "rustle":
@@ -139,17 +137,6 @@ def _pocket(bright: float) -> Floats:
     click = 0.22 * _tones(BALL, 0.03, 0.4)
     start = int(0.19 * RATE)
     made[start : start + len(click)] += click
-    return made
-
-
-def _rumble(bright: float) -> Floats:
-    """A grain of the sound of rolling on steel: noise that swells and fades, higher as it is faster."""
-    t = np.linspace(0.0, 1.0, int(0.12 * RATE))
-    raw = np.random.default_rng(9).normal(size=len(t))
-    keep = math.exp(-2.0 * math.pi * (260.0 + 700.0 * bright) / RATE)
-    low = np.convolve(raw, (1.0 - keep) * keep ** np.arange(600))[: len(t)]
-    high = low - np.convolve(low, np.full(220, 1.0 / 220.0), "same")
-    made: Floats = high * np.sin(math.pi * t) ** 2
     return made
 
 

@@ -30,10 +30,30 @@ class Rubbing(NamedTuple):
         pan = max(-1.0, min(1.0, (self.x - middle) / half))
         return [Steady(kind, level, min(self.speed / BRIGHTEST, 1.0), pan)] if level > 0.0 else []
 
+    def along_with(self, other: Rubbing) -> Rubbing:
+        """Both at once: speeds are weighed by normal force, places by power."""
+        powers = self.power, other.power
+        if not min(powers) > 0.0:
+            return self if powers[0] > 0.0 else other
+        power = powers[0] + powers[1]
+        pressed = powers[0] / self.speed + powers[1] / other.speed
+        return Rubbing(power, power / pressed, (powers[0] * self.x + powers[1] * other.x) / power)
 
-def rubbing_heard(world: SolidWorld, dt: float, reference: float, half: float, middle: float) -> list[Steady]:
-    """Rolling and sliding at the end of a step of dt (s); see `Rubbing.heard`."""
+
+def riding(masses: Floats, pushes: Floats, speeds: Floats, xs: Floats, dt: float) -> Rubbing:
+    """Rolling of balls on tracks. pushes: m/s that the track has given each in a step of dt (s), all (n,).
+
+    speeds: m/s along the track; xs: m; masses: kg.
+    """
+    return _summed(masses * pushes / dt, speeds, xs)
+
+
+def rubbing_heard(
+    world: SolidWorld, dt: float, reference: float, half: float, middle: float, ridden: Rubbing | None = None
+) -> list[Steady]:
+    """Rolling and sliding at the end of a step of dt (s); see `Rubbing.heard`. ridden: rolling on tracks."""
     rolling, sliding = rubbing(world, dt / world.settings.substeps)
+    rolling = rolling.along_with(ridden or SILENT)
     return [
         *rolling.heard("rolling", reference, half, middle), *sliding.heard("sliding", reference, half, middle)
     ]  # fmt: skip

@@ -171,7 +171,7 @@ def _crests(canvas: Canvas, width: int, height: int) -> Floats:
             tall += (
                 hill.trees
                 * (np.abs(np.sin(1.9 * u)) + 0.7 * np.abs(np.sin(3.1 * u + 0.7)))
-                * (0.4 + 0.6 * (np.sin(0.37 * u + k) > -0.3))
+                * (0.4 + 0.6 * np.clip(0.5 + 2.5 * (np.sin(0.37 * u + k) + 0.3), 0.0, 1.0))  # clearings
             )
         found[k] = height * hill.base + hill.near * (y - 9.0) * scale * 0.6 - own * tall
     _, foot = canvas.camera.to_screen(x, GROUND)

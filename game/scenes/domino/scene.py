@@ -19,6 +19,7 @@ from game.scenes.domino.world import DominoWorld
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.painting.spheres import warm_up_spheres
 from game.worlds.scene import Parts, WorldScene
 
 
@@ -47,7 +48,7 @@ class Domino(WorldScene):
     not_of_model = OF_PICTURE
     study = domino_study
     tool_prefix = "tool-"
-    painters = (("polygons", warm_up_painter), ("landscape", warm_up_landscape))
+    painters = (("polygons", warm_up_painter), ("landscape", warm_up_landscape), ("spheres", warm_up_spheres))
     may_be_infinite = frozenset(("world.joints",))
 
     strips = (

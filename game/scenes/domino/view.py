@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from game.arrays import Flags, Floats, Longs
@@ -28,7 +26,9 @@ from game.worlds.hands.hand import NOBODY, Hand
 from game.worlds.members.solids import bodies_between
 from game.worlds.painting.boards import WHOLE, boards_of, moved, paint_quads, paint_shapes, placed
 from game.worlds.painting.inks import color_of, lighter, scaled
+from game.worlds.painting.spheres import draw_spheres
 
+NAMED_PX = 60.0  # design px to a m from which blocks are named
 GRAIN_PX = 26.0  # px to a m at which grain can be seen
 LANE_STEP = (0.12, 0.17)  # m: how much farther right and up each lane behind the first is seen
 # by day and at night: wood of dominoes, boards, their lit edge, posts, shadow
@@ -86,6 +86,7 @@ class DominoView:
         for edge in self._edges:
             paint_shapes(canvas, edge, tones[2])
         self._draw_balls(canvas, places, turned)
+        self._name_blocks(canvas, places)
         self._asked = canvas.asked
         if canvas.marks(self.model.parameters.marks):
             draw_marks(canvas, self.model, places)
@@ -200,21 +201,27 @@ class DominoView:
             paint_quads(canvas, placed(LIT, sizes, at, turn), 0xFFFFFF, 0.25)
 
     def _draw_balls(self, canvas: Canvas, places: Floats, turned: Floats) -> None:
-        """Shaded round things: a dark rim, lighter towards the light, and a ring that shows how they turn."""
-        for entry, body in zip(self.model.content.balls, self.model.ball_ids, strict=True):
-            x, y = places[body].tolist()
-            r, (c, s), ink = entry.radius, turned[body].tolist(), BALLS[entry.made_of]
-            canvas.circle((x, y), r + canvas.px(0.9), color_of(scaled(ink, 0.4)))
-            for k in range(9):
-                share = 1.0 - 0.1 * k
-                shift = 0.32 * (1.0 - share) * r
-                tone = scaled(ink, 0.58 + 0.075 * k) if k < 6 else lighter(ink, 0.1 * (k - 5))
-                canvas.circle((x - shift, y + 1.1 * shift), share * r * 0.99, color_of(tone))
-            for k in (0, 1, 2):
-                angle = math.tau * k / 3.0
-                px, py = math.cos(angle) * c - math.sin(angle) * s, math.sin(angle) * c + math.cos(angle) * s
-                canvas.circle((x + 0.6 * r * px, y + 0.6 * r * py), 0.1 * r, color_of(scaled(ink, 0.5)), 0.8)
-            canvas.circle((x - 0.34 * r, y + 0.4 * r), 0.14 * r, color_of(0xFFFFFF), 0.75)
+        bodies = self.model.ball_ids
+        entries = self.model.content.balls
+        radii = np.array([entry.radius for entry in entries])
+        inks = np.array([BALLS[entry.made_of] for entry in entries], dtype=np.int64)
+        draw_spheres(canvas, places[bodies], radii, turned[bodies], inks)
+
+    def _name_blocks(self, canvas: Canvas, places: Floats) -> None:
+        """Friction and mass beside each block in its lane, where they are large enough to be told apart."""
+        if canvas.pixels_per_unit < NAMED_PX * canvas.k:
+            return
+        table, rows = self.model.blocks.table, self.model.world.bodies
+        seen = self._seen(canvas, places, table.body)
+        for lane in np.flatnonzero(seen).tolist()[::-1]:
+            body = int(table.body[lane])
+            words = canvas.figure(
+                f"block {lane + 1}", f"μ {table.mu[lane]:.2f}, {1.0 / rows.inverse_masses[body]:.3g} kg"
+            )
+            x, y = (places[body] + np.array(LANE_STEP) * lane).tolist()
+            ink, above = color_of(lighter(BLOCKS[lane % len(BLOCKS)], 0.4)), y + canvas.px(30.0 + 23.0 * lane)
+            canvas.line((x, y), (x, above), ink, 1.2, alpha=0.6)
+            canvas.label((x, above), words, ink, 15, "semibold", "bottom", (0.0, -1.0))
 
 
 def _beam(a: Floats, b: Floats, breadth: float) -> Floats:

@@ -6,6 +6,7 @@ import math
 from functools import lru_cache
 
 import numpy as np
+import pygame
 
 from game.arrays import Floats
 from game.physics.kernels import elementary, elementwise
@@ -23,7 +24,7 @@ FLEET_LAMPS = 0xFF7038
 WATCHING = 170
 
 
-def draw_fleet(canvas: Canvas, seen: Seen, ink: object) -> Floats:
+def draw_fleet(canvas: Canvas, seen: Seen, ink: pygame.Color) -> Floats:
     """Draw the pontoons; (n, 2) m, their lamps."""
     lamps = []
     for depth in reversed(LINES):

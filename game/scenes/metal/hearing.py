@@ -1,4 +1,4 @@
-"""What is heard of steel balls: on steel, on wood, on rails; and how they roll."""
+"""What is heard of steel balls: on steel, on wood, on rails; and how they roll on tracks."""
 
 from __future__ import annotations
 
@@ -8,16 +8,14 @@ from game.arrays import Flags, Floats
 from game.physics.kernels import elementwise
 from game.physics.solids import SolidWorld
 from game.physics.solids.arrays.state import DISC, SEGMENT
+from game.physics.solids.tracks import motion as m
 from game.worlds.hearing import impacts
+from game.worlds.rubbing import Rubbing, riding
 
-STEEL, WOOD, RAIL, ROLL = range(4)
+STEEL, WOOD, RAIL = range(3)
 LEAST = 0.15  # m/s of approach; what leans is silent
 MOST = 32  # sounds that are remembered: the latest
 REFERENCE = 0.25  # kg of a ball of 0.1 m; a heavier one sounds as this one that is faster
-ROLL_EVERY = 0.06  # s between two grains of the sound of rolling
-ROLLING = 3  # most balls that are heard to roll: the fastest
-SOFTER = 0.12  # of a ball's speed, as loud as that grain is
-SLOW = 0.4  # m/s, slower rolling is silent
 
 
 def impacts_now(world: SolidWorld, began: float, wooden: list[int]) -> Floats:
@@ -44,11 +42,12 @@ def landings(before: Floats, rows: Floats, flew: Flags, fall: float, began: floa
     return np.stack([np.full(len(met), began), kinds, loud[met], rows[met, 0]], axis=1)
 
 
-def rolling(speeds: Floats, xs: Floats, time: float, dt: float) -> Floats:
-    """A grain of the sound of rolling, now and then, for the fastest that roll (speeds m/s, at x m)."""
-    if int(time / ROLL_EVERY) == int((time - dt) / ROLL_EVERY):
-        return np.zeros((0, 4))
-    order = np.argsort(-speeds, kind="stable")[:ROLLING]
-    heard = order[speeds[order] > SLOW]
-    kinds = np.full(len(heard), float(ROLL))
-    return np.stack([np.full(len(heard), time), kinds, SOFTER * speeds[heard], xs[heard]], axis=1)
+def ridden(before: Floats, rows: Floats, rolls: Flags, fall: float, dt: float) -> Rubbing:
+    """How balls (rows before and after a step of dt s) roll on tracks. rolls: which, at both ends of it.
+
+    fall: m/s that gravity has given them in the step; what is more than that, the track has given.
+    """
+    given = rows[rolls, m.VX : m.VY + 1] - before[rolls, m.VX : m.VY + 1] + (0.0, fall)
+    pushes = elementwise.hypot(given[:, 0], given[:, 1])
+    now = rows[rolls]
+    return riding(now[:, m.MASS], pushes, np.abs(now[:, m.SPEED]), now[:, m.X], dt)

@@ -16,6 +16,8 @@ from game.scenes.metal.gauges import VALUE, exact_of, names_of
 from game.scenes.metal.level import BallEntry, GaugeEntry, MetalContent
 from game.scenes.metal.world import MetalWorld
 from game.stage import Hearing, Readout
+from game.worlds.hearing import ROOM
+from game.worlds.rubbing import rubbing_heard
 
 UNITS = {
     "speeds up": "m/s²", "arrives": "s", "drop": "m", "leaves": "°", "rode": "", "rises": "m", "speed": "m/s",
@@ -24,7 +26,8 @@ UNITS = {
 COUNTED = ("rode", "inside", "fallen")
 COMPARED = ("speeds up", "arrives")  # with a formula, so that there is an error
 WITH_EXACT = (*COMPARED, "drop", "leaves")
-NAMES = {h.STEEL: "steel", h.WOOD: "wood", h.RAIL: "rail", h.ROLL: "roll"}
+LOUD = 90.0  # W, of rolling or sliding that is as loud as can be
+NAMES = {h.STEEL: "steel", h.WOOD: "wood", h.RAIL: "rail"}
 
 
 def readouts(model: MetalWorld) -> list[Readout]:
@@ -131,7 +134,10 @@ def names(model: MetalWorld) -> list[tuple[Point, str]]:
 
 
 def hearing(model: MetalWorld) -> Hearing:
-    """Contacts that began in the last moments, from the left or the right of the whole run."""
+    """Contacts that began in the last moments, and what rolls and slides, by its place in the whole run."""
     view = model.content.view
     middle, half = 0.5 * (view.left + view.right), max(0.5 * (view.right - view.left), 1e-9)
-    return Hearing("metal", model.time, model.heard.sounds(NAMES, half, middle))
+    steady = rubbing_heard(
+        model.world, model.parameters.values["step_length"], LOUD, half, middle, model.ridden
+    )
+    return Hearing("metal", model.time, model.heard.sounds(NAMES, half, middle), [ROOM, *steady])

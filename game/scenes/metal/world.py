@@ -17,12 +17,13 @@ from game.scenes.metal import gauges as g
 from game.scenes.metal import making
 from game.scenes.metal.balls import NONE, NOT_YET, RIDES, Balls
 from game.scenes.metal.gauges import Moment, balls_of, drop_of, measure
-from game.scenes.metal.hearing import MOST, impacts_now, landings, rolling
+from game.scenes.metal.hearing import MOST, impacts_now, landings, ridden
 from game.scenes.metal.level import BallEntry, GaugeEntry, MetalContent
 from game.scenes.metal.parameters import MetalParameters
 from game.worlds.hearing import Heard
 from game.worlds.members.solids import Solids
 from game.worlds.members.tracks import Tracks
+from game.worlds.rubbing import SILENT
 from game.worlds.world import Member, World
 
 MOVED = 0.3  # m: so far from where it stood a block has fallen
@@ -74,7 +75,9 @@ class Machine(Member):
 
 
 class MetalWorld(World):
-    """changed: by a hand, so that it is no longer as the level says; held: ball in the hand, or -1."""
+    """changed: by a hand, so that it is no longer as the level says; held: ball in the hand, or -1;
+    ridden: how balls roll on tracks.
+    """
 
     state_type = MetalState
     content: MetalContent
@@ -82,7 +85,7 @@ class MetalWorld(World):
 
     def __init__(self, content: MetalContent, parameters: MetalParameters, active: EffectSet, seed: int):
         super().__init__(content, parameters, active)
-        self.changed, self.held = False, -1
+        self.changed, self.held, self.ridden = False, -1, SILENT
         self.solids, self.heard = Solids(parameters, active), Heard(MOST)
         self.tracks = Tracks(content.tracks, parameters, active)
         self.world = world = self.solids.world
@@ -240,6 +243,8 @@ class MetalWorld(World):
         if len(loose):
             self.balls.copy_loose(loose)
         self._listen(rows, (table.body == RIDES) & ~still & ~rolled, dt)
+        rides = rolled & self.tracks.rolling() & ~still
+        self.ridden = ridden(rows, riders.balls.rows, rides, self.gravity() * dt, dt)
         self.balls.change_worlds()
         table.highest[:] = np.maximum(table.highest, riders.balls.rows[:, m.Y])
         self._measure(rows, rolled, dt)
@@ -248,11 +253,9 @@ class MetalWorld(World):
     def _listen(self, before: Floats, flew: Flags, dt: float) -> None:
         rows, began = self.balls.rows, self.time - dt
         columns = [m.X, m.Y, m.VX, m.VY]
-        speeds = np.where(self.tracks.rolling(), np.abs(rows[:, m.SPEED]), 0.0)
         added = [
             impacts_now(self.world, began, self.wooden),
             landings(before[:, columns], rows[:, columns], flew, self.gravity() * dt, began),
-            rolling(speeds, rows[:, m.X], self.time, dt),
         ]
         self.heard.remember(np.concatenate(added), began)
 
