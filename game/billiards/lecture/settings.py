@@ -1,7 +1,7 @@
 """Settings of the lecture's table: what may be chosen, the defaults, and the one check.
 
 The same NamedTuple goes from the scene's parameters, a study or a shot to the kernels. Choices have words
-outside (the names of options, as in RULES) and their places in the list inside (CONSERVING, ...);
+outside (the names of options, as in RULES) and their places in the list inside (CONSERVING, ...).
 `lecture_settings` turns words into places, and refuses what is out of range.
 """
 
