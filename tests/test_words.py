@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tokenize
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -39,8 +40,13 @@ def swept() -> list[Path]:
     )
 
 
-def said(file: Path) -> Iterator[tuple[int, str]]:
+@cache
+def said(file: Path) -> tuple[tuple[int, str], ...]:
     """Line and text of each docstring and each comment."""
+    return tuple(_said(file))
+
+
+def _said(file: Path) -> Iterator[tuple[int, str]]:
     for line, text in docstrings(file):
         yield line, " ".join(text.split())
     with file.open("rb") as source:
