@@ -15,7 +15,7 @@ from game.scenes.billiards.story.throw import Contact, first_contact
 
 Point = tuple[float, float]
 AHEAD_S, BACK_S = 0.4, 0.3  # s of the shot to each side of the present moment that the play is taken from
-NOT_YET = math.inf
+ROOM = (0.3, 0.5)  # m across and along the table that the middle of the play keeps from the cushions
 
 
 class StrokeSeen:
@@ -75,14 +75,19 @@ class StrokeSeen:
         """The middle of the balls that a stroke is about while it rolls; else the cue ball, m."""
         played, falling = self._look(), self.falling
         if self.play.phase != ROLLING or played is None or falling is None:
-            return self.place_of(CUE_BALL) or self.middle()
+            return self._kept(np.array(self.place_of(CUE_BALL) or self.middle()))
         rows = [self.numbers.index(ball) for ball in {CUE_BALL, *falling.chain} if ball in self.numbers]
         at = self.shot_s
         points = np.concatenate(
             [played.trajectory.state_at(max(at + d, 0.0)).positions[rows] for d in (-BACK_S, 0.0, AHEAD_S)]
         )
-        x, y = (0.5 * (points.min(axis=0) + points.max(axis=0))).tolist()
-        return x, y
+        return self._kept(0.5 * (points.min(axis=0) + points.max(axis=0)))
+
+    def _kept(self, place: Floats) -> Point:
+        """The nearest place about which a picture has little beside the table, m."""
+        table = self.play.model.frame.table
+        low, size = np.array(ROOM), np.array((table.width, table.length))
+        return _point(np.clip(place, low, size - low))
 
     def middle(self) -> Point:
         """The middle of the table, m."""
