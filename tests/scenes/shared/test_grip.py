@@ -16,7 +16,14 @@ def test_nothing_is_false_and_every_other_kind_is_true():
 
 
 def test_grips_of_one_kind_are_told_apart_by_name_and_number():
-    held = [grip.button("undo"), grip.button("view"), grip.card(0), grip.card(1), grip.option(0), grip.ball(0)]
+    held = [
+        grip.button("undo"),
+        grip.button("view"),
+        grip.card(0),
+        grip.card(1),
+        grip.option(0),
+        grip.ball(0),
+    ]
     assert len(set(held)) == len(held)
     assert grip.option(2) == grip.option(2) and grip.option(2).number == 2
 

@@ -129,11 +129,7 @@ class StoryPlay:
     def _offered(self) -> tuple[tuple[str, str], ...]:
         """The next story, what if, once more."""
         story, following = self.runner.story, self._following
-        rows = (
-            [(NEXT, f"Next: {following.title}")]
-            if following is not None
-            else []
-        )
+        rows = [(NEXT, f"Next: {following.title}")] if following is not None else []
         rows += [(WHAT_IF, story.what_if.say)] if story.what_if is not None else []
         return (*rows, (AGAIN, "Once more"))
 
