@@ -23,6 +23,7 @@ FLOORS = (
         "packed_text",
         "naming",
         "arrays",
+        "settings",
     ),  # where things lie and how they are read and written: for every floor
     *(
         "compiler",

@@ -16,17 +16,19 @@ from game.stage.declarations import (
     Frame,
     Hearing,
     Hint,
+    Inspected,
     Readout,
     SceneAction,
     Sound,
     Steady,
     Strip,
     Table,
+    ToolButton,
     WarmUp,
 )
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
 from game.stage.messages import Messages
-from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle
+from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle, control_of
 from game.stage.part import Part
 from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
@@ -58,6 +60,7 @@ __all__ = [
     "Frame",
     "Hearing",
     "Hint",
+    "Inspected",
     "Messages",
     "Param",
     "Parameter",
@@ -81,6 +84,7 @@ __all__ = [
     "StripSeries",
     "Table",
     "Toggle",
+    "ToolButton",
     "WarmUp",
     "Warming",
     "WarmingProgress",
@@ -88,6 +92,7 @@ __all__ = [
     "blend",
     "blend_angles",
     "blend_quaternions",
+    "control_of",
     "jumped",
     "replay",
     "replay_scene",

@@ -97,6 +97,31 @@ class SceneAction(NamedTuple):
     key: str
 
 
+class ToolButton(NamedTuple):
+    """A button on the stage: the action that it posts, its sign (see ui/look/icons.py), words, and key.
+
+    chosen: it is the tool in the hand. apart: another group begins with it.
+    """
+
+    action: str
+    icon: str
+    label: str
+    key: str = ""
+    chosen: bool = False
+    apart: bool = False
+
+
+class Inspected(NamedTuple):
+    """A single thing that was clicked: its title, and the parameters that say and set what is its own.
+
+    close: the action that puts its card away.
+    """
+
+    title: str
+    parameters: tuple[str, ...]
+    close: str
+
+
 class Sound(NamedTuple):
     """One sound: when (s), its kind (see ui/sound.py), speed of the impact m/s, pan -1 (left) to 1."""
 

@@ -17,7 +17,17 @@ from game.definition import DefinitionError
 from game.levels import Level, LevelError
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.stage.declarations import Comparison, Frame, Hearing, Hint, Readout, Table, WarmUp
+from game.stage.declarations import (
+    Comparison,
+    Frame,
+    Hearing,
+    Hint,
+    Inspected,
+    Readout,
+    Table,
+    ToolButton,
+    WarmUp,
+)
 from game.stage.events import Decision, Pointer, StageEvent
 from game.stage.parameters import (
     STEP_LENGTH,
@@ -326,6 +336,14 @@ class Scene(SceneDeclaration):
     def hints_now(self) -> Sequence[Hint]:
         """Keys and gestures that count as the scene stands, such as those of the tool in the hand."""
         return self.hints
+
+    def tool_bar(self) -> Sequence[ToolButton]:
+        """Buttons on the stage for what the hand can do. It is asked for in every frame."""
+        return ()
+
+    def inspected(self) -> Inspected | None:
+        """The thing whose own parameters are shown on a card on the stage; None: there is none."""
+        return None
 
     def panel_table(self) -> Table | None:
         """Figures of single things, for the panel; None: there are none to show."""

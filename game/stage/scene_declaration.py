@@ -32,6 +32,7 @@ class SceneDeclaration:
     legend_in_panel: ClassVar[bool] = False  # it would hide too much of the picture
     refits: ClassVar[bool] = False  # its frame changes in play, and the whole of it is to be seen
     builds: ClassVar[bool] = False  # a hand builds in it: kept when it is left, undone press by press
+    edits: ClassVar[frozenset[str]] = frozenset()  # actions and parameters that are undone as presses are
     covers: ClassVar[bool] = False  # its picture covers the whole canvas, so that no ground is laid
     quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
     content_type: ClassVar[type[msgspec.Struct] | None] = None  # the [content] of its level files

@@ -222,10 +222,9 @@ class Session:
             self._set_parameter(event)
 
     def _set_parameter(self, event: SetParameter) -> None:
-        scene = self.scene
-        parameter = scene.parameter(event.name)
-        name, value = parameter.name, parameter.check(event.value)
-        if parameter.rebuild:
+        """Take over a value that was checked as it came in."""
+        scene, name, value = self.scene, event.name, event.value
+        if scene.parameter(name).rebuild:
             self.scene = self._build({**scene.values, name: value}, scene.active)
         else:
             scene.values[name] = value

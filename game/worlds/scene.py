@@ -8,9 +8,10 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 from game.arrays import Point
 from game.levels import Level
 from game.physics.effects import EffectSet
-from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, WarmUp
+from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, ToolButton, WarmUp
 from game.stage.messages import Messages
 from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
+from game.worlds.hands.hand import Tool, tool_buttons
 from game.worlds.world import World
 
 
@@ -167,13 +168,15 @@ class Parts(NamedTuple):
 class WorldScene(BuiltScene):
     """A scene of ``parts``; what it adds is its words, and the deeds of its own keys.
 
-    tool_prefix: of actions that choose a tool, before the tool's name; None: there are none. painters: what
+    tools: those of the bar on the stage. tool_prefix: of actions that choose a tool, before the tool's name;
+    None: there are none. painters: what
     is compiled beside a step, by names; tiny: parameters with which that step is quick.
     """
 
     model: World
     hand: Any
     parts: ClassVar[Parts]
+    tools: ClassVar[Sequence[Tool]] = ()
     tool_prefix: ClassVar[str | None] = None
     painters: ClassVar[Sequence[tuple[str, Callable[[], None]]]] = ()
     tiny: ClassVar[Mapping[str, Any]] = {}
@@ -215,6 +218,11 @@ class WorldScene(BuiltScene):
     def do(self, name: str) -> str:
         """One of ``actions`` that is no tool; why it could not be done, or ""."""
         return ""
+
+    def tool_bar(self) -> Sequence[ToolButton]:
+        if not self.tools:
+            return ()
+        return tool_buttons(self.tools, self.values["tool"], self.tool_prefix or "")
 
     def readouts(self) -> Sequence[Readout]:
         return self.parts.readouts(self.model)

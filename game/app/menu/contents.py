@@ -66,7 +66,7 @@ class Contents(NamedTuple):
 
 
 def lay_out(offer: Offer, query: str, settings: Settings, size: tuple[int, int], look: Look) -> Contents:
-    """All that is offered, or what a query finds, in a view of that size, window px."""
+    """Everything that is offered, or what a query finds, in a view of that size, window px."""
     found = offer.find(query) if query else None
     groups = offer.groups(settings.favourites, settings.recent) if found is None else _groups_of(found)
     arranged = flow.arrange_cards(groups, "" if query else offer.wide, *size, look.k)

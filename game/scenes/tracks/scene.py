@@ -41,6 +41,7 @@ class Tracks(WorldScene):
     parameters: TrackParameters
     model: TracksWorld
     parts = Parts(TracksWorld, track_hand, TrackView, readouts, saved)
+    tools = TOOLS
     tool_prefix = ""
     takes = frozenset()
     covers = False
@@ -52,8 +53,8 @@ class Tracks(WorldScene):
 
     hints = (
         Hint(("Drag",), "move a ball"),
-        Hint(("2", "3", "4"), "new ball, draw, bend"),
-        Hint(("5",), "delete"),
+        Hint(("N", "D", "B"), "new ball, draw, bend"),
+        Hint(("E",), "delete"),
     )
     actions = tool_keys(TOOLS)
     strips = (

@@ -142,7 +142,11 @@ class BegunStage:
 
         Raises ParameterError for what is refused; then nothing has changed and nothing is recorded.
         """
-        self._session.let_in(self.check(event))
+        self.let_in(self.check(event))
+
+    def let_in(self, event: StageEvent) -> None:
+        """Let an event act that `check` gave, see `post`."""
+        self._session.let_in(event)
         self._follow_session()
         if self._paused and self._session.fault is None:
             self._sample()  # no step will do it

@@ -158,7 +158,7 @@ class StoryPlay:
     # -- chapters and speed -------------------------------------------------------------------------
 
     def _offer_chapters(self) -> None:
-        """All that are known, by name; one is gone to."""
+        """Those that are known, by name; one is gone to."""
         rows = [ListRow(title, clock(begins), value=begins) for title, begins in self.bar.state.chapters]
         before = [begins for _, begins in self.bar.state.chapters if begins <= self.bar.state.now_s]
         self.host.open_choices("Chapters", rows, self._seek, before[-1] if before else None)
@@ -181,7 +181,7 @@ class StoryPlay:
     def touched(self, event: StageEvent) -> bool:
         """An event of the viewer's is about to come in, by which the scene is the viewer's; False to drop it.
 
-        A hand that only moves over the scene is no touch, and nothing that the scene is told of.
+        A hand that only moves over the scene is no touch, and the scene does not hear of it.
         """
         resting = isinstance(event, Pointer) and event.kind == "move" and not event.button
         if not self.runner.playing:

@@ -1,7 +1,7 @@
 """The combination match: a ball counts if it goes down by way of at least one other ball.
 
-The cue ball strikes a numbered ball, that one another, and so on to the one that falls. A single last
-ball has no other to go by: it is potted directly. In a stroke that counts, whatever else goes down counts
+The cue ball strikes a numbered ball, that one another, and so on to the one that falls. A single last ball
+has no other to be potted by: it is potted directly. In a stroke that counts, whatever else goes down counts
 too. What goes down without counting is put back.
 """
 
