@@ -13,7 +13,7 @@ CODE = re.compile(r"``[^`]*``|`[^`]*`")
 SOURCE = re.compile(r"\([^()]*\b1[89]\d\d[^()]*\)|\([^()]*\b20[0-4]\d[^()]*\)")  # a work, by its year
 ABBREVIATED = re.compile(r"\b(e\.g|i\.e|al|St|Proc|No|vol|pp|vs)\. ")
 WORD = re.compile(r"(?<![\w.^*/=+])(?:[A-Za-z][a-z'’-]*[a-z]|[aA]|[A-Z]{3,})(?![\w(^*/=])")
-APART = re.compile(r"^[ |=]|\S {3,}\S")  # of a table, a formula, code
+APART = re.compile(r"^[ |=]|\S {3,}\S|^\w+\(.*\)$")  # of a table, a formula, code
 ENDS = re.compile(r"(?<=[.!?:])\s+")
 
 

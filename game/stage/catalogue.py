@@ -21,8 +21,8 @@ class CloseUp(NamedTuple):
     """How a scene is framed in the live picture of its card, where all of it would be too small to see.
 
     shown_s: simulated time, s, at which the picture begins. zoom: so many times closer than the whole frame;
-    across, down: the point of the frame, in shares of it as it is seen from its upper left corner, that is in
-    the middle of the card. level: the name of one of the scene's levels that shows more than its default.
+    across, down: the point of the frame that is in the middle of the card, in shares of the frame from its
+    upper left corner. level: the name of one of the scene's levels that shows more than its default.
     """
 
     shown_s: float = 1.6
