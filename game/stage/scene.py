@@ -312,9 +312,6 @@ class Scene(SceneDeclaration):
         """
         return {}
 
-    def draw_story_row(self, surface: Any, look: Any, row: Any) -> None:
-        """On film, draw what stands beside the captions, in the row below the picture (a Rect, px)."""
-
     def readouts(self) -> Sequence[Readout]:
         """Measured values; the first is shown in the top bar, those named in strips are charted."""
         return ()

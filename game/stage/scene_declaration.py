@@ -47,7 +47,6 @@ class SceneDeclaration:
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
     stories: ClassVar[tuple[Story, ...]] = ()  # beside those in files
-    story_row: ClassVar[int] = 0  # design px below the picture on film, for its captions and `draw_story_row`
     play_action: ClassVar[str] = ""  # by it a timeline of the scene's own plays and pauses, if it has one
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when no person plays
 
