@@ -270,9 +270,9 @@ def _kept(step: Step) -> NDArray[np.bool_]:
 def _diffuse(s: GasState, room: Room, solids: GasSolids, step: Step, dt: float) -> None:
     """Scalars spread for dt, by Heun's rule in substeps that are stable.
 
-    Half of it comes before what is carried and half after (Strang 1968): in one piece, heat that rises would
-    have spread a step too far, and a layer heated from below would begin to turn too late by a first order in
-    the step.
+    Half of it comes before what is carried and half after (Strang 1968). In one piece, heat that rises would
+    have spread a step too far. A layer heated from below would begin to turn too late by a first order in the
+    step.
     """
     given = step.settings.diffusivity
     if isinstance(given, Mapping):
