@@ -16,15 +16,15 @@ from game.scenes.levitation.model import APART, LevitationModel
 from game.scenes.levitation.parameters import OF_PICTURE, LevitationParameters
 from game.scenes.levitation.readouts import readouts_of
 from game.scenes.levitation.view import LevitationView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip
+from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip
 from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
 
 class Levitation(ModelScene):
     """Rows of ultrasonic transducers, of 40 kHz, face each other. Where their waves meet they stand still:
-    every half wave length, 4.3 mm, is a node of the pressure, and a small light grain is pushed there from
-    both sides, harder than it weighs.
+    every half wave length, 4.3 mm, is a node of the pressure. A small light grain is pushed there from both
+    sides, harder than it weighs.
 
     By their phases the waves meet at any place one likes. Lead that place along a figure, and the grains
     draw it, until they are led faster than the sound can hold them.
@@ -86,9 +86,6 @@ class Levitation(ModelScene):
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.place)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def action(self, name: str) -> None:
         self.model.clear()
