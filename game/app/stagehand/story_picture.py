@@ -96,8 +96,8 @@ def subject_rect(view: StageView, runner: Runner) -> pygame.Rect | None:
 def hidden(look: Look, view: StageView, runner: Runner, shown_s: float) -> list[str]:
     """What keeps the subject of the moment that came last from being seen well, in words.
 
-    It is to be in the middle 60 % of the picture, at least a twentieth of its height if the scene says how
-    large it is, and under no words and no chart.
+    It is to be in the middle 60 % of the picture, under no words and no chart. If the scene says how large
+    it is, that is at least a twentieth of the picture's height.
     """
     subject, name, picture = subject_rect(view, runner), runner.subject(), view.rect
     if subject is None:
