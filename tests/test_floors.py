@@ -23,6 +23,7 @@ FLOORS = (
         "packed_text",
         "naming",
         "arrays",
+        "settings",
     ),  # where things lie and how they are read and written: for every floor
     *(
         "compiler",
@@ -285,7 +286,7 @@ def test_no_circle_of_imports_anywhere() -> None:
 
 
 # Folders whose parts still stand in a circle; that may only shrink.
-CIRCLES = {"game.scenes.billiards"}
+CIRCLES: set[str] = set()
 
 
 def test_no_circle_of_folders() -> None:

@@ -32,6 +32,20 @@ def pendulum_angle(start: float, pull: float, time: float) -> float:
     return 2.0 * elementary.asin(min(max(k * cn / dn, -1.0), 1.0))
 
 
+def pendulum_period(start: float, pull: float) -> float:
+    """Period (s) of a pendulum let go at ``start`` rad; pull: g / l, 1/s².
+
+    2 pi / (sqrt(pull) M(1, cos(start / 2))), M the arithmetic-geometric mean (Gauss 1799). Infinite without
+    pull, or from upright on.
+    """
+    a, b = 1.0, elementary.cos(0.5 * start)
+    if not (pull > 0.0 and b > 0.0):
+        return math.inf
+    while a - b > 1e-15 * a:
+        a, b = 0.5 * (a + b), math.sqrt(a * b)
+    return math.tau / (math.sqrt(pull) * a)
+
+
 def fall(
     height: float, speed: float, pull: float, restitution: float | None, root: bool, dt: float
 ) -> tuple[float, float]:

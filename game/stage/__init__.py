@@ -1,6 +1,6 @@
 """What a scene is, without a screen: declarations, input events, fixed-step clock, snapshots, replay.
 
-What runs a scene needs the compiler, whose import takes most of a second; it is imported when it is first
+What runs a scene needs the compiler, whose import takes most of a second. It is imported when it is first
 asked for, so that a menu or a list that only names scenes is there at once.
 """
 
@@ -11,21 +11,24 @@ from game.definition import DefinitionError
 from game.stage.catalogue import Catalogue, Entry
 from game.stage.clock import FixedStep
 from game.stage.declarations import (
+    Comparison,
     Equation,
     Frame,
     Hearing,
     Hint,
+    Inspected,
     Readout,
     SceneAction,
     Sound,
     Steady,
     Strip,
     Table,
+    ToolButton,
     WarmUp,
 )
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
 from game.stage.messages import Messages
-from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle
+from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle, control_of
 from game.stage.part import Part
 from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
@@ -46,6 +49,7 @@ __all__ = [
     "Action",
     "Catalogue",
     "Choice",
+    "Comparison",
     "Decision",
     "DefinitionError",
     "EffectMeter",
@@ -56,6 +60,7 @@ __all__ = [
     "Frame",
     "Hearing",
     "Hint",
+    "Inspected",
     "Messages",
     "Param",
     "Parameter",
@@ -79,6 +84,7 @@ __all__ = [
     "StripSeries",
     "Table",
     "Toggle",
+    "ToolButton",
     "WarmUp",
     "Warming",
     "WarmingProgress",
@@ -86,6 +92,7 @@ __all__ = [
     "blend",
     "blend_angles",
     "blend_quaternions",
+    "control_of",
     "jumped",
     "replay",
     "replay_scene",

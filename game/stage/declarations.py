@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from game.arrays import Floats
+
 
 class Readout(NamedTuple):
     """A measured value: name, value, unit (an SI unit takes prefixes in the picture)."""
@@ -27,6 +29,23 @@ class Table(NamedTuple):
     keys: tuple[int, ...]
     room: int
     help: str = ""
+
+
+class Comparison(NamedTuple):
+    """What is measured over what is expected, as a story shows it in a corner of its picture.
+
+    measured (n, 2), expected (m, 2): places along the axis below, values. names: of both. unit: of the
+    values. over, over_unit: name and unit of the axis below; "" for a mark, one value of each and no places.
+    single: each measured value stands for itself and no line leads from one to the next.
+    """
+
+    measured: Floats
+    expected: Floats
+    names: tuple[str, str]
+    unit: str = ""
+    over: str = ""
+    over_unit: str = ""
+    single: bool = False
 
 
 class Strip(NamedTuple):
@@ -76,6 +95,31 @@ class SceneAction(NamedTuple):
     name: str
     label: str
     key: str
+
+
+class ToolButton(NamedTuple):
+    """A button on the stage: the action that it posts, its sign (see ui/look/icons.py), words, and key.
+
+    chosen: it is the tool in the hand. apart: another group begins with it.
+    """
+
+    action: str
+    icon: str
+    label: str
+    key: str = ""
+    chosen: bool = False
+    apart: bool = False
+
+
+class Inspected(NamedTuple):
+    """A single thing that was clicked: its title, and the parameters that say and set what is its own.
+
+    close: the action that puts its card away.
+    """
+
+    title: str
+    parameters: tuple[str, ...]
+    close: str
 
 
 class Sound(NamedTuple):

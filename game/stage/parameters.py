@@ -1,7 +1,7 @@
 """What a person may change about a scene: numbers, choices and switches, declared as class attributes.
 
-A declared parameter checks every value at one door, whoever brings it: panel, level file, command line or
-replay. Controls, help page, level file and command line are made from the declarations alone.
+A declared parameter checks every value in one place, wherever it comes from: panel, level file, command line
+or replay. Controls, help page, level file and command line are made from the declarations alone.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Any, Generic, TypeVar, overload
 
 from game.definition import DefinitionError
 from game.naming import titled
+from game.settings import Number, Option, declared
 
 T = TypeVar("T")
 STEP_LENGTH = "step_length"  # a parameter of this name (s) is the length of a step
@@ -101,6 +102,7 @@ class Param(Parameter[float]):
         help: str = "",
         group: str = "",
         rebuild: bool = False,
+        in_panel: bool = True,
     ):
         if not (math.isfinite(minimum) and math.isfinite(maximum)):
             raise ValueError(f"Param: the range {minimum} to {maximum} is not finite")
@@ -114,7 +116,7 @@ class Param(Parameter[float]):
         self.whole = whole
         self.log = log
         self.step = 1.0 if whole and step is None else step
-        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
+        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild, in_panel=in_panel)
 
     def check(self, value: Any) -> float:
         """The value as a number; ParameterError if it is none, out of range, or not whole if it must be."""
@@ -163,6 +165,7 @@ class Choice(Parameter[str]):
         help: str = "",
         group: str = "",
         rebuild: bool = False,
+        in_panel: bool = True,
     ):
         self.options = options
         self.formerly = dict(formerly or {})
@@ -172,7 +175,7 @@ class Choice(Parameter[str]):
         self.labels = labels or tuple(titled(option) for option in options)
         if len(self.labels) != len(options):
             raise ValueError("Choice: expected as many labels as options")
-        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
+        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild, in_panel=in_panel)
 
     def check(self, value: Any) -> str:
         """The option, by its present name; ParameterError, naming all, if it is none."""
@@ -203,6 +206,28 @@ class Toggle(Parameter[bool]):
         if word in ("false", "off", "no", "0"):
             return False
         raise self._refuse(text, "expected true or false")
+
+
+def control_of(
+    kind: type[tuple[Any, ...]],
+    name: str,
+    *,
+    minimum: float = -math.inf,
+    maximum: float = math.inf,
+    **how: Any,
+) -> Any:
+    """The parameter of a method's setting, as it is declared there (`game.settings`).
+
+    minimum, maximum: of a range that is narrower here; how: group, label, labels and so on.
+    """
+    setting: Number | Option = declared(kind)[name]
+    default = kind._field_defaults[name]  # type: ignore[attr-defined]
+    if isinstance(setting, Option):
+        if not setting.words:
+            return Toggle(default, help=setting.help, **how)
+        return Choice(setting.words[default], setting.words, help=setting.help, **how)
+    low, high = max(minimum, setting.minimum), min(maximum, setting.maximum)
+    return Param(default, low, high, unit=setting.unit, whole=setting.whole, help=setting.help, **how)
 
 
 def parameters_of(owner: type) -> dict[str, Parameter[Any]]:

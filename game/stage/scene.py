@@ -17,7 +17,17 @@ from game.definition import DefinitionError
 from game.levels import Level, LevelError
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.stage.declarations import Frame, Hearing, Hint, Readout, Table, WarmUp
+from game.stage.declarations import (
+    Comparison,
+    Frame,
+    Hearing,
+    Hint,
+    Inspected,
+    Readout,
+    Table,
+    ToolButton,
+    WarmUp,
+)
 from game.stage.events import Decision, Pointer, StageEvent
 from game.stage.parameters import (
     STEP_LENGTH,
@@ -194,9 +204,9 @@ class Scene(SceneDeclaration):
     def state(self) -> NamedTuple:
         """A NamedTuple of the arrays (and numbers) that are the state: snapshot, digest, step back.
 
-        All that later steps depend on, but for parameters and effects and for plain attributes of the scene
-        (numbers, words, and lists of them; see memory.py), which the stage remembers by itself. Arrays are
-        given as they are, not copied. Floats must be finite, but for fields named in ``may_be_infinite``.
+        What later steps depend on, but for parameters and effects. Plain attributes of the scene (numbers,
+        words, and lists of them; see memory.py) the stage remembers by itself. Arrays are given as they are,
+        not copied. Floats must be finite, but for fields named in ``may_be_infinite``.
         """
         raise NotImplementedError
 
@@ -295,8 +305,12 @@ class Scene(SceneDeclaration):
         """What single things of a story are called, and what is measured of them: place (x, y), words."""
         return ()
 
-    def draw_story_row(self, surface: Any, look: Any, row: Any) -> None:
-        """On film, draw what stands beside the captions, in the row below the picture (a Rect, px)."""
+    def story_charts(self) -> Mapping[str, Comparison]:
+        """Measured beside expected, as it stands now, by the names that a story gives them.
+
+        Readouts need none: a story draws them by itself. All that can be named is there from the beginning.
+        """
+        return {}
 
     def readouts(self) -> Sequence[Readout]:
         """Measured values; the first is shown in the top bar, those named in strips are charted."""
@@ -322,6 +336,14 @@ class Scene(SceneDeclaration):
     def hints_now(self) -> Sequence[Hint]:
         """Keys and gestures that count as the scene stands, such as those of the tool in the hand."""
         return self.hints
+
+    def tool_bar(self) -> Sequence[ToolButton]:
+        """Buttons on the stage for what the hand can do. It is asked for in every frame."""
+        return ()
+
+    def inspected(self) -> Inspected | None:
+        """The thing whose own parameters are shown on a card on the stage; None: there is none."""
+        return None
 
     def panel_table(self) -> Table | None:
         """Figures of single things, for the panel; None: there are none to show."""

@@ -34,6 +34,21 @@ def wind(speed: float, pan: float = 0.0) -> Steady:
     return Steady("wind", LOUDEST * share, share, pan)
 
 
+def rows_of(time: float, kind: int, speeds: Floats, places: Floats) -> Floats:
+    """Sounds (k, HEARD_WIDTH) of one kind at a time (s), of speeds m/s and at x m, (k,) each."""
+    found = np.empty((len(speeds), HEARD_WIDTH))
+    found[:, HEARD_TIME], found[:, HEARD_KIND] = time, kind
+    found[:, HEARD_SPEED], found[:, HEARD_X] = speeds, places
+    return found
+
+
+def is_due(every: float, time: float, dt: float) -> bool:
+    """Whether a grain of what goes on is to be heard in a step of dt (s) that ends at a time: one in each
+    ``every`` s.
+    """
+    return int(time / every) != int((time - dt) / every)
+
+
 class Heard(Member):
     """``rows`` (k, HEARD_WIDTH), those of the last moments, at most ``most`` of them."""
 
@@ -46,11 +61,15 @@ class Heard(Member):
         self.forget(began)
         if len(added):
             added = added[np.lexsort((added[:, HEARD_X], added[:, HEARD_TIME]))]
-            self.rows = np.concatenate([self.rows, added])[-self.most :]
+            self.append(added)
+
+    def append(self, added: Any) -> None:
+        """More sounds (k, HEARD_WIDTH)."""
+        self.rows = np.concatenate([self.rows, added])[-self.most :]
 
     def add(self, time: float, kind: int, speed: float, x: float) -> None:
         """One more sound."""
-        self.rows = np.concatenate([self.rows, [(time, float(kind), speed, x)]])[-self.most :]
+        self.append([(time, float(kind), speed, x)])
 
     def forget(self, now: float) -> None:
         """Leave out what is over."""

@@ -8,9 +8,10 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 from game.arrays import Point
 from game.levels import Level
 from game.physics.effects import EffectSet
-from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, WarmUp
+from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, ToolButton, WarmUp
 from game.stage.messages import Messages
 from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
+from game.worlds.hands.hand import Tool, tool_buttons
 from game.worlds.world import World
 
 
@@ -74,8 +75,8 @@ class BuiltScene(ModelScene):
     """A scene in which a person builds: of a model, a hand and a view.
 
     The content of its levels has a ``view`` (the part of the world to show, m) and what is ``expected``.
-    ``not_of_model``: parameters of the picture and of the tools; the model is told of all others.
-    ``of_tier``: those that go by the quality unless that is one's own.
+    ``not_of_model``: parameters of the picture and of the tools; all others go to the model. ``of_tier``:
+    those that the quality decides, unless it is one's own.
     """
 
     model: BuiltModel
@@ -118,7 +119,7 @@ class BuiltScene(ModelScene):
         return self.view.legend()
 
     def shown(self) -> Frame:
-        """The part of the world to show, without room for what is expected."""
+        """The part of the world to show, without the space for what is expected."""
         view = self.model.content.view
         return Frame(view.left, view.bottom, view.right, view.top)
 
@@ -167,13 +168,15 @@ class Parts(NamedTuple):
 class WorldScene(BuiltScene):
     """A scene of ``parts``; what it adds is its words, and the deeds of its own keys.
 
-    tool_prefix: of actions that choose a tool, before the tool's name; None: there are none. painters: what
+    tools: those of the bar on the stage. tool_prefix: of actions that choose a tool, before the tool's name;
+    None: there are none. painters: what
     is compiled beside a step, by names; tiny: parameters with which that step is quick.
     """
 
     model: World
     hand: Any
     parts: ClassVar[Parts]
+    tools: ClassVar[Sequence[Tool]] = ()
     tool_prefix: ClassVar[str | None] = None
     painters: ClassVar[Sequence[tuple[str, Callable[[], None]]]] = ()
     tiny: ClassVar[Mapping[str, Any]] = {}
@@ -215,6 +218,11 @@ class WorldScene(BuiltScene):
     def do(self, name: str) -> str:
         """One of ``actions`` that is no tool; why it could not be done, or ""."""
         return ""
+
+    def tool_bar(self) -> Sequence[ToolButton]:
+        if not self.tools:
+            return ()
+        return tool_buttons(self.tools, self.values["tool"], self.tool_prefix or "")
 
     def readouts(self) -> Sequence[Readout]:
         return self.parts.readouts(self.model)

@@ -33,6 +33,20 @@ class Member(Part):
         """Take over copies of these fields, by as many calls of ``next`` as `state` gives."""
 
 
+class Kept(Member):
+    """Arrays that are attributes of another part, in the order of their names."""
+
+    def __init__(self, owner: Part, *names: str):
+        self.owner, self.names = owner, names
+
+    def state(self) -> tuple[Any, ...]:
+        return tuple(getattr(self.owner, name) for name in self.names)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        for name in self.names:
+            setattr(self.owner, name, next(fields).copy())
+
+
 class World(Part):
     """The members of a level's content, in the order in which they step and stand in the state.
 

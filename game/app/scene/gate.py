@@ -60,18 +60,19 @@ class Gate:
         )
 
     def _let_in_from_thread(self, event: StageEvent) -> Callable[[], object] | None:
-        """Let an event act, in a thread; what is then to be said, if it is refused."""
+        """Let a checked event act, in a thread; what is then to be said, if it is refused."""
         self._record.try_steps()
         try:
-            self._record.stage.post(event)
+            self._record.stage.let_in(event)
         except ParameterError as error:
             refusal = error
             return lambda: self._refuse(refusal)
         return None
 
     def _let_in(self, event: StageEvent) -> bool:
+        """Let a checked event act; False if the scene refuses it."""
         try:
-            self._record.stage.post(event)
+            self._record.stage.let_in(event)
         except ParameterError as error:
             self._refuse(error)
             return False
@@ -100,7 +101,7 @@ class Gate:
         given = dict(stage.level.parameters) if stage.level is not None else {}
         for name, parameter in stage.scene.declared_parameters().items():
             value = parameter.check(given.get(name, parameter.default))
-            if stage.scene.values[name] != value:
+            if name not in stage.scene_type.edits and stage.scene.values[name] != value:
                 self.post(SetParameter(name, value))
 
     def pause(self) -> None:
@@ -133,7 +134,7 @@ class Gate:
             self._host.tell("Not undone.", "Here one goes back step by step.")
             return
         if not done:
-            self._host.tell("Nothing to undo.", "No button has been pressed in the scene since it began.")
+            self._host.tell("Nothing to undo.", "Nothing has been done by hand in the scene since it began.")
             return
         step, events = done[-1]
         if step < stage.first_step:

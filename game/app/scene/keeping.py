@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from game.app.stagehand.files import present_level
 from game.folders import user_folder
 from game.levels import Level, save_level
-from game.stage.events import Pointer
+from game.stage.events import Action, Pointer, SetParameter
 
 if TYPE_CHECKING:
     from game.stage import Stage
@@ -29,12 +29,21 @@ def kept_path(scene_name: str) -> Path:
 
 
 def presses(stage: Stage) -> list[tuple[int, int]]:
-    """Step, and number of events before it, of each press of a button since the scene began."""
-    return [
-        (stamped.step, number)
-        for number, stamped in enumerate(stage.recording.events)
-        if isinstance(stamped.event, Pointer) and stamped.event.kind == "down"
-    ]
+    """Step, and number of events before it, of each deed of the hand since the scene began: a press of a
+    button, an action that edits, a parameter that edits. Values of one parameter in a row are one deed.
+    """
+    edits, found, before = stage.scene_type.edits, [], ""
+    for number, stamped in enumerate(stage.recording.events):
+        event = stamped.event
+        if isinstance(event, Pointer):
+            if event.kind == "down":
+                found.append((stamped.step, number))
+                before = ""
+        elif isinstance(event, SetParameter | Action) and event.name in edits:
+            if not (isinstance(event, SetParameter) and event.name == before):
+                found.append((stamped.step, number))
+            before = event.name if isinstance(event, SetParameter) else ""
+    return found
 
 
 def keep_built(stage: Stage) -> str:

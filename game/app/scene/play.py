@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pygame
 
@@ -112,6 +113,8 @@ class ScenePlay:
         if self.shell.lesson.typing and (event.key in TYPING_ENDS or LineField.wants(event)):
             return True
         panel = self.shell.panel
+        if self.shell.card.typing:
+            return True
         if panel is None or not self.shell.layout.panel.w:
             return False
         if event.key == pygame.K_TAB and event.mod & pygame.KMOD_SHIFT:
@@ -150,6 +153,7 @@ class ScenePlay:
         self.steps.close()
         if self.shell.panel is not None:
             self.shell.panel.close()
+        self.shell.card.close()
 
     # -- events -------------------------------------------------------------------------------------
 
@@ -164,6 +168,8 @@ class ScenePlay:
             return [Wish("pause")]
         if event.type in (pygame.KEYDOWN, pygame.TEXTINPUT) and self.shell.lesson.typing:
             return self.shell.lesson.handle(event)
+        if event.type in (pygame.KEYDOWN, pygame.TEXTINPUT) and self.shell.card.typing:
+            return self._post_all(self.shell.card.handle(event))
         if event.type == pygame.KEYDOWN and event.key == pygame.K_TAB and self.shell.panel is not None:
             self.shell.panel.focus_next()
             return []
@@ -173,6 +179,10 @@ class ScenePlay:
         taken, asked = (False, []) if dragging else self.shell.handle(event)
         if not taken:
             self.hand.handle(event, self.shell.layout.free_stage)
+        return self._post_all(asked)
+
+    def _post_all(self, asked: list[Any]) -> list[Wish]:
+        """Let stage events act; the wishes that are left."""
         wishes = []
         for wish in asked:
             if isinstance(wish, Wish):
@@ -316,6 +326,7 @@ class ScenePlay:
             self.films.update(elapsed_s)
         self.bench.update()
         self.shell.filming = self.films.busy
+        self.shell.bare = self.stopped or not self.view.teaching
         if errands.inside:
             self.host.sounds.follow(None)
             self.shell.hints.update(elapsed_s)
@@ -398,6 +409,6 @@ class ScenePlay:
         self.films.see(surface, layout.free_stage)
         watched = f"{self.record.watched} · a touch takes over" if self.record.watched else ""
         draw_signs(surface, self.host.look, layout, (watched, self.films.words))
-        bare = self.stopped or not self.view.teaching
-        self.shell.draw(surface, self.stage, () if bare else self.stage.scene.legend())
+        self.shell.bare = self.stopped or not self.view.teaching
+        self.shell.draw(surface, self.stage, () if self.shell.bare else self.stage.scene.legend())
         self.banner.draw(surface)

@@ -13,6 +13,8 @@ from game.ui.look.beat import Beat
 from game.ui.look.layout import arrange, arrange_over
 from game.ui.look.look import Look
 from game.ui.look.pace import Pace
+from game.ui.panel.card import InspectorCard
+from game.ui.panel.toolbar import ToolBar
 from game.ui.widgets.hintbar import HintBar
 from game.ui.widgets.legend import Legend
 from game.ui.widgets.lesson import LessonSheet
@@ -62,7 +64,10 @@ class Shell:
         self.strips: Strips | None = None
         self.panel: Panel | None = None
         self.lesson = LessonSheet(look)
+        self.tools = ToolBar(look)
+        self.card = InspectorCard(look)
         self.filming = False
+        self.bare = False  # a story is shown as a film: no tools over it
         self._grabbed = False
         self._declared_strips: tuple[Strip, ...] | None = None
         self.place()
@@ -118,6 +123,8 @@ class Shell:
             self.strips.place(self.layout, look)
         if self.panel is not None:
             self.panel.place(self.layout.panel, look)
+        self.tools.place(self.layout.free_stage, look)
+        self.card.place(self._clear_stage, look)
 
     def _place_lesson(self, look: Look) -> None:
         """The sheet of a teaching level takes its part of the stage."""
@@ -149,7 +156,9 @@ class Shell:
         if self.panel is not None and self.layout.panel.w:
             wishes += self.panel.handle(event)
         wishes += self.lesson.handle(event)
-        asked = [self.bar.handle(event), self.strips.handle(event) if self.strips is not None else None]
+        wishes += self.card.handle(event)
+        asked: list[Any] = [self.bar.handle(event), self.tools.handle(event)]
+        asked.append(self.strips.handle(event) if self.strips is not None else None)
         wishes += [wish for wish in asked if wish is not None]
         inside = self._inside_a_widget(event)
         taken = bool(wishes) or inside or self._grabbed
@@ -164,6 +173,8 @@ class Shell:
         position = getattr(event, "pos", None)
         if position is None:
             return False
+        if self.tools.covers(position) or self.card.covers(position):
+            return True
         if self.layout.overlaid:
             if self.lesson.rect.collidepoint(position):
                 return True
@@ -188,14 +199,12 @@ class Shell:
         if stage is not None and self.panel is not None and self.strips is not None:
             self.panel.update(elapsed_s, stage, costs, fresh)
             self.strips.update(elapsed_s, stage, fresh)
-        about = self.bar.tip()
-        if about is None and self.panel is not None:
-            about = self.panel.tip()
-        if about is None:
-            about = self.lesson.tip()
-        if about is None and self.strips is not None:
-            about = self.strips.tip()
-        self.tip.update(elapsed_s, about)
+        self.tools.show(stage.scene.tool_bar() if stage is not None and not self.bare else ())
+        self.tools.update(elapsed_s)
+        self.card.update(elapsed_s, stage.scene if stage is not None and not self.bare else None)
+        widgets = (self.bar, self.panel, self.lesson, self.strips, self.tools, self.card)
+        tips = (widget.tip() for widget in widgets if widget is not None)
+        self.tip.update(elapsed_s, next((about for about in tips if about is not None), None))
 
     def shown(self, stage: Stage) -> list[Readout]:
         """The readouts that may be seen."""
@@ -240,6 +249,8 @@ class Shell:
         hidden = self.lesson.teaching is not None and "legend" in self.lesson.teaching.hidden
         if not hidden and not (stage.scene.legend_in_panel and self.layout.panel.w):
             self.legend.draw(surface, self._clear_stage, tuple(legend), self.beat.fresh)
+        self.tools.draw(surface)
+        self.card.draw(surface)
         if self.strips is not None:
             self.strips.draw(surface)
         self.draw_foot(surface)

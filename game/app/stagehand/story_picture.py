@@ -9,8 +9,9 @@ import pygame
 from game.app.stagehand.view import StageView
 from game.stage.script.camera import View
 from game.stage.script.course import Caption
-from game.stage.script.lines import Title
+from game.stage.script.lines import Say, Title
 from game.stage.story.runner import Runner, last_words
+from game.ui.charts.comparison import chart_rect, draw_comparison
 from game.ui.look.look import Look
 from game.ui.painters import story_words
 from game.ui.painters.story_words import CARD_FADE_S, CardLine, opacity_at
@@ -35,26 +36,36 @@ def caption_at(runner: Runner, shown_s: float) -> Caption | None:
 
 def draw_words(
     surface: pygame.Surface, look: Look, view: StageView, runner: Runner, shown_s: float, player: str = "",
-    leaves: bool = False, row: pygame.Rect | None = None,
+    leaves: bool = False,
 ) -> None:  # fmt: skip
     """Caption or card of a moment of the film. ``player``: whose name the title card bears.
 
-    ``leaves``: the end card goes when its time is up. ``row``: where captions stand, if not in the picture.
+    ``leaves``: the end card goes when its time is up.
     """
     caption = caption_at(runner, shown_s)
     if caption is not None:
         opacity = opacity_at(shown_s, caption.begins, caption.ends)
-        if row is not None:
-            story_words.draw_row_caption(surface, look, row, caption.text, opacity)
-        else:
-            above = _hides_target(look, view, runner, caption.text)
-            story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
+        draw_chart(surface, look, view, runner, caption, opacity)
+        above = _hides_target(look, view, runner, caption.text)
+        story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
     for number, begins, ends in runner.course.cards():
         stays = not leaves and number == len(runner.story.lines) - 1
         if begins <= shown_s and (shown_s < ends or stays):
             opacity = opacity_at(shown_s, begins, math.inf if stays else ends, CARD_FADE_S)
             rise = 16.0 * (1.0 - opacity)
             story_words.draw_card(surface, look, view.rect, _card(runner, number, player), opacity, rise)
+
+
+def draw_chart(
+    surface: pygame.Surface, look: Look, view: StageView, runner: Runner, caption: Caption, opacity: float
+) -> None:
+    """What a caption shows in a corner, measured over expected."""
+    line = runner.story.lines[caption.line]
+    if not isinstance(line, Say) or line.chart is None:
+        return
+    shown = runner.charts.comparison(caption.line)
+    if shown is not None:
+        draw_comparison(surface, look, chart_rect(look, view.rect, line.chart.corner), shown, opacity)
 
 
 def _hides_target(look: Look, view: StageView, runner: Runner, text: str) -> bool:

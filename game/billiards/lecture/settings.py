@@ -1,17 +1,17 @@
-"""Settings of the lecture's table: what may be chosen, the defaults, and the one check.
+"""Settings of the lecture's table, each declared once: default, range or options, unit, what it does.
 
 The same NamedTuple goes from the scene's parameters, a study or a shot to the kernels. Choices have words
-outside (the names of options, as in RULES) and their places in the list inside (CONSERVING, ...);
-`lecture_settings` turns words into places, and refuses what is out of range.
+outside (the names of options, as in RULES) and their places in the list inside (CONSERVING, ...). The scene
+makes its controls of the declarations, and these check what comes in there; `lecture_settings` checks what a
+program says.
 """
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import Annotated, Any, NamedTuple
 
 from game.compiler.decorator import kernel
+from game.settings import Number, Option, changed
 
 RULES = ("conserving", "scaled", "as-printed")  # what a collision does to two velocities
 CONSERVING, SCALED, AS_PRINTED = range(3)
@@ -34,35 +34,56 @@ MAX_SPEED = 1e6  # m/s
 class LectureSettings(NamedTuple):
     """Settings of the lecture's table; make them with `lecture_settings`, which checks them.
 
-    bounce: speed kept at a wall, 0 to 1 (the lecture's bounce factor; above 1 energy would grow for ever).
-    restitution: of two balls, 0 to 1; the rules `scaled` and `as-printed` multiply whole velocities by it.
-    friction: factor per frame at 60 frames/s, 0 to 1. minimum_speed: m/s. substeps: 0 is automatic.
-    passes: rounds of separating balls that overlap (one by the rule as-printed). walls_again: push balls back
-    from the walls after balls have pushed them (False, as in the lecture, lets a pressed ball sink in).
+    The lecture's bounce factor above 1 would let energy grow for ever. The rules `scaled` and `as-printed`
+    multiply whole velocities by the restitution, and take one pass. walls_again, False as in the lecture,
+    lets a pressed ball sink into a wall.
     """
 
-    bounce: float = 0.8
-    restitution: float = 0.95
-    friction: float = 0.992
-    minimum_speed: float = 0.02
-    substeps: int = AUTOMATIC
-    passes: int = 4
-    rule: int = CONSERVING
-    order: int = JOINT
-    propagation: int = IMPACTS
-    repositioning: int = EXACT
-    friction_law: int = CONSISTENT
-    walls_again: bool = True
+    bounce: Annotated[float, Number(0.0, 1.0, "speed kept at a cushion")] = 0.8
+    restitution: Annotated[float, Number(0.0, 1.0, "normal speed kept when two balls collide")] = 0.95
+    friction: Annotated[float, Number(0.0, 1.0, "speed kept from frame to frame, at 60 frames a second")] = (
+        0.992
+    )
+    minimum_speed: Annotated[float, Number(0.0, MAX_SPEED, "what is slower stops", "m/s")] = 0.02
+    substeps: Annotated[
+        int,
+        Number(
+            0, MAX_SUBSTEPS,
+            "parts of a step; 0: as many as keep a ball from moving over half its radius in one", whole=True,
+        ),
+    ] = AUTOMATIC  # fmt: skip
+    passes: Annotated[int, Number(1, MAX_PASSES, "rounds of moving overlapping balls apart", whole=True)] = 4
+    rule: Annotated[
+        int,
+        Option(RULES, "restitution on the normal part; both velocities scaled; the printed listing"),
+    ] = CONSERVING
+    order: Annotated[
+        int,
+        Option(ORDERS, "contacts of one moment solved together, or one pair after the other by number"),
+    ] = JOINT
+    propagation: Annotated[int, Option(PROPAGATIONS, "resting contacts wait for an impact, or join")] = (
+        IMPACTS
+    )
+    repositioning: Annotated[
+        int,
+        Option(
+            REPOSITIONINGS,
+            "where a ball is put that overshot: where it would be, mirrored, or at the wall",
+        ),
+    ] = EXACT
+    friction_law: Annotated[
+        int,
+        Option(
+            FRICTION_LAWS,
+            "the same slowing at any step length, or the factor once each step as printed",
+        ),
+    ] = CONSISTENT
+    walls_again: Annotated[
+        bool, Option(help="push balls back from the walls after balls have pushed them")
+    ] = True
 
 
 DEFAULTS = LectureSettings()
-_CHOICES = {
-    "rule": RULES,
-    "order": ORDERS,
-    "propagation": PROPAGATIONS,
-    "repositioning": REPOSITIONINGS,
-    "friction_law": FRICTION_LAWS,
-}
 
 
 def lecture_settings(base: LectureSettings = DEFAULTS, /, **changes: Any) -> LectureSettings:
@@ -70,36 +91,12 @@ def lecture_settings(base: LectureSettings = DEFAULTS, /, **changes: Any) -> Lec
 
     ValueError names a setting that there is not, or one that is out of range.
     """
-    unknown = sorted(changes.keys() - set(LectureSettings._fields))
-    if unknown:
-        raise ValueError(f"{unknown[0]}: no such setting; there are {', '.join(LectureSettings._fields)}")
-    settings = base._replace(**{name: _checked(name, value) for name, value in changes.items()})
+    settings = changed(base, changes)
     if settings.order == JOINT and settings.rule != CONSERVING:
         raise ValueError(
             f"order: joint solves only the rule conserving, not {RULES[settings.rule]!r}; use pairwise"
         )
     return settings
-
-
-def _checked(name: str, value: Any) -> Any:
-    """A setting as the kernels have it."""
-    if name in _CHOICES:
-        if value not in _CHOICES[name]:
-            raise ValueError(f"{name}: must be one of {', '.join(_CHOICES[name])}, got {value!r}")
-        return _CHOICES[name].index(value)
-    if name == "walls_again":
-        if not isinstance(value, bool | np.bool_):
-            raise ValueError(f"{name}: must be true or false, got {value!r}")
-        return bool(value)
-    if name in ("substeps", "passes"):
-        low, high = (0, MAX_SUBSTEPS) if name == "substeps" else (1, MAX_PASSES)
-        if isinstance(value, bool) or not (isinstance(value, int | np.integer) and low <= value <= high):
-            raise ValueError(f"{name}: must be a whole number from {low} to {high}, got {value!r}")
-        return int(value)
-    most = MAX_SPEED if name == "minimum_speed" else 1.0
-    if isinstance(value, bool) or not (isinstance(value, int | float) and 0.0 <= value <= most):
-        raise ValueError(f"{name}: must be a number from 0 to {most:g}, got {value!r}")
-    return float(value)
 
 
 @kernel

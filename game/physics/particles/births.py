@@ -42,8 +42,8 @@ def births_until(rate, carry, since, now):
 def retire(mask, pool, listed, found, life, now, h):
     """Take those whose life (s) ends in this step from the ring's head; the next free place of the list.
 
-    For reports, each goes to the list to be flown to the instant of its death; if the list is full,
-    the rest waits for another call.
+    For reports, each goes to the list to be flown to the instant of its death. If the list is full, the rest
+    waits for another call.
     """
     fields, tags, tallies, capacity = pool
     hits, who = listed
@@ -107,7 +107,7 @@ def emit(mask, pool, sources, listed, found, life, now, h):
     """Give birth to all particles due in this step, in the order of their instants; the list's next place.
 
     Written: counts (m, 2), tallies, and for each survivor its instant of birth, tags and a line of the list.
-    Without room in the ring one is dropped and counted. One whose life is over within the step is born and
+    Without space in the ring one is dropped and counted. One whose life is over within the step is born and
     dies in it. If the list is full, the rest waits for another call.
     """
     fields, tags, tallies, capacity = pool

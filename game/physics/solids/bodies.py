@@ -162,6 +162,36 @@ class SolidBodies(SolidStore):
         self._stale = True
         self.wake(body)
 
+    def set_material(
+        self,
+        body: int,
+        *,
+        density: float | None = None,
+        friction: float | None = None,
+        restitution: float | None = None,
+    ) -> None:
+        """Another density of its first shape (kg/m²; the others keep their ratios to it), friction (1), or
+        restitution (1) of all shapes. None: as it is. Velocity and spin are kept. ValueError.
+        """
+        self._known(body)
+        shapes, rows, slots = self.shapes, self.bodies, self.shapes_of(body)
+        if density is not None:
+            wanted = checked_number("density", density, 0.0, 1e12, above=True)
+            times = wanted / float(shapes.densities[slots[0]])
+            mass, inertia = (self._masses[body] * times).tolist()
+            if rows.flags[body] & state.DYNAMIC:
+                if not (min(mass, inertia) > 1e-200 and math.isfinite(mass + inertia)):
+                    raise ValueError(f"density = {density!r}: too small or too large for a mass")
+                rows.inverse_masses[body], rows.inverse_inertias[body] = 1.0 / mass, 1.0 / inertia
+            shapes.densities[slots] *= times
+            shapes.densities[slots[0]] = wanted
+            self._masses[body] = mass, inertia
+        if friction is not None:
+            shapes.frictions[slots] = checked_number("friction", friction, 0.0, 1e9)
+        if restitution is not None:
+            shapes.restitutions[slots] = checked_number("restitution", restitution, 0.0, 1.0)
+        self.wake(body)
+
     def set_pose(self, body: int, position: ArrayLike, angle: float) -> None:
         """Put a body elsewhere at once: centre of mass m, angle rad. ValueError."""
         self._known(body)

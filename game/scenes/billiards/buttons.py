@@ -6,16 +6,17 @@ from game.billiards.game.games import Ghost, Practice
 from game.scenes.billiards import layout
 from game.scenes.billiards.beside import BESIDE
 from game.scenes.billiards.modes import Replay, SetUp, leave
-from game.scenes.billiards.opponents.thinking import GRADES
-from game.scenes.billiards.play import AIMING, PERSON, REPLAY, ROLLING, SET_UP, Play
+from game.scenes.billiards.play import AIMING, REPLAY, ROLLING, SET_UP, Play
 from game.scenes.billiards.practice.drill_maker import DrillMaker
 from game.scenes.billiards.practice.side import Side
 from game.scenes.billiards.stroke.calling import announced
-from game.scenes.billiards.stroke.guide import GUIDE_BUTTONS, next_guide
+from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.actions import OPTIONS
+from game.scenes.shared.tables.choices import GUIDE_BUTTONS, GUIDES, following, next_player
+from game.scenes.shared.tables.grip import NOTHING, Grip, Held
 from game.stage import Part
 
 POWER_STEP = 0.1  # m/s for a key or a notch of the wheel
-OPTIONS = ("first", "second", "third", "fourth")
 
 
 class Buttons(Part):
@@ -60,33 +61,34 @@ class Buttons(Part):
             rows.append(("strike", "Strike", True))
         return rows
 
-    def at(self, x: float, y: float) -> str:
-        """Name of the button, or of the option, at a point; empty if there is none."""
+    def at(self, x: float, y: float) -> Grip:
+        """The button, card or option at a point; NOTHING if there is none."""
         for row, (name, _, _) in enumerate(self.rows()):
             if layout.button_box(row).holds(x, y):
-                return name
+                return grip.button(name)
         game = self.play.model.frame.game
         if len(game.players) == 2:
             for player in range(1 if isinstance(game, Ghost) else 2):
                 if layout.card_box(player).holds(x, y):
-                    return f"card-{player}"
+                    return grip.card(player)
         if self.play.phase == AIMING and self.play.person_plays:
             for row in range(len(game.options)):
                 if layout.option_box(row, len(game.options)).holds(x, y):
-                    return f"option-{row}"
+                    return grip.option(row)
         if self.play.phase == REPLAY:
             if layout.PLAY.holds(x, y):
-                return "replay-run"
+                return grip.button("replay-run")
             if layout.SPEED.holds(x, y):
-                return "replay-speed"
-        return ""
+                return grip.button("replay-speed")
+        return NOTHING
 
-    def press(self, name: str) -> None:
-        """A button has been pressed and let go."""
-        if name.startswith("option-"):
-            self.play.take_option(int(name.removeprefix("option-")))
-        elif name.startswith("card-"):
-            self._change_player(int(name.removeprefix("card-")))
+    def press(self, held: Grip) -> None:
+        """A button, a player's card or an option has been pressed and let go."""
+        name = held.name
+        if held.kind is Held.OPTION:
+            self.play.take_option(held.number)
+        elif held.kind is Held.CARD:
+            self.play.set_grade(held.number, next_player(self.play.grade_of(held.number)))
         elif name == "replay-run":
             self.replay.toggle()
         elif name == "replay-speed":
@@ -100,12 +102,6 @@ class Buttons(Part):
             }[name]()  # fmt: skip
         else:
             self.act(name)
-
-    def _change_player(self, player: int) -> None:
-        """The next grade for a player: a person, then computer players from weak to strong."""
-        grades = (PERSON, *GRADES)
-        following = grades[(grades.index(self.play.grade_of(player)) + 1) % len(grades)]
-        self.play.set_grade(player, following)
 
     def act(self, name: str) -> None:
         """A named action."""
@@ -167,7 +163,7 @@ class Buttons(Part):
             self.set_up.begin()
 
     def _change_guide(self) -> None:
-        self.play.parameters.guide = next_guide(self.play.guide)
+        self.play.parameters.guide = following(self.play.guide, GUIDES)
 
     def _lock(self) -> None:
         if self.play.may_aim:

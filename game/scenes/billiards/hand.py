@@ -10,11 +10,11 @@ from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import POWER_STEP, Buttons
 from game.scenes.billiards.modes import Replay, SetUp
-from game.scenes.billiards.parameters import LARGEST_TIP
 from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, Play
-from game.scenes.billiards.practice.drill_maker import ZONE
-from game.scenes.billiards.practice.side import GRIP as COLUMN_GRIP
+from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.choices import LARGEST_TIP
 from game.scenes.shared.tables.cue import MAX_SPEED
+from game.scenes.shared.tables.grip import NOTHING, Held
 from game.stage import Part, Pointer
 
 
@@ -39,7 +39,7 @@ class BilliardsHand(Part):
             self._begin_spin(event)
         elif event.kind == "down" and event.button == 1 and not self.play.grip:
             self._press(event)
-        elif event.kind == "up" and event.button == (3 if self.play.grip == "right spin" else 1):
+        elif event.kind == "up" and event.button == (3 if self.play.grip == grip.TIP_FREELY else 1):
             self._release(event)
         elif event.kind == "move":
             self._move(event)
@@ -48,9 +48,9 @@ class BilliardsHand(Part):
 
     def _let_go(self) -> None:
         """Take back what is held."""
-        if self.play.grip == "cue":
+        if self.play.grip == grip.CUE:
             self.aiming.take_back()
-        self.play.grip = ""
+        self.play.grip = NOTHING
 
     def _begin_spin(self, event: Pointer) -> None:
         """With the right button the tip is moved from anywhere on the table, while one watches the line."""
@@ -58,22 +58,22 @@ class BilliardsHand(Part):
             chosen = self.play.parameters
             dx, dy = layout.spin_offset(chosen.tip_left, chosen.tip_up)
             self.spin_from = (event.x - dx, event.y - dy)
-            self.play.grip = "right spin"
+            self.play.grip = grip.TIP_FREELY
             self.play.hold_aim()
 
     def _press(self, event: Pointer) -> None:
         """Take hold of what lies under the pointer."""
         play, x, y = self.play, event.x, event.y
-        name = self.buttons.at(x, y)
+        button = self.buttons.at(x, y)
         if self.side.holds(x, y):
-            play.grip = COLUMN_GRIP
-        elif name:
-            play.grip = f"button {name}"
-            if play.may_aim and name in ("strike", "safety", "view", "hint"):
+            play.grip = grip.LIST
+        elif button:
+            play.grip = button
+            if play.may_aim and button.name in ("strike", "safety", "view", "hint"):
                 self.play.keep_aim()
         elif play.phase == REPLAY:
             if layout.SCRUBBER.holds(x, y):
-                play.grip = "scrub"
+                play.grip = grip.REPLAY
                 self._move(event)
         elif play.phase == SET_UP:
             self._press_set_up(x, y)
@@ -89,19 +89,19 @@ class BilliardsHand(Part):
         ball = self.set_up.ball_at(x, y)
         maker.moved = False
         if ball >= 0:
-            play.grip = f"ball {ball}"
+            play.grip = grip.ball(ball)
         elif maker.active and not maker.click(x, y) and maker.begin_zone(x, y):
-            play.grip = ZONE
+            play.grip = grip.ZONE
 
     def _take_instrument(self, event: Pointer) -> None:
         """Power bar, spin, elevation; or on the table the cue ball in hand, or the cue."""
         play, x, y = self.play, event.x, event.y
         if layout.POWER.holds(x, y):
-            play.grip = "power"
+            play.grip = grip.POWER
         elif layout.on_spin(x, y):
-            play.grip = "spin"
+            play.grip = grip.TIP
         elif layout.on_elevation(x, y):
-            play.grip = "elevation"
+            play.grip = grip.ELEVATION
         if play.grip:
             self.play.keep_aim()
             self._move(event)
@@ -111,9 +111,9 @@ class BilliardsHand(Part):
         if play.phase != AIMING or not frame.playable or cue_ball is None:
             return
         if frame.game.in_hand and layout.near(cue_ball, x, y, float(frame.layout.balls.radii[CUE_BALL])):
-            play.grip = "cue ball"
+            play.grip = grip.CUE_BALL
         elif layout.TABLE.holds(x, y):
-            play.grip = "cue"
+            play.grip = grip.CUE
             self.aiming.begin_pull(event, cue_ball)
 
     def _call_at(self, x: float, y: float) -> bool:
@@ -131,18 +131,17 @@ class BilliardsHand(Part):
 
     def _release(self, event: Pointer) -> None:
         """Let go: a button acts, the cue strikes."""
-        grip, self.play.grip = self.play.grip, ""
-        if grip.startswith("button "):
-            name = grip.removeprefix("button ")
-            if self.buttons.at(event.x, event.y) == name:
-                self.buttons.press(name)
-        elif grip == COLUMN_GRIP:
+        held, self.play.grip = self.play.grip, NOTHING
+        if held.kind in (Held.BUTTON, Held.CARD, Held.OPTION):
+            if self.buttons.at(event.x, event.y) == held:
+                self.buttons.press(held)
+        elif held.kind is Held.LIST:
             self.side.click(event)
-        elif grip.startswith("ball "):
-            self.set_up.put_down(int(grip.removeprefix("ball ")), event.x, event.y)
+        elif held.kind is Held.BALL:
+            self.set_up.put_down(held.number, event.x, event.y)
             if self.maker.active and not self.maker.moved:
                 self.maker.click(event.x, event.y)
-        elif grip == "cue":
+        elif held.kind is Held.CUE:
             self._release_cue(event)
 
     def _release_cue(self, event: Pointer) -> None:
@@ -164,25 +163,26 @@ class BilliardsHand(Part):
     def _move(self, event: Pointer) -> None:
         """What is held follows the pointer; else the cue turns to it."""
         play, x, y = self.play, event.x, event.y
-        if play.grip == "power":
+        kind = play.grip.kind
+        if kind is Held.POWER:
             self.aiming.set_power(layout.power_at(x, MAX_SPEED))
-        elif play.grip == "spin":
+        elif kind is Held.TIP:
             self.aiming.set_tip(*layout.spin_at(x, y, LARGEST_TIP))
-        elif play.grip == "right spin":
+        elif kind is Held.TIP_FREELY:
             dx, dy = event.x - self.spin_from[0], event.y - self.spin_from[1]
             self.aiming.set_tip(*layout.spin_at(layout.SPIN[0] + dx, layout.SPIN[1] + dy, LARGEST_TIP))
-        elif play.grip == "elevation":
+        elif kind is Held.ELEVATION:
             self.aiming.set_elevation(layout.elevation_at(x, y))
-        elif play.grip == "scrub":
+        elif kind is Held.REPLAY:
             self.replay.scrub(layout.share_of_scrubber(y))
-        elif play.grip == "cue ball":
+        elif kind is Held.CUE_BALL:
             if play.model.frame.game.in_hand and play.phase == AIMING:
                 play.model.move_cue_ball(x, y)
-        elif play.grip == ZONE:
+        elif kind is Held.ZONE:
             self.maker.draw_zone(x, y)
-        elif play.grip.startswith("ball "):
+        elif kind is Held.BALL:
             self.maker.moved = True
-            self.set_up.drag(int(play.grip.removeprefix("ball ")), x, y)
+            self.set_up.drag(play.grip.number, x, y)
         elif play.may_aim:
             self._aim(event)
 
@@ -191,7 +191,7 @@ class BilliardsHand(Part):
         cue_ball = self.play.model.frame.cue_ball
         if cue_ball is None:
             return
-        if self.play.grip == "cue":
+        if self.play.grip == grip.CUE:
             self.aiming.pull(event, cue_ball)
         elif layout.TABLE.holds(event.x, event.y) and not self._may_call_pocket(event.x, event.y):
             self.aiming.turn_to(event, cue_ball)

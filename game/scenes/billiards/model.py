@@ -19,7 +19,7 @@ from game.billiards.shot_effects import physics_of
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.billiards.level import BilliardsContent, ball_set, best_of, game_of, layout_for
-from game.scenes.billiards.outcome import Decided, Outcome
+from game.scenes.billiards.outcome import Decided, PoolOutcome
 from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.stage import Part
@@ -57,7 +57,7 @@ class BilliardsModel(Part):
         self.places = np.zeros((16, 2))
         self.turns = rotation_matrices(scattered_orientations(16, seed))
         self.turns_before = self.turns.copy()
-        self._outcome = Outcome()
+        self._outcome = PoolOutcome()
         self._lay_out()
 
     def configure(self, active: EffectSet) -> None:
@@ -97,13 +97,9 @@ class BilliardsModel(Part):
 
     def strike(self, stroke: Stroke, call: Call) -> None:
         """Play a stroke. ValueError if it cannot be played; then the frame is what it was."""
-        before = self.frame
-        self.frame = before.strike(stroke, call)
-        try:
-            self._outcome.played(self.frame)
-        except ValueError:
-            self.frame = before
-            raise
+        struck = self.frame.strike(stroke, call)
+        self._outcome.played(struck)
+        self.frame = struck
         self.turns_before[:] = self.turns
 
     def roll(self, time: float) -> None:
@@ -147,8 +143,8 @@ class BilliardsModel(Part):
         self._lay_out()
 
     def rack(self, new_match: bool = False) -> None:
-        """The next rack if the game is over, else this game, or this drill, from its beginning; a position
-        of one's own is set up again.
+        """The next rack if the game is over, else this game, or this drill, from its beginning. A position of
+        one's own is set up again.
 
         new_match: no racks are won yet.
         """

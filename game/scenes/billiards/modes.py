@@ -6,6 +6,7 @@ from game.billiards.game.arrangement import is_free, nearest_free, racked
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, REPLAY, REPLAY_S, SET_UP, Play
+from game.scenes.shared.tables import grip
 from game.stage import Part
 
 REPLAY_SPEEDS = (0.0625, 0.125, 0.25, 0.5, 1.0, 2.0)
@@ -36,7 +37,7 @@ class Replay(Part):
 
     def advance(self, dt: float) -> None:
         """Go on; it stops at the end of the stroke."""
-        if self.play.phase != REPLAY or not self.runs or self.play.grip == "scrub":
+        if self.play.phase != REPLAY or not self.runs or self.play.grip == grip.REPLAY:
             return
         self.play.clock[REPLAY_S] = min(self.time + dt * self.speed, self.play.shown_s)
         if self.time >= self.play.shown_s:
@@ -59,7 +60,7 @@ class Replay(Part):
 
     def end(self) -> None:
         """Back to the game."""
-        self.play.grip = ""
+        self.play.grip = grip.NOTHING
         self.play.start_phase(AIMING)
 
 
@@ -79,7 +80,7 @@ class SetUp(Part):
     def end(self) -> None:
         """Back to the game; what was set up is practised."""
         self.play.model.end_set_up()
-        self.play.grip = ""
+        self.play.grip = grip.NOTHING
         self.play.start_phase(AIMING)
 
     def fill(self, full: bool) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from typing import NamedTuple
 
 import msgspec
@@ -11,34 +10,20 @@ from game.billiards.game.frame import Frame, Played, Struck
 from game.billiards.game.games import Practice
 from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.laws.state import BALL_POCKET
+from game.scenes.shared.tables.outcome import Outcome
 
 SETS = ("tries", "needed")  # fields of drills
+TURNS = "alternating"  # of a combination match
 OWN = ("set_up", "hand")  # fields of practice
 
 
-class Outcome:
-    """What is computed from a frame and kept while that holds; no part of the state."""
+class PoolOutcome(Outcome[Frame, Played]):
+    """As at every table, and the pot that decided the rack."""
 
     def __init__(self) -> None:
-        self._word_of: Frame | None = None
-        self._word = ""
-        self._played_of: Struck | None = None
-        self._played: Played | None = None
+        super().__init__(_said)
         self._decided_of: Struck | None = None
         self._decided: Decided | None = None
-
-    def word(self, frame: Frame) -> str:
-        """A hash of all that a frame says."""
-        if self._word_of is not frame:
-            self._word_of, self._word = frame, _word_of(frame)
-        return self._word
-
-    def played(self, frame: Frame) -> Played | None:
-        """What comes, or came, of a frame's last stroke; None before the first."""
-        if self._played_of is not frame.last:
-            self._played = frame.outcome() if frame.last is not None else None
-            self._played_of = frame.last
-        return self._played
 
     def decided(self, frame: Frame) -> Decided | None:
         """Of a frame's last stroke."""
@@ -68,16 +53,15 @@ def decided_by(played: Played | None) -> Decided | None:
     return Decided(time, (x, y))
 
 
-def _word_of(frame: Frame) -> str:
-    """A hash of all that a frame says, but for the frames before it."""
+def _said(frame: Frame) -> object:
+    """What a frame says, but for the frames before it."""
     last, game = frame.last, msgspec.to_builtins(frame.game)
-    # the word of a game without sets, or a position of one's own, stays what it was before there were any
-    for name in (*SETS, *(OWN if isinstance(frame.game, Practice) else ())):
+    # the word of a game without sets, turns or a position of one's own stays what it was before these
+    for name in (*SETS, TURNS, *(OWN if isinstance(frame.game, Practice) else ())):
         if not game.get(name, True):
             del game[name]
-    said = (
+    return (
         game, frame.layout.places, frame.conditions, Call(), frame.strokes,
         None if last is None
         else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
     )  # fmt: skip
-    return hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()

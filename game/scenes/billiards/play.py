@@ -16,6 +16,8 @@ from game.scenes.billiards.stroke.aiming import AT_THE_RACK, Aiming
 from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.guide import guide_of
 from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
+from game.scenes.shared.tables.choices import PERSON
+from game.scenes.shared.tables.grip import NOTHING
 from game.scenes.shared.tables.unsteady import STEADY_HAND, shaken
 from game.stage import Part
 from game.stage.messages import Messages
@@ -25,7 +27,6 @@ if TYPE_CHECKING:
 
 AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
 PHASE_S, REPLAY_S = range(2)
-PERSON = "person"
 MOST_OWN = 200  # strokes from which one's own hand is measured
 SLOW, SLOW_BEFORE_S, SLOW_AFTER_S = 0.25, 0.30, 0.12  # of the pace; s of the shot before and after the pot
 
@@ -35,7 +36,7 @@ class Play(Part):
 
     clock (2,) s: time of the phase, place in the replay; it belongs to the state. pending: the stroke for
     which the cue swings; practised: with strokes in the air first. grip: what the pointer holds, which a new
-    phase takes from it. rest_s: how long nobody has done anything, s. by_hand: how many strokes a hand has
+    phase takes from it. rest_s: how long nothing has been done, s. by_hand: how many strokes a hand has
     played; meant, done: the last of them as it was aimed, and as the hand did it. own: the last such pairs of
     strokes by a hand that strays. log: of all strokes.
     """
@@ -46,11 +47,12 @@ class Play(Part):
         self.parameters = parameters
         self.model = model
         self.aiming = aiming
+        self.cue = aiming.cue
         self.phase = AIMING
         self.clock = np.zeros(2)
         self.pending: Stroke | None = None
         self.practised = False
-        self.grip = ""
+        self.grip = NOTHING
         self.plays_itself = False
         self.rest_s = 0.0
         self.lock_explained = False
@@ -123,7 +125,7 @@ class Play(Part):
 
     def let_go(self) -> None:
         """The hand holds nothing any more, and no cue is drawn back."""
-        self.grip = ""
+        self.grip = NOTHING
         self.aiming.cue.let_go()
 
     def advance(self, dt: float) -> None:
@@ -171,7 +173,7 @@ class Play(Part):
             raise ValueError("stroke: none may be played now")
         self.pending, self.practised = stroke, practised
         self.aiming.call = call
-        self.grip = ""
+        self.grip = NOTHING
         self.aiming.point_along(stroke.azimuth)
         self.start_phase(STRIKING)
 

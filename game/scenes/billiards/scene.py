@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill
 from game.billiards.game.rules import Call
@@ -34,22 +33,23 @@ from game.scenes.billiards.practice.sets import drill_title, standing_set
 from game.scenes.billiards.practice.side import DECISIONS, Side
 from game.scenes.billiards.readouts import readouts
 from game.scenes.billiards.sounds import StrokeSounds
+from game.scenes.billiards.story.targets import StrokeSeen
+from game.scenes.billiards.story.throw import throw_chart
 from game.scenes.billiards.stroke.aiming import Aiming
 from game.scenes.billiards.stroke.motion import warm_ups as cue_warm_ups
 from game.scenes.billiards.view.beside.column import ColumnView
 from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.picture import BilliardsView
+from game.scenes.shared.tables.cue_game import CUE_BALL, ENERGY, PLAYS_ITSELF, SLIDING, CueGameScene
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.stage import (
     Action,
+    Comparison,
     Decision,
     Equation,
     Frame,
-    Hearing,
-    Pointer,
     Readout,
-    Scene,
     Stamped,
     Strip,
     WarmUp,
@@ -58,23 +58,7 @@ from game.stage.records.excerpt import Excerpt
 from game.stage.records.history import Practised
 
 
-class BilliardsState(NamedTuple):
-    """What is on the table at this moment.
-
-    clock (2,) s: time of the phase, place in the replay. places (16, 2) m by number. turns, turns_before
-    (16, 3, 3): how the balls are turned, and were before the last
-    stroke. cue (7,). word: of the frame.
-    """
-
-    clock: Floats
-    places: Floats
-    turns: Floats
-    turns_before: Floats
-    cue: Floats
-    word: str
-
-
-class Billiards(Scene):
+class Billiards(CueGameScene):
     """A pool table to play on. Every stroke is computed to its end at the moment when the tip meets the ball,
     from one event to the next: ball meets ball, cushion, jaw or pocket, sliding turns into rolling. What you
     see afterwards is that computation looked at in its time, and so is the line before you strike: it is no
@@ -94,24 +78,16 @@ class Billiards(Scene):
     parameters: BilliardsParameters
     effects = GAME_EFFECTS
     study = game_study
-    covers = True
     refits = True
-    quarter_turns = 1
     takes = frozenset(("wheel", "middle", "right"))
     content_type = BilliardsContent
 
-    strips = (
-        Strip("Energy", "J", ("energy",)),
-        Strip("Cue ball", "m/s", ("cue ball",)),
-        Strip("Events", "", ("events",)),
-    )
+    strips = (ENERGY, CUE_BALL, Strip("Events", "", ("events",)))
     hints = HINTS
     actions = ACTIONS
     figure = staticmethod(draw_aim)
     equations = (
-        Equation(
-            "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
-        ),
+        SLIDING,
         Equation("Next contact of two balls", r"|\v{r}_2(t) - \v{r}_1(t)|^2 = 4 R^2", "a quartic in t"),
         Equation("Cue and ball", r"v = \frac{2 V}{1 + m/M + \frac{5}{2} (a^2 + b^2)}", "Alciatore, TP A-30"),
         Equation("Bounce on the slate", r"v_z' = -e v_z, \quad \Delta v \le \mu (1 + e) |v_z|", "Cross 2002"),
@@ -124,7 +100,7 @@ class Billiards(Scene):
         "Choose a computer player as second player, and let it show its thoughts.",
         "Press E, lay out a position of your own, save it, and play it again and again.",
     )
-    demo = (Stamped(12, Action("demo")), Stamped(2400, Action("centre")))  # and it goes on playing
+    demo = (PLAYS_ITSELF, Stamped(2400, Action("centre")))
 
     # -- building -----------------------------------------------------------------------------------
 
@@ -138,7 +114,7 @@ class Billiards(Scene):
             )  # fmt: skip
         self.model = BilliardsModel(content, self.parameters, self.active, self.seed)
         self.aiming = Aiming(self.parameters)
-        self.play = Play(self.parameters, self.model, self.aiming, self.seed)
+        self.play = self.course = Play(self.parameters, self.model, self.aiming, self.seed)
         self.replay = Replay(self.play)
         self.play.log = log_in(content.log, self.model.frame)
         self.set_up = SetUp(self.play)
@@ -149,27 +125,14 @@ class Billiards(Scene):
         self.hand = BilliardsHand(self.play, self.replay, self.set_up, self.buttons)
         self.opponents = Opponents(self.play, self.seed)
         self.sounds = StrokeSounds(self.play, self.replay)
+        self.seen = StrokeSeen(self.play)
         on_cloth = OnCloth(self.play, self.advisor, self.maker)
         self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, on_cloth, level)
         self.column = ColumnView(self.play, self.side, self.advisor, level)
 
-    def state(self) -> BilliardsState:
-        model = self.model
-        return BilliardsState(
-            self.play.clock, model.places, model.turns, model.turns_before, self.aiming.cue.data,
-            f"{self.play.phase} {model.word}",
-        )  # fmt: skip
-
-    def restore(self, state: BilliardsState) -> None:
-        for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
-            mine[...] = then  # the frame comes back with the plain attributes
-
     def parameter_changed(self, name: str) -> None:
         if name in TABLE_PARAMETERS:
             self.model.configure(self.active)
-
-    def effects_changed(self) -> None:
-        self.model.configure(self.active)
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
@@ -183,13 +146,9 @@ class Billiards(Scene):
 
     def advance(self, dt: float) -> None:
         self.replay.advance(dt)
-        self.play.advance(dt)
-        self.opponents.play_on()
+        super().advance(dt)
 
     # -- what comes in ------------------------------------------------------------------------------
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def action(self, name: str) -> None:
         self.buttons.act(name)
@@ -200,11 +159,7 @@ class Billiards(Scene):
         return {REPLAY: "replay", SET_UP: "set-up"}.get(self.play.phase, "" if beside == NONE else beside)
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
-        return [*self.advisor.decisions(at_once), *self.opponents.decisions(at_once)]
-
-    @property
-    def plays_alone(self) -> bool:
-        return self.play.plays_alone
+        return [*self.advisor.decisions(at_once), *super().decisions(at_once)]
 
     def decide(self, event: Decision) -> None:
         if event.name in DECISIONS:
@@ -218,17 +173,20 @@ class Billiards(Scene):
         return frame_with(self.side.beside)
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
+        super().draw(canvas, alpha)
         self.column.draw(canvas)
 
-    def hearing(self) -> Hearing | None:
-        return self.sounds.hearing()
-
     def readouts(self) -> tuple[Readout, ...]:
-        return readouts(self.play)
+        return readouts(self.play, self.seen)
 
-    def messages(self) -> tuple[str, ...]:
-        return self.play.messages.take()
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return self.seen.targets()
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return self.seen.names()
+
+    def story_charts(self) -> dict[str, Comparison]:
+        return {"throw": throw_chart(self.seen.contact)}
 
     # -- what is kept -------------------------------------------------------------------------------
 

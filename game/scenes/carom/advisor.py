@@ -23,7 +23,7 @@ from game.billiards.shot.physics import Physics
 from game.billiards.table.carom import BALL_RADIUS
 from game.scenes.carom.course import Course
 from game.scenes.carom.layout import ROWS
-from game.scenes.carom.parameters import OWN
+from game.scenes.shared.tables.choices import OWN
 from game.scenes.shared.tables.course import AIMING
 from game.stage import Decision
 

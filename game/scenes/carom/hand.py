@@ -5,10 +5,13 @@ from __future__ import annotations
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor
 from game.scenes.carom.course import Course
-from game.scenes.carom.parameters import LARGEST_TIP, LEAST_POWER
+from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.actions import OPTIONS
+from game.scenes.shared.tables.choices import LARGEST_TIP, LEAST_POWER
 from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.cue import AIMING as CUE_AIMING
 from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
+from game.scenes.shared.tables.grip import NOTHING, Grip, Held
 from game.stage import Part, Pointer
 
 LEFT_MATCH = ("What you set up is practice.", "U goes back to the match.")
@@ -26,7 +29,7 @@ class CaromHand(Part):
         """A pointer event."""
         if event.kind == "cancel" or (event.kind == "down" and event.button == 3):
             self.course.cue.let_go()
-            self.course.grip = ""
+            self.course.grip = NOTHING
         elif event.kind == "down" and event.button == 1 and not self.course.grip:
             self._press(event)
         elif event.kind == "up" and event.button == 1:
@@ -42,15 +45,15 @@ class CaromHand(Part):
             course.messages.say("The table is yours.")
         button = next((k for k in range(len(layout.BUTTONS)) if layout.button_box(k).holds(x, y)), -1)
         if button >= 0:
-            course.grip = f"button {button}"
+            course.grip = Grip(Held.BUTTON, layout.BUTTONS[button], button)
         elif layout.LIST.holds(x, y):
-            course.grip = "list"
+            course.grip = grip.LIST
         elif course.phase != AIMING:
             return
         elif course.model.frame.game.options and course.person_plays:
-            course.grip = "option"
+            course.grip = Grip(Held.OPTION)
         elif layout.on_tip(x, y):
-            course.grip = "tip"
+            course.grip = grip.TIP
             self._move(event)
         else:
             self._press_table(event)
@@ -61,25 +64,25 @@ class CaromHand(Part):
         places = course.model.frame.places
         ball = next((k for k in range(3) if layout.near(places[k], x, y)), -1)
         if ball >= 0 and course.person_plays and not course.model.frame.game.ended:
-            course.grip = f"ball {ball}"
+            course.grip = grip.ball(ball)
             self.moved = False
         elif course.may_aim and layout.TABLE.holds(x, y):
-            course.grip = "cue"
+            course.grip = grip.CUE
             course.cue.pointer(event, *course.cue_ball, ready=True)
 
     def _move(self, event: Pointer) -> None:
         """What is held follows the pointer; else the cue turns to it."""
-        course, grip = self.course, self.course.grip
-        if grip.startswith("ball"):
-            self._drag(int(grip[-1]), event)
-        elif grip == "tip":
+        course, held = self.course, self.course.grip
+        if held.kind is Held.BALL:
+            self._drag(held.number, event)
+        elif held.kind is Held.TIP:
             left, up = layout.tip_at(event.x, event.y, LARGEST_TIP)
             course.parameters.tip_left, course.parameters.tip_up = round(left, 3), round(up, 3)
-        elif grip == "cue":
+        elif held.kind is Held.CUE:
             course.cue.pointer(event, *course.cue_ball, ready=True)
             if course.cue.speed >= LEAST_SPEED:
                 course.parameters.power = min(max(course.cue.speed, LEAST_POWER), MAX_SPEED)
-        elif not grip and course.may_aim and course.chosen is None and layout.TABLE.holds(event.x, event.y):
+        elif not held and course.may_aim and course.chosen is None and layout.TABLE.holds(event.x, event.y):
             course.cue.pointer(event, *course.cue_ball, ready=True)
 
     def _drag(self, ball: int, event: Pointer) -> None:
@@ -99,20 +102,19 @@ class CaromHand(Part):
 
     def _release(self, event: Pointer) -> None:
         """Let go: a button, a row or an option is taken where it was pressed; a pulled cue strikes."""
-        course, grip = self.course, self.course.grip
-        course.grip = ""
-        if grip.startswith("button"):
-            row = int(grip.split()[1])
-            if layout.button_box(row).holds(event.x, event.y):
-                self.press_button(layout.BUTTONS[row])
-        elif grip == "list":
+        course, held = self.course, self.course.grip
+        course.grip = NOTHING
+        if held.kind is Held.BUTTON:
+            if layout.button_box(held.number).holds(event.x, event.y):
+                self.press_button(held.name)
+        elif held.kind is Held.LIST:
             self.advisor.click(layout.row_at(event.x, event.y))
-        elif grip == "option":
+        elif held.kind is Held.OPTION:
             count = len(course.model.frame.game.options)
             for row in range(count):
                 if layout.option_box(row, count).holds(event.x, event.y):
                     course.take_option(row)
-        elif grip == "cue":
+        elif held.kind is Held.CUE:
             self._let_fly(event)
 
     def _let_fly(self, event: Pointer) -> None:
@@ -158,5 +160,5 @@ class CaromHand(Part):
             parameters.tip_left = parameters.tip_up = parameters.elevation = 0.0
         elif name in ("left", "right") and course.may_aim:
             course.cue.nudge(name)
-        elif name in ("first", "second") and course.person_plays:
-            course.take_option(("first", "second").index(name))
+        elif name in OPTIONS and course.person_plays:
+            course.take_option(OPTIONS.index(name))

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-
 import msgspec
 
 from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, CaromStruck, points_of, rows_of
+from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, points_of, rows_of
 from game.billiards.shot.cloths import CLOTHS
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
@@ -20,6 +18,7 @@ from game.physics.kernels import elementary
 from game.scenes.carom.level import CaromContent, begun
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.outcome import Outcome
 from game.stage import Part
 
 APART = 2.0 * BALL_RADIUS * (1.0 + 1e-9)  # m; of balls that are put as near as they go
@@ -42,7 +41,7 @@ class CaromModel(Part):
         self.places = self.frame.positions
         self.turns = rotation_matrices(scattered_orientations(3, seed))
         self.turns_before = self.turns.copy()
-        self._outcome = _Outcome()
+        self._outcome = Outcome[CaromFrame, CaromPlayed](_said)
 
     def configure(self, active: EffectSet) -> None:
         """Let the cloth, the ends of the game and the effects act from the next stroke on."""
@@ -69,13 +68,9 @@ class CaromModel(Part):
 
     def strike(self, stroke: Stroke, safety: bool) -> None:
         """Play a stroke. ValueError if it cannot be played; then the frame is what it was."""
-        before = self.frame
-        self.frame = before.strike(stroke, safety)
-        try:
-            self._outcome.played(self.frame)
-        except ValueError:
-            self.frame = before
-            raise
+        struck = self.frame.strike(stroke, safety)
+        self._outcome.played(struck)
+        self.frame = struck
         self.turns_before[:] = self.turns
 
     def roll(self, time: float) -> None:
@@ -169,30 +164,10 @@ def free_place(places: Floats, ball: int, x: float, y: float) -> tuple[float, fl
     return old
 
 
-class _Outcome:
-    """What is computed from a frame and kept while that holds; no part of the state."""
-
-    def __init__(self) -> None:
-        self._word_of: CaromFrame | None = None
-        self._word = ""
-        self._played_of: CaromStruck | None = None
-        self._played: CaromPlayed | None = None
-
-    def word(self, frame: CaromFrame) -> str:
-        """A hash of all that a frame says, but for the frames before it."""
-        if self._word_of is not frame:
-            last = frame.last
-            said = (
-                msgspec.to_builtins(frame.game), frame.places, frame.physics, frame.strokes,
-                None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),
-            )  # fmt: skip
-            self._word_of = frame
-            self._word = hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()
-        return self._word
-
-    def played(self, frame: CaromFrame) -> CaromPlayed | None:
-        """What comes, or came, of a frame's last stroke; None before the first."""
-        if self._played_of is not frame.last:
-            self._played = frame.outcome() if frame.last is not None else None
-            self._played_of = frame.last
-        return self._played
+def _said(frame: CaromFrame) -> object:
+    """What a frame says, but for the frames before it."""
+    last = frame.last
+    return (
+        msgspec.to_builtins(frame.game), frame.places, frame.physics, frame.strokes,
+        None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),
+    )  # fmt: skip

@@ -5,12 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
+from game.billiards.game.carom_frame import CaromStruck
 from game.billiards.map.carom import GLANCE, whole_map
 from game.billiards.players.carom import position_of
 from game.billiards.search.strokes import Noise
 from game.billiards.shot.cue import strike
 from game.billiards.shot_effects import AIRBORNE, CLOTH, RUBBER, SPIN_DECAY, THROW
 from game.billiards.simulation import warm_up_flights
+from game.billiards.table.carom import BALL_NAMES
 from game.lab.studies.billiards.chances import chances_study
 from game.levels import Level
 from game.scenes.carom import CAROM, layout, saving
@@ -24,17 +26,16 @@ from game.scenes.carom.model import CaromModel
 from game.scenes.carom.opponents import CaromOpponents
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.carom.readouts import readouts
-from game.scenes.carom.sounds import CaromSounds
 from game.scenes.carom.view.picture import CaromView
-from game.scenes.shared.tables.cue_game import CueGameScene
+from game.scenes.shared.tables.course import ROLLING
+from game.scenes.shared.tables.cue_game import CUE_BALL, ENERGY, PLAYS_ITSELF, SLIDING, CueGameScene
+from game.scenes.shared.tables.sounds import StrokeSounds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.stage import (
-    Action,
     Decision,
     Equation,
     Frame,
     Readout,
-    Stamped,
     Strip,
     WarmUp,
 )
@@ -44,10 +45,10 @@ class CaromScene(CueGameScene):
     """A carom table. A point is made when the cue ball touches both other balls; at three-cushion it must
     touch three cushions before the second of them.
 
-    The list shows every way to score from the position on the table. 18 000 strokes, over aim, speed and the
-    place of the tip, are played to their end by the exact table whenever a ball is moved; those that score
-    are grouped by the order of balls and cushions that the cue ball touches, and each group's best stroke is
-    tried again and again with the noise of a hand. Drag a ball and watch.
+    The list shows every way to score from the position on the table. Whenever a ball is moved, the exact
+    table plays 18 000 strokes over aim, speed and the place of the tip to their end. Those that score are
+    grouped by the order of balls and cushions that the cue ball touches. Each group's best stroke is tried
+    again and again with the noise of a hand. Drag a ball and watch.
     """
 
     name, task, title = CAROM.names
@@ -55,23 +56,15 @@ class CaromScene(CueGameScene):
     parameters: CaromParameters
     effects = CLOTH | SPIN_DECAY | THROW | RUBBER | AIRBORNE
     study = chances_study
-    covers = True
-    quarter_turns = 1
     takes = frozenset(("right",))
     content_type = CaromContent
 
-    strips = (
-        Strip("Energy", "J", ("energy",)),
-        Strip("Cue ball", "m/s", ("cue ball",)),
-        Strip("Cushions", "", ("cushions",)),
-    )
+    strips = (ENERGY, CUE_BALL, Strip("Cushions", "", ("cushions",)))
     hints = HINTS
     actions = ACTIONS
     figure = staticmethod(draw_three_cushions)
     equations = (
-        Equation(
-            "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
-        ),
+        SLIDING,
         Equation("Chance of a stroke", r"p \approx \frac{k}{n}", "k of n strokes of a hand score"),
         Equation("Its error", r"\sigma = \sqrt{p (1 - p) / n}", "binomial"),
         Equation("Average", r"\text{points} / \text{innings}", "UMB"),
@@ -82,7 +75,7 @@ class CaromScene(CueGameScene):
         "Choose the hand of a master, then that of a novice: the surest way becomes another one.",
         "Take the cloth of a club instead of the heated one: the same stroke dies short.",
     )
-    demo = (Stamped(12, Action("demo")),)  # and it goes on playing
+    demo = (PLAYS_ITSELF,)
 
     def build(self, level: Level | None) -> None:
         given = level.content if level is not None else None
@@ -94,7 +87,7 @@ class CaromScene(CueGameScene):
         self.advisor = Advisor(self.course)
         self.opponents = CaromOpponents(self.course)
         self.hand = CaromHand(self.course, self.advisor)
-        self.sounds = CaromSounds(self.course)
+        self.sounds = StrokeSounds(self.course, (ROLLING,), _cue_of)
         self.view = CaromView(self.course, self.advisor)
 
     def parameter_changed(self, name: str) -> None:
@@ -112,7 +105,7 @@ class CaromScene(CueGameScene):
     # -- what others decide ----------------------------------------------------------------
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
-        return [*self.advisor.decisions(at_once), *self.opponents.decisions(at_once)]
+        return [*self.advisor.decisions(at_once), *super().decisions(at_once)]
 
     def decide(self, event: Decision) -> None:
         values = event.values
@@ -141,6 +134,11 @@ class CaromScene(CueGameScene):
 
     def save_content(self) -> CaromContent:
         return saving.content_of(self.model)
+
+
+def _cue_of(struck: CaromStruck) -> str:
+    """Name of the ball that was struck."""
+    return BALL_NAMES[struck.frame.game.cue]
 
 
 def _warm_up(scene: CaromScene) -> None:

@@ -10,6 +10,7 @@ from game.physics.fields import GRAVITY, GROUND
 from game.physics.oscillators import bounce_height, fall
 from game.scenes.examples import BOUNCING_BALL
 from game.scenes.examples.figure import draw_late_impact
+from game.scenes.examples.marks import arrow_legend, mark_bounces, mark_flight, may_be_read
 from game.stage import Choice, Equation, Frame, Param, Pointer, Readout, Scene, Strip
 from game.ui.canvas.canvas import EXACT_DASH
 
@@ -24,8 +25,8 @@ class BallState(NamedTuple):
 
 class BouncingBall(Scene):
     """A ball falls and is thrown back by the ground, a little lower each time. Between impacts a step is
-    exact; what is lost is lost at the impact, if it is only seen at the end of the step it falls in.
-    The dashed outline bounces exactly.
+    exact. What is lost is lost at the impact, if it is only seen at the end of the step it falls in. The
+    dashed outline bounces exactly.
     """
 
     name, task, title = BOUNCING_BALL.names
@@ -40,6 +41,7 @@ class BouncingBall(Scene):
     equations = (Equation("Impact", r"v^+ = -e \, v^-", "Newton 1687"),)
     try_this = ("Choose a long step, then the root: the ball is where it should be.",)
     figure = staticmethod(draw_late_impact)
+    legend = arrow_legend
     study = bounce_study("bouncing-ball")
 
     def build(self, level):
@@ -77,7 +79,11 @@ class BouncingBall(Scene):
     def draw(self, canvas, alpha):
         canvas.grid()
         canvas.ground(0.0)
+        if self.free and may_be_read(self, "exact"):
+            mark_bounces(canvas, self.height, self.restitution)
         y = self.previous.ball[0] + alpha * (self.ball[0] - self.previous.ball[0])
         canvas.circle((0.0, y + RADIUS), RADIUS, "chalk")
         exact = self.exact((1.0 - alpha) * self.step_length) + RADIUS
         canvas.circle((0.0, exact), RADIUS, outline="text1", width=1.4, dash=EXACT_DASH)
+        weight = 9.81 if GRAVITY in self.active else 0.0
+        mark_flight(canvas, (0.0, y + RADIUS), y, float(self.ball[1]), (weight, self.height))

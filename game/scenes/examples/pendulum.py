@@ -10,9 +10,10 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.integrators import METHODS, integrate
 from game.physics.kernels import elementary
-from game.physics.oscillators import pendulum_angle, rod_pull
+from game.physics.oscillators import pendulum_angle, pendulum_period, rod_pull
 from game.scenes.examples import PENDULUM
 from game.scenes.examples.figure import draw_forces
+from game.scenes.examples.marks import arrow_legend, mark_swing
 from game.stage import Choice, Equation, Frame, Param, Pointer, Readout, Scene, Strip
 from game.ui.canvas.canvas import EXACT_DASH
 
@@ -39,11 +40,13 @@ class Pendulum(Scene):
     equations = (Equation("Motion", r"\ddot{\phi} = -\frac{g}{l} \sin \phi", "Newton 1687"),)
     try_this = ("Choose explicit Euler: the energy grows, until the pendulum turns over.",)
     figure = staticmethod(draw_forces)
+    legend = arrow_legend
     study = swing_study("pendulum")
 
     def build(self, level):
         self.swing, self.time, self.held = np.radians([self.start, 0.0]), 0.0, False
         self.free = float(self.swing[0]), 0.0  # angle and time of letting go, for the exact motion
+        self.passed = self.period = math.nan  # when it last swung to the right through its lowest point; s
 
     def advance(self, dt):
         self.time += dt
@@ -51,6 +54,9 @@ class Pendulum(Scene):
             self.free = float(self.swing[0]), self.time
         else:
             angle, rate = integrate(self.method, rod_pull(self.pull), self.swing[:1], self.swing[1:], dt, 1)
+            if self.swing[0] < 0.0 <= angle[0]:
+                now = self.time - dt * float(angle[0] / (angle[0] - self.swing[0]))
+                self.passed, self.period = now, now - self.passed
             self.swing[:] = angle[0], rate[0]
 
     @property
@@ -64,7 +70,7 @@ class Pendulum(Scene):
         self.held = event.kind == "down" or (self.held and event.kind == "move")
         if self.held:
             self.swing[:] = elementary.atan2(event.x, -event.y), 0.0
-            self.free = float(self.swing[0]), self.time
+            self.free, self.passed = (float(self.swing[0]), self.time), math.nan
 
     def effects_changed(self):
         self.free = math.nan, self.time  # another motion begins, of which no exact one is known
@@ -79,7 +85,9 @@ class Pendulum(Scene):
         angle, rate = self.swing.tolist()
         energy = (self.length * self.length) * (0.5 * rate * rate + self.pull * (1.0 - elementary.cos(angle)))
         error = (angle - self.exact() + math.pi) % math.tau - math.pi
-        return [Readout("error", math.degrees(error), "°"), Readout("energy", energy, "J/kg")]
+        law = pendulum_period(self.free[0], self.pull)
+        rows = [Readout("error", math.degrees(error), "°"), Readout("energy", energy, "J/kg")]
+        return [*rows, Readout("period", self.period, "s"), Readout("by the law", law, "s")]
 
     def draw(self, canvas, alpha):
         canvas.grid()
@@ -89,3 +97,4 @@ class Pendulum(Scene):
             mass = self.length * elementary.sin(turn), -self.length * elementary.cos(turn)
             canvas.line((0.0, 0.0), mass, "text2", 1.6, dash)
             canvas.circle(mass, 0.07 * self.length, color)
+        mark_swing(canvas, self, (angle, self.swing[1]), self.length, self.pull)

@@ -13,6 +13,7 @@ from game.physics.kernels import elementwise, linear
 from game.physics.oscillators import bead_positions, spring_pull
 from game.scenes.examples import SPRING_CHAIN
 from game.scenes.examples.figure import draw_modes
+from game.scenes.examples.marks import arrow_legend, mark_beads
 from game.stage import Choice, Equation, Frame, Param, Pointer, Readout, Scene, Strip
 from game.ui.canvas.canvas import EXACT_DASH
 
@@ -42,6 +43,7 @@ class SpringChain(Scene):
     equations = (Equation("Motion", r"\ddot{u}_j = \frac{k}{m} (u_{j-1} - 2 u_j + u_{j+1})", "Newton 1687"),)
     try_this = ("Begin in mode 5: it keeps its shape.", "Choose explicit Euler: it bursts.")
     figure = staticmethod(draw_modes)
+    legend = arrow_legend
     study = chain_study("spring-chain")
 
     def build(self, level):
@@ -90,11 +92,9 @@ class SpringChain(Scene):
     def draw(self, canvas, alpha):
         canvas.grid()
         x = WIDE * np.arange(self.count + 2) / (self.count + 1)
-        for wall in (0.0, WIDE):
-            canvas.line((wall, -0.25), (wall, 0.25), "text1", 3.0)
+        canvas.segments(*(np.array([(0.0, y), (WIDE, y)]) for y in (-0.25, 0.25)), "text1", 3.0)
         beads = self.previous.beads + alpha * (self.chain.beads - self.previous.beads)
         exact = self.exact((1.0 - alpha) * self.step_length)
         for y, color, dash in ((exact, "text1", EXACT_DASH), (beads, "text2", None)):
             canvas.polyline(np.column_stack((x, np.pad(y, 1))), color, 1.6, dash=dash)
-        for bead in zip(x[1:-1], beads, strict=True):
-            canvas.dot(bead, 5.0, "chalk")
+        mark_beads(canvas, x[1:-1].tolist(), beads, self.chain.rates, self.stiffness)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.arrays import Floats
+from game.arrays import Flags, Floats, Longs, Point
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary, elementwise, linear
 from game.physics.plates import Gust, GustyWind, Plate, Plates, PlateSettings, PlateState
@@ -17,15 +17,16 @@ from game.physics.plates.watch import NOTHING
 from game.scenes.leaves.basket import Basket
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.parameters import OF_LEAVES, LeavesParameters
-from game.scenes.leaves.sounds import blowing, landings, remembered, rubbing
+from game.scenes.leaves.sounds import blowing, landings, rubbing
 from game.scenes.leaves.species import SPECIES
 from game.scenes.leaves.ways import WAY, follow_ways, seen_of
-from game.stage import Part
-from game.worlds.hearing import HEARD_WIDTH
+from game.worlds.hearing import Heard
+from game.worlds.world import Kept, Member, World
 
 LAYER = 0.4  # m of the lawn's slow air
 HOLLOW = 0.35  # m below the lawn where gusts are mirrored: air also flows in from before and behind the plane
 IN_THE_AIR = 0.12  # m
+ALOFT_S = 0.25  # without a touch for so long a leaf has taken off
 MOST_LEAVES = 400
 FOLLOWS_S = 1.5  # s in which the camera comes after the middle of those that fly
 NAMES = tuple(SPECIES)
@@ -50,13 +51,56 @@ class LeavesState(NamedTuple):
 KIND, YAW, SHADE, DEPTH, FLIP, GROWN = range(6)
 
 
-class LeavesModel(Part):
+class Flight(Member):
+    """Plates in the air."""
+
+    def __init__(self, plates: Plates):
+        self.plates = plates
+
+    def step(self, dt: float) -> None:
+        self.plates.step(dt)
+        self.plates.check()
+
+    def change_effects(self, active: EffectSet) -> None:
+        self.plates.effects = active
+
+    def state(self) -> tuple[Any, ...]:
+        return (self.plates.state(),)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        self.plates.restore(next(fields))
+
+
+class Gusts(Member):
+    """What blows now."""
+
+    def __init__(self, wind: GustyWind):
+        self.wind = wind
+
+    def state(self) -> tuple[Any, ...]:
+        return (self.wind.gusts[: self.wind.count],)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        self.take(next(fields))
+
+    def take(self, gusts: Floats) -> None:
+        """These (n, GUST), and no others."""
+        self.wind.gusts[:] = 0.0
+        self.wind.count = len(gusts)
+        self.wind.gusts[: self.wind.count] = gusts
+
+
+class LeavesModel(World):
     """own (n, 6): kind, turn of its outline within its plane (rad), shade 0 to 1, depth -1 to 1, whether its
-    outline is mirrored, and its size beside its kind's. count: of the gusts.
+    outline is mirrored, and its size beside its kind's. airborne, ways, tally: see `LeavesState`.
     """
 
+    state_type = LeavesState
+    content: LeavesContent
+    parameters: LeavesParameters
+
     def __init__(self, content: LeavesContent, parameters: LeavesParameters, active: EffectSet, seed: int):
-        self.content, self.parameters = content, parameters
+        super().__init__(content, parameters, active)
         self.added = 0
         self.basket = Basket.of(content.basket)
         self.wind = GustyWind(parameters.wind, LAYER, -HOLLOW, [self.basket.shelter()])
@@ -69,10 +113,14 @@ class LeavesModel(Part):
         self.ways: Floats = np.zeros((0, WAY))
         self.own: Floats = np.zeros((0, 6))
         self.airborne: Floats = np.zeros(0)
-        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
+        self.heard, self.gusts = Heard(), Gusts(self.wind)
         self.tally: Floats = np.array((0.0, 0.0, -0.6, 0.6))
         self.chance = seed
         self._lay()
+        self.members = (
+            Flight(self.plates), Kept(self, "ways"), self.gusts, Kept(self, "own", "airborne"), self.heard,
+            Kept(self, "tally"),
+        )  # fmt: skip
 
     def _settings(self) -> PlateSettings:
         return PlateSettings(self.parameters.gravity, 0.0, self.parameters.friction)
@@ -96,7 +144,7 @@ class LeavesModel(Part):
     # -- changes --------------------------------------------------------------------------------------
 
     def add(
-        self, kind: str, place: tuple[float, float], angle: float, random: np.random.Generator,
+        self, kind: str, place: Point, angle: float, random: np.random.Generator,
         jitter: float = 1.0,
     ) -> None:  # fmt: skip
         """One more leaf; ValueError if there are too many."""
@@ -113,7 +161,7 @@ class LeavesModel(Part):
         self.ways = np.concatenate([self.ways, np.zeros((1, WAY))])
         self.airborne = np.append(self.airborne, 0.0)
 
-    def drop(self, kind: str, place: tuple[float, float]) -> None:
+    def drop(self, kind: str, place: Point) -> None:
         """A leaf by hand."""
         self.added += 1
         random = np.random.default_rng((self.chance, self.added))
@@ -146,7 +194,7 @@ class LeavesModel(Part):
             for number in range(len(self.plates)):
                 self.plates.change(number, self._plate(number))
 
-    def blow(self, place: tuple[float, float], way: tuple[float, float]) -> None:
+    def blow(self, place: Point, way: Point) -> None:
         """A gust as it was drawn: from a place (m) on, by the length and direction of the way (m)."""
         length = elementary.length(*way)
         if length < 0.05:
@@ -159,23 +207,24 @@ class LeavesModel(Part):
 
     # -- a step ---------------------------------------------------------------------------------------
 
-    def advance(self, dt: float) -> None:
-        """One step."""
+    def advance(self, dt: float) -> str:
+        """Leaves in the wind, then what they were seen and heard to do."""
         plates = self.plates
         before = plates.rows.copy()
         self.wind.forget(plates.time)
-        plates.step(dt)
-        plates.check()
+        said = super().advance(dt)
         free = plates.touched <= 0.0
         follow_ways(self.ways, plates.rows, plates.air, free, dt)
-        landed = ~free & (self.airborne > 0.25)
-        took_off = free & (self.airborne <= 0.25) & (self.airborne + dt > 0.25)
+        landed = np.flatnonzero(~free & (self.airborne > ALOFT_S))
+        took_off = free & (self.airborne <= ALOFT_S) & (self.airborne + dt > ALOFT_S)
         rows, now = plates.rows, plates.time
-        sounds = [
-            landings(np.flatnonzero(landed), before, rows, now), rubbing(~free, rows, now, dt),
+        sounds = (
+            landings(landed, before, rows, now),
+            rubbing(~free, rows, now, dt),
             blowing(plates.air, now, dt),
-        ]  # fmt: skip
-        self.heard = remembered(self.heard, sounds, now)
+        )
+        self.heard.forget(now)
+        self.heard.append(np.concatenate(sounds))
         self.airborne = np.where(free, self.airborne + dt, 0.0)
         self.tally[0] += np.count_nonzero(took_off)
         if len(plates):
@@ -184,18 +233,19 @@ class LeavesModel(Part):
             share = dt / (FOLLOWS_S + dt)
             self.tally[2] += share * (x - self.tally[2])
             self.tally[3] += share * (max(y, 0.7) - self.tally[3])
+        return said
 
     # -- what is there --------------------------------------------------------------------------------
 
-    def inside(self) -> NDArray[np.bool_]:
+    def inside(self) -> Flags:
         """(n,) whether a leaf's middle is in the basket."""
         return self.basket.holds(self.plates.rows[X], self.plates.rows[Y])
 
-    def flying(self) -> NDArray[np.bool_]:
+    def flying(self) -> Flags:
         """(n,) whether a leaf is in the air."""
         return np.asarray((self.airborne > 0.1) & (self.plates.rows[Y] > IN_THE_AIR))
 
-    def seen(self) -> NDArray[np.int64]:
+    def seen(self) -> Longs:
         """(n,) what each leaf is seen to do in the air: of `plates.watch`, NOTHING for one that lies."""
         return np.where(self.flying(), seen_of(self.ways, self.plates.laws), NOTHING)
 
@@ -203,7 +253,7 @@ class LeavesModel(Part):
         """The strongest wind at a leaf, m/s."""
         return float(np.max(elementwise.hypot(*self.plates.air[:2]), initial=0.0))
 
-    def cloud(self) -> tuple[float, float]:
+    def cloud(self) -> Point:
         """The middle of the leaves that fly; of all, without any."""
         flying = self.flying()
         rows = self.plates.rows
@@ -211,24 +261,3 @@ class LeavesModel(Part):
             return 0.0, 0.5
         part = flying if flying.any() else np.ones(len(flying), dtype=bool)
         return float(np.mean(rows[X, part])), float(np.mean(rows[Y, part]))
-
-    def change_effects(self, active: EffectSet) -> None:
-        """Compute these effects from now on."""
-        self.plates.effects = active
-
-    def state(self) -> LeavesState:
-        """All that later steps depend on."""
-        return LeavesState(
-            self.plates.state(), self.ways, self.wind.gusts[: self.wind.count], self.own, self.airborne,
-            self.heard, self.tally,
-        )  # fmt: skip
-
-    def restore(self, state: LeavesState) -> None:
-        """Take over a copy of a state."""
-        self.plates.restore(state.plates)
-        self.ways = state.ways.copy()
-        self.wind.gusts[:] = 0.0
-        self.wind.count = len(state.gusts)
-        self.wind.gusts[: self.wind.count] = state.gusts
-        self.own, self.airborne = state.own.copy(), state.airborne.copy()
-        self.heard, self.tally = state.heard.copy(), state.tally.copy()

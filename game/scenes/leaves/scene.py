@@ -2,43 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from game.lab.studies.plates import leaf_study
-from game.levels import Level
 from game.physics.plates.effects import PLATES
 from game.scenes.leaves import A18
 from game.scenes.leaves.figure import draw_gust
-from game.scenes.leaves.hand import LeavesHand
+from game.scenes.leaves.hand import leaves_hand
 from game.scenes.leaves.level import DEFAULT, LeavesContent
 from game.scenes.leaves.model import LeavesModel
 from game.scenes.leaves.parameters import OF_PICTURE, LeavesParameters
-from game.scenes.leaves.readouts import readouts_of
-from game.scenes.leaves.sounds import HALF, NAMES
+from game.scenes.leaves.told import hearing, readouts, targets
 from game.scenes.leaves.view import LeavesView
-from game.stage import (
-    Equation,
-    Hearing,
-    Hint,
-    Readout,
-    SceneAction,
-    Strip,
-    WarmUp,
-)
-from game.worlds.hearing import sounds_of
+from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import BuiltScene
+from game.worlds.scene import Parts, WorldScene
 
 
-class Leaves(BuiltScene):
+class Leaves(WorldScene):
     """Leaves lie on the lawn of a park. A small wind takes them up, and each comes down as its shape asks:
     light broad ones swing, stiff ones turn over and over, those with their weight at one end glide. In the
     end most of them are in the litter basket.
 
-    Each leaf is a plate in air by the law of Andersen, Pesavento and Wang (2005), with halves that bend
-    about the midrib. The wind is given by formulas: gusts that come, go and travel; it is taken relative to
-    each leaf, and as it changes it pushes by the air that a leaf takes along. Leaves lie on the ground and
-    on one another with friction.
+    Each leaf is a plate in air by the law of Andersen, Pesavento and Wang (2005), with halves that bend about
+    the midrib. The wind is given by formulas: gusts that come, go and travel. It is taken relative to each
+    leaf, and as it changes it pushes by the air that a leaf takes along. Leaves lie on the ground and on one
+    another with friction.
 
     In the equations: ψ stream function of a gust, S its wind, L its size, T how long it lasts, v velocity
     of a leaf, w of the wind, u through the air, q bend, σ stiffness, C_T lift.
@@ -48,15 +35,13 @@ class Leaves(BuiltScene):
     parameters_type = LeavesParameters
     parameters: LeavesParameters
     model: LeavesModel
-    hand: LeavesHand
-    view: LeavesView
+    parts = Parts(LeavesModel, leaves_hand, LeavesView, readouts, targets=targets, hearing=hearing)
+    painters = (("polygons", warm_up_painter),)
     effects = PLATES.known
     content_type = LeavesContent
     not_of_model = OF_PICTURE
     default_content = DEFAULT
     study = leaf_study
-    takes = frozenset(("right",))
-    covers = True
     legend_in_panel = True
     figure = staticmethod(draw_gust)
     hints = (Hint(("Drag",), "draw a gust"), Hint(("Right click",), "drop a leaf"))
@@ -96,34 +81,10 @@ class Leaves(BuiltScene):
         "Press F7 in the story for the wind, and the map with a dot for each leaf.",
     )
 
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        """A step, and what paints."""
-        return (WarmUp("step", lambda: cls().advance(cls().dt)), WarmUp("polygons", warm_up_painter))
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = LeavesModel(content, self.parameters, self.active, self.seed)
-        self.hand = LeavesHand(self.model)
-        self.view = LeavesView(self.model, self.hand)
-        self.check_content(content)
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def action(self, name: str) -> None:
+    def do(self, name: str) -> str:
         if name == "whirl":
             x, _ = self.model.cloud()
             self.model.blow((x, 0.35), (0.02, 0.9))
         else:
-            self.model.wind.count = 0
-            self.model.wind.gusts[:] = 0.0
-
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
-
-    def hearing(self) -> Hearing:
-        return Hearing("leaves", self.model.plates.time, sounds_of(self.model.heard, NAMES, HALF))
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return self.view.targets()
+            self.model.gusts.take(self.model.wind.gusts[:0])
+        return ""

@@ -13,11 +13,11 @@ from game.arrays import Floats
 from game.physics.plates import law, watch
 from game.physics.plates.regimes import BORDERS
 from game.scenes.leaves.foliage import Foliage
-from game.scenes.leaves.hand import LeavesHand
 from game.scenes.leaves.landscape import DAY, Hour, Park
 from game.scenes.leaves.model import DEPTH, KIND, NAMES, LeavesModel, LeavesState
 from game.scenes.leaves.ways import TOOK, TURNED
 from game.ui.canvas.canvas import Canvas
+from game.worlds.hands.hand import Hand
 
 MOTES, MOTE_STEPS, MOTE_S = 70, 10, 0.06  # of dust: how many, points and s of their way
 COLORS = {watch.NOTHING: "text2", watch.FLUTTER: "chalk", watch.TUMBLE: "amber", watch.GLIDE: "green"}
@@ -31,19 +31,10 @@ NEARER, NEAR_M = 0.45, 0.4  # share of its depth that a leaf has in the basket; 
 class LeavesView:
     """Draws a model and its hand."""
 
-    def __init__(self, model: LeavesModel, hand: LeavesHand):
+    def __init__(self, model: LeavesModel, hand: Hand):
         self.model, self.hand = model, hand
         self.park, self.foliage = Park(), Foliage()
         self._motes = np.random.default_rng(3).random((MOTES, 4))
-
-    def targets(self) -> dict[str, tuple[float, float]]:
-        """What a story may look at."""
-        tally = self.model.tally
-        basket = self.model.basket
-        return {
-            "cloud": (float(tally[2]), float(tally[3])),
-            "basket": (basket.x, 0.75),
-        }
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """What the marks mean."""
@@ -77,10 +68,10 @@ class LeavesView:
         if model.parameters.streaks:
             self._dust(canvas, hour)
         self.park.grass(canvas, blades, front=True)
-        if self.hand.draws:
-            start = (self.hand.from_x, self.hand.from_y)
-            canvas.contact(start)
-            canvas.arrow(start, (self.hand.x - start[0], self.hand.y - start[1]), "chalk", "w")
+        if self.hand.start is not None:
+            (x, y), (to_x, to_y) = self.hand.start, self.hand.at
+            canvas.contact((x, y))
+            canvas.arrow((x, y), (to_x - x, to_y - y), "chalk", "w")
         if canvas.teaching:
             self._teach(canvas, rows)
 

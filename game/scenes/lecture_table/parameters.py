@@ -2,82 +2,32 @@
 
 from __future__ import annotations
 
-from game.billiards.lecture.settings import (
-    CONSERVING,
-    DEFAULTS,
-    FRICTION_LAWS,
-    ORDERS,
-    PAIRWISE,
-    REPOSITIONINGS,
-    RULES,
-    LectureSettings,
-    lecture_settings,
-)
-from game.stage import Choice, Param, Parameters, Toggle
+from game.billiards.lecture.settings import CONSERVING, ORDERS, PAIRWISE, RULES, LectureSettings
+from game.settings import taken
+from game.stage import Param, Parameters, Toggle, control_of
 
 
 class LectureTableParameters(Parameters):
-    """What of the model can be chosen; the defaults are those of the settings of the lecture's table."""
+    """What of the model can be chosen; settings of the table as they are declared there."""
 
-    rule = Choice(
-        RULES[DEFAULTS.rule],
-        RULES,
-        labels=("Conserving", "Scaled", "As printed"),
-        group="Collision",
-        help="restitution on the normal part; both velocities scaled; the printed listing",
+    rule = control_of(
+        LectureSettings, "rule", labels=("Conserving", "Scaled", "As printed"), group="Collision"
     )
-    order = Choice(
-        ORDERS[DEFAULTS.order],
-        ORDERS,
-        labels=("Jointly", "Pair by pair"),
-        group="Collision",
-        help="contacts of one moment solved together, or one pair after the other by number",
-    )
-    restitution = Param(
-        DEFAULTS.restitution, 0.0, 1.0, group="Collision", help="normal speed kept when two balls collide"
-    )
-    passes = Param(
-        DEFAULTS.passes, 1, 50, whole=True, group="Collision", help="rounds of moving overlapping balls apart"
-    )
+    order = control_of(LectureSettings, "order", labels=("Jointly", "Pair by pair"), group="Collision")
+    restitution = control_of(LectureSettings, "restitution", group="Collision")
+    passes = control_of(LectureSettings, "passes", maximum=50, group="Collision")
 
-    bounce = Param(
-        DEFAULTS.bounce, 0.0, 1.0, group="Cushions", label="Bounce factor", help="speed kept at a cushion"
-    )
-    repositioning = Choice(
-        REPOSITIONINGS[DEFAULTS.repositioning],
-        REPOSITIONINGS,
-        group="Cushions",
-        help="where a ball is put that overshot: where it would be, mirrored, or at the wall",
-    )
+    bounce = control_of(LectureSettings, "bounce", group="Cushions", label="Bounce factor")
+    repositioning = control_of(LectureSettings, "repositioning", group="Cushions")
 
-    friction = Param(
-        DEFAULTS.friction,
-        0.9,
-        1.0,
-        group="Cloth",
-        label="Friction factor",
-        help="speed kept from frame to frame, at 60 frames a second",
+    friction = control_of(LectureSettings, "friction", minimum=0.9, group="Cloth", label="Friction factor")
+    friction_law = control_of(
+        LectureSettings, "friction_law", labels=("Per second", "Per frame"), group="Cloth"
     )
-    friction_law = Choice(
-        FRICTION_LAWS[DEFAULTS.friction_law],
-        FRICTION_LAWS,
-        labels=("Per second", "Per frame"),
-        group="Cloth",
-        help="the same slowing at any step length, or the factor once each step as printed",
-    )
-    minimum_speed = Param(
-        DEFAULTS.minimum_speed, 0.0, 0.5, unit="m/s", group="Cloth", help="what is slower stops"
-    )
+    minimum_speed = control_of(LectureSettings, "minimum_speed", maximum=0.5, group="Cloth")
 
     step_length = Param(1 / 120, 1 / 2000, 1 / 20, unit="s", log=True, group="Time", label="Step")
-    substeps = Param(
-        DEFAULTS.substeps,
-        0,
-        64,
-        whole=True,
-        group="Time",
-        help="parts of a step; 0: as many as keep a ball from moving over half its radius in one",
-    )
+    substeps = control_of(LectureSettings, "substeps", maximum=64, group="Time")
 
     radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much the radii differ")
     mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
@@ -88,10 +38,8 @@ class LectureTableParameters(Parameters):
 
     @property
     def settings(self) -> LectureSettings:
-        """What is chosen, as the table takes it."""
-        chosen = {name: value for name, value in self.values.items() if name in LectureSettings._fields}
-        if (
-            self.rule != RULES[CONSERVING]
-        ):  # a joint solution is one of impulses, which other rules do not know
-            chosen["order"] = ORDERS[PAIRWISE]
-        return lecture_settings(**chosen)
+        """What is chosen, as the table takes it: a joint solution is one of impulses, which rules other than
+        the conserving one do not know.
+        """
+        joint = self.values["rule"] == RULES[CONSERVING]
+        return taken(LectureSettings, self.values if joint else {**self.values, "order": ORDERS[PAIRWISE]})

@@ -11,11 +11,12 @@ from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.shot.cue import speed_ratio
 from game.billiards.table.aim import first_contact
 from game.billiards.table.snooker import BALL_MASS, BALL_RADIUS, COLOURS, name_of
+from game.scenes.shared.tables.choices import FIRST, GUIDES, WHOLE, following
 from game.scenes.shared.tables.course import AIMING, CueCourse
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.unsteady import shaken
 from game.scenes.snooker.model import SnookerModel
-from game.scenes.snooker.parameters import FIRST, GUIDES, WHOLE, SnookerParameters
+from game.scenes.snooker.parameters import SnookerParameters
 
 REPLAY = "replay"
 BALL_PER_CUE = speed_ratio(BALL_MASS)
@@ -58,7 +59,7 @@ class Course(CueCourse):
 
     def next_guide(self) -> None:
         """The guide after the present one, round the end."""
-        self.parameters.guide = GUIDES[(GUIDES.index(self.guide) + 1) % len(GUIDES)]
+        self.parameters.guide = following(self.guide, GUIDES)
 
     # -- the stroke that is set, and what is nominated ----------------------------------------------
 

@@ -5,20 +5,27 @@ from __future__ import annotations
 import math
 
 from game.physics.kernels import elementary
+from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.actions import OPTIONS
+from game.scenes.shared.tables.choices import (
+    GUIDE_BUTTONS,
+    LARGEST_TIP,
+    LEAST_POWER,
+    STEEPEST_DEG,
+    next_player,
+)
 from game.scenes.shared.tables.course import AIMING, ROLLING
 from game.scenes.shared.tables.cue import AIMING as CUE_AIMING
 from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
+from game.scenes.shared.tables.grip import NOTHING, Grip, Held
 from game.scenes.snooker import layout
 from game.scenes.snooker.course import REPLAY, Course
-from game.scenes.snooker.parameters import GRADES, LARGEST_TIP, LEAST_POWER, PERSON
 from game.stage import Part, Pointer
 
 NOTCH = math.radians(0.05)  # rad, that a notch of the wheel turns the cue
 FINER = 0.1  # of it while Shift is held
 POWER_STEP, TIP_STEP = 0.1, 0.05  # m/s, ball radii, for a key or a notch
 CLICK = 0.008  # m; a pointer that moves no farther while it presses has clicked, not pulled
-OPTIONS = ("first", "second", "third")
-GUIDE_BUTTONS = {"whole": "Full path", "first": "First ball", "none": "No guide"}
 
 
 class SnookerHand(Part):
@@ -55,9 +62,9 @@ class SnookerHand(Part):
         course = self.course
         if event.kind == "cancel" or (event.kind == "down" and event.button == 3):
             course.cue.let_go()
-            if course.grip == "cue":
+            if course.grip == grip.CUE:
                 course.parameters.power = self.power_before
-            course.grip = ""
+            course.grip = NOTHING
         elif event.kind == "down" and event.button == 1 and not course.grip:
             self.pressed_at, self.moved = (event.x, event.y), 0.0
             self._press(event)
@@ -74,22 +81,22 @@ class SnookerHand(Part):
         if course.plays_itself:
             course.plays_itself = False
             course.messages.say("The cue is yours. Pull back and let go.")
-        name = self._button_at(x, y)
-        if name:
-            course.grip = f"button {name}"
+        button = self._button_at(x, y)
+        if button:
+            course.grip = button
         elif not course.may_aim:
             return
         elif layout.POWER.holds(x, y):
-            course.grip = "power"
+            course.grip = grip.POWER
         elif layout.on_spin(x, y):
-            course.grip = "spin"
+            course.grip = grip.TIP
         elif layout.on_elevation(x, y):
-            course.grip = "elevation"
+            course.grip = grip.ELEVATION
         elif layout.chip_at(x, y) is not None:
             course.nominate(layout.chip_at(x, y) or 0)
         else:
             self._press_table(event)
-        if course.grip in ("power", "spin", "elevation"):
+        if course.grip in (grip.POWER, grip.TIP, grip.ELEVATION):
             course.locked = True
             self._move(event)
 
@@ -99,40 +106,40 @@ class SnookerHand(Part):
         if place is None or not layout.TABLE.holds(event.x, event.y):
             return
         if course.model.game.in_hand and layout.near(place, event.x, event.y):
-            course.grip = "cue ball"
+            course.grip = grip.CUE_BALL
         else:
-            course.grip = "cue"
+            course.grip = grip.CUE
             self.power_before = course.parameters.power
             course.cue.pointer(event, *place, ready=True)
 
-    def _button_at(self, x: float, y: float) -> str:
-        """Name of the button, card or option at a point; empty if there is none."""
+    def _button_at(self, x: float, y: float) -> Grip:
+        """The button, card or option at a point; NOTHING if there is none."""
         for row, (name, _, _) in enumerate(self.buttons()):
             if layout.button_box(row).holds(x, y):
-                return name
+                return grip.button(name)
         game = self.course.model.game
         if len(game.players) == 2:
             for player in range(2):
                 if layout.card_box(player).holds(x, y):
-                    return f"card-{player}"
+                    return grip.card(player)
         if self.course.phase == AIMING and self.course.person_plays:
             for row in range(len(game.options)):
                 if layout.option_box(row, len(game.options)).holds(x, y):
-                    return f"option-{row}"
-        return ""
+                    return grip.option(row)
+        return NOTHING
 
     def _move(self, event: Pointer) -> None:
         """What is held follows the pointer; else the cue turns to it."""
-        course, grip, parameters = self.course, self.course.grip, self.course.parameters
+        course, kind, parameters = self.course, self.course.grip.kind, self.course.parameters
         self.moved = max(self.moved, elementary.dist((event.x, event.y), self.pressed_at))
-        if grip == "power":
+        if kind is Held.POWER:
             course.set_power(layout.power_at(event.x, MAX_SPEED))
-        elif grip == "spin":
+        elif kind is Held.TIP:
             left, up = layout.spin_at(event.x, event.y, LARGEST_TIP)
             parameters.tip_left, parameters.tip_up = round(left, 3), round(up, 3)
-        elif grip == "elevation":
-            parameters.elevation = min(layout.elevation_at(event.x, event.y), 80.0)
-        elif grip == "cue ball":
+        elif kind is Held.ELEVATION:
+            parameters.elevation = min(layout.elevation_at(event.x, event.y), STEEPEST_DEG)
+        elif kind is Held.CUE_BALL:
             if course.model.game.in_hand and course.phase == AIMING:
                 course.model.move_cue_ball(event.x, event.y)
         elif course.may_aim and course.model.frame.cue_ball is not None:
@@ -141,7 +148,7 @@ class SnookerHand(Part):
     def _aim(self, event: Pointer, place: tuple[float, float]) -> None:
         """Turn the cue to the pointer unless it is locked, or draw it back."""
         course = self.course
-        if course.grip == "cue":
+        if course.grip == grip.CUE:
             course.cue.pointer(event, *place, ready=True)
             if course.cue.speed >= LEAST_SPEED and self.moved > CLICK:
                 course.parameters.power = min(max(course.cue.speed, LEAST_POWER), MAX_SPEED)
@@ -150,13 +157,12 @@ class SnookerHand(Part):
 
     def _release(self, event: Pointer) -> None:
         """Let go: a button acts where it was pressed; a pulled cue strikes; a click nominates or locks."""
-        course, grip = self.course, self.course.grip
-        course.grip = ""
-        if grip.startswith("button "):
-            name = grip.removeprefix("button ")
-            if self._button_at(event.x, event.y) == name:
-                self.act(name)
-        elif grip == "cue" and course.model.frame.cue_ball is not None:
+        course, held = self.course, self.course.grip
+        course.grip = NOTHING
+        if held.kind in (Held.BUTTON, Held.CARD, Held.OPTION):
+            if self._button_at(event.x, event.y) == held:
+                self._press_button(held)
+        elif held.kind is Held.CUE and course.model.frame.cue_ball is not None:
             self._let_fly(event, course.model.frame.cue_ball)
 
     def _let_fly(self, event: Pointer, place: tuple[float, float]) -> None:
@@ -195,16 +201,21 @@ class SnookerHand(Part):
 
     # -- keys and buttons ---------------------------------------------------------------------------
 
+    def _press_button(self, held: Grip) -> None:
+        """A button, a player's card or an option has been pressed and let go."""
+        if held.kind is Held.CARD:
+            self.course.set_grade(held.number, next_player(self.course.grade_of(held.number)))
+        elif held.kind is Held.OPTION:
+            self.course.take_option(held.number)
+        else:
+            self.act(held.name)
+
     def act(self, name: str) -> None:
         """A named action."""
         course, parameters = self.course, self.course.parameters
         kind, _, which = name.partition("-")
         if name in OPTIONS and course.person_plays:
             course.take_option(OPTIONS.index(name))
-        elif kind == "option":
-            course.take_option(int(which))
-        elif kind == "card":
-            self._change_player(int(which))
         elif kind == "nominate":
             course.nominate(14 + int(which))
         elif kind == "spin":
@@ -239,7 +250,7 @@ class SnookerHand(Part):
             course.restart()
         elif name == "demo":
             course.plays_itself = not course.plays_itself
-            course.grip = ""
+            course.grip = NOTHING
             course.rest_s = 0.0
 
     def _strike_or_skip(self) -> None:
@@ -258,9 +269,3 @@ class SnookerHand(Part):
         up = {"up": TIP_STEP, "down": -TIP_STEP}.get(which, 0.0)
         parameters.tip_left = min(max(round(parameters.tip_left + left, 3), -LARGEST_TIP), LARGEST_TIP)
         parameters.tip_up = min(max(round(parameters.tip_up + up, 3), -LARGEST_TIP), LARGEST_TIP)
-
-    def _change_player(self, player: int) -> None:
-        """The next grade for a player: a person, then computer players from weak to strong."""
-        grades = (PERSON, *GRADES)
-        course = self.course
-        course.set_grade(player, grades[(grades.index(course.grade_of(player)) + 1) % len(grades)])

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-
 import msgspec
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.frame import Frame, Played, Struck
+from game.billiards.game.frame import Frame, Played
 from game.billiards.game.rules import Call, Verdict
 from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame, snooker_layout
 from game.billiards.game.snooker.rules import Snooker
@@ -20,6 +18,7 @@ from game.billiards.table.snooker import BALLS
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.outcome import Outcome
 from game.scenes.snooker.level import SnookerContent, begun
 from game.scenes.snooker.parameters import SnookerParameters
 from game.stage import Part
@@ -42,7 +41,7 @@ class SnookerModel(Part):
         self.places = np.zeros((BALLS, 2))
         self.turns = rotation_matrices(scattered_orientations(BALLS, seed))
         self.turns_before = self.turns.copy()
-        self._outcome = _Outcome()
+        self._outcome = Outcome[SnookerFrame, Played](_said)
         self._lay_out()
 
     def _begin(self, table: Table, physics: Physics) -> SnookerFrame:
@@ -98,13 +97,9 @@ class SnookerModel(Part):
 
     def strike(self, stroke: Stroke, call: Call) -> None:
         """Play a stroke. ValueError if it cannot be played; then the frame is what it was."""
-        before = self.frame
-        self.frame = self._as_snooker(before.strike(stroke, call))
-        try:
-            self._outcome.played(self.frame)
-        except ValueError:
-            self.frame = before
-            raise
+        struck = self._as_snooker(self.frame.strike(stroke, call))
+        self._outcome.played(struck)
+        self.frame = struck
         self.turns_before[:] = self.turns
 
     @property
@@ -172,31 +167,11 @@ class SnookerModel(Part):
         self._lay_out()
 
 
-class _Outcome:
-    """What is computed from a frame and kept while that holds; no part of the state."""
-
-    def __init__(self) -> None:
-        self._word_of: Frame | None = None
-        self._word = ""
-        self._played_of: Struck | None = None
-        self._played: Played | None = None
-
-    def word(self, frame: Frame) -> str:
-        """A hash of all that a frame says, but for the frames before it."""
-        if self._word_of is not frame:
-            last = frame.last
-            said = (
-                msgspec.to_builtins(frame.game), frame.layout.places, frame.conditions, frame.strokes,
-                None if last is None
-                else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
-            )  # fmt: skip
-            self._word = hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()
-            self._word_of = frame
-        return self._word
-
-    def played(self, frame: Frame) -> Played | None:
-        """What comes, or came, of a frame's last stroke; None before the first."""
-        if self._played_of is not frame.last:
-            self._played = frame.outcome() if frame.last is not None else None
-            self._played_of = frame.last
-        return self._played
+def _said(frame: SnookerFrame) -> object:
+    """What a frame says, but for the frames before it."""
+    last = frame.last
+    return (
+        msgspec.to_builtins(frame.game), frame.layout.places, frame.conditions, frame.strokes,
+        None if last is None
+        else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
+    )  # fmt: skip

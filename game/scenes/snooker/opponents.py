@@ -12,12 +12,12 @@ from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.shot.cue import strike as struck_ball
 from game.billiards.table.snooker import COLOURS
 from game.physics.kernels import elementwise, linear
+from game.scenes.shared.tables.choices import GRADES
 from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.demo_shots import choose_stroke
 from game.scenes.shared.tables.opponents import TableOpponents, check_option
 from game.scenes.shared.thinker import Question, Thought
 from game.scenes.snooker.course import BALL_PER_CUE, Course
-from game.scenes.snooker.parameters import GRADES
 from game.stage import Decision
 
 THINK_S = 3.0  # s, that a player thinks at most

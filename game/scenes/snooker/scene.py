@@ -9,12 +9,14 @@ from game.billiards.game.rules import Call
 from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab.studies.billiards.long_pot import long_pot_study
 from game.levels import Level
-from game.scenes.shared.tables.cue_game import CueGameScene
+from game.scenes.shared.tables.course import ROLLING
+from game.scenes.shared.tables.cue_game import CUE_BALL, ENERGY, PLAYS_ITSELF, SLIDING, CueGameScene
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
+from game.scenes.shared.tables.sounds import StrokeSounds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.scenes.snooker import SNOOKER, layout, saving
 from game.scenes.snooker.actions import ACTIONS, HINTS
-from game.scenes.snooker.course import Course
+from game.scenes.snooker.course import REPLAY, Course
 from game.scenes.snooker.figure import draw_table_of_values
 from game.scenes.snooker.hand import SnookerHand
 from game.scenes.snooker.level import SnookerContent
@@ -22,15 +24,12 @@ from game.scenes.snooker.model import SnookerModel
 from game.scenes.snooker.opponents import SnookerOpponents
 from game.scenes.snooker.parameters import SnookerParameters
 from game.scenes.snooker.readouts import readouts
-from game.scenes.snooker.sounds import SnookerSounds
 from game.scenes.snooker.view.picture import SnookerView
 from game.stage import (
-    Action,
     Decision,
     Equation,
     Frame,
     Readout,
-    Stamped,
     Strip,
     WarmUp,
 )
@@ -38,12 +37,12 @@ from game.stage import (
 
 class SnookerScene(CueGameScene):
     """A twelve-foot table. Red and colour in turn, a red for 1 point, the colours for 2 to 7; when the reds
-    are gone, the colours in order. Who misses, sits down.
+    are gone, the colours in order. A player that misses sits down.
 
-    The rules are those of the World Professional Billiards and Snooker Association, with free ball, touching
-    ball, foul and a miss, and the black that is put back after a tie; in six-red snooker nobody may be
-    snookered behind a nominated colour. Every stroke is computed to its end by the exact table when the tip
-    meets the ball.
+    The rules are those of the World Professional Billiards and Snooker Association. They have free ball,
+    touching ball, foul and a miss, and the black that is put back after a tie. In six-red snooker no player
+    may be snookered behind a nominated colour. Every stroke is computed to its end by the exact table when
+    the tip meets the ball.
     """
 
     name, task, title = SNOOKER.names
@@ -51,23 +50,15 @@ class SnookerScene(CueGameScene):
     parameters: SnookerParameters
     effects = EXACT_EFFECTS
     study = long_pot_study
-    covers = True
-    quarter_turns = 1
     takes = frozenset(("wheel", "right"))
     content_type = SnookerContent
 
-    strips = (
-        Strip("Energy", "J", ("energy",)),
-        Strip("Cue ball", "m/s", ("cue ball",)),
-        Strip("Break", "", ("break",)),
-    )
+    strips = (ENERGY, CUE_BALL, Strip("Break", "", ("break",)))
     hints = HINTS
     actions = ACTIONS
     figure = staticmethod(draw_table_of_values)
     equations = (
-        Equation(
-            "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
-        ),
+        SLIDING,
         Equation("Cushion", r"W_r = e^2 W_c", "Mathavan, Jackson, Parkin 2010"),
         Equation("Points left", r"8 n_{\text{red}} + 27", "WPBSA 3.1"),
     )
@@ -77,7 +68,7 @@ class SnookerScene(CueGameScene):
         "Set Miss to Club: an escape that passes a ball on closely is good enough then.",
         "Let two masters play, and see their breaks.",
     )
-    demo = (Stamped(12, Action("demo")),)  # and it goes on playing
+    demo = (PLAYS_ITSELF,)
 
     def build(self, level: Level | None) -> None:
         given = level.content if level is not None else None
@@ -88,7 +79,7 @@ class SnookerScene(CueGameScene):
         self.course = Course(self.parameters, self.model, self.seed)
         self.hand = SnookerHand(self.course)
         self.opponents = SnookerOpponents(self.course, self.seed)
-        self.sounds = SnookerSounds(self.course)
+        self.sounds = StrokeSounds(self.course, (ROLLING, REPLAY))
         title = level.title if level is not None else ""
         self.view = SnookerView(self.course, self.hand, self.opponents, title)
 

@@ -12,12 +12,9 @@ from game.physics.solids import Capsule, Chain, Disc, Material, Polygon, SolidWo
 from game.physics.solids.arrays import layout, state
 from game.physics.solids.arrays.layout import JOINT_NAMES
 from game.physics.solids.shapes import Shape
-from game.scenes.solids.level import BodyEntry, Colour, JointEntry, Point, ShapeEntry
+from game.scenes.solids.level import COLOURS, BodyEntry, JointEntry, Point, ShapeEntry
 
-COLOURS: tuple[Colour, ...] = (
-    "plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow",
-    "brass",
-)  # fmt: skip
+COLOUR_BITS = 255  # of a tint: the number of its colour
 OWN_FRICTION, OWN_RESTITUTION = 256, 512  # bits of a tint beside the colour's number
 HIDDEN = 1024  # what joints to the ground hang on
 
@@ -102,7 +99,7 @@ def entry_of(world: SolidWorld, body: int, tint: int) -> BodyEntry:
         density=float(shapes.densities[first]),
         friction=float(shapes.frictions[first]) if tint & OWN_FRICTION else None,
         restitution=float(shapes.restitutions[first]) if tint & OWN_RESTITUTION else None,
-        colour=COLOURS[tint & 255],
+        colour=COLOURS[tint & COLOUR_BITS],
         ghost=not shapes.masks[first],
     )
 

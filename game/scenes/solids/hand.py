@@ -29,13 +29,14 @@ NEW_COLOURS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
 
 
 class SolidHand(Part):
-    """held: body that is moved, by the joint ``grip``; start, point: of a drag, m, None when there is none;
-    path: points of an outline that is drawn. ``verb`` is the tool of the drag.
+    """held: body that is moved, by the joint ``grip``; chosen: touched last; inspected: whose own properties
+    are shown. start, point: of a drag, m, None when there is none; path: points of an outline that is drawn.
+    ``verb`` is the tool of the drag.
     """
 
     def __init__(self, model: SolidModel):
         self.model, self.parameters = model, model.parameters
-        self.held = self.grip = self.chosen = NOBODY
+        self.held = self.grip = self.chosen = self.inspected = NOBODY
         self.start: Point | None = None
         self.point: Point | None = None
         self.verb = ""
@@ -92,6 +93,8 @@ class SolidHand(Part):
             self._grab(body, point)
         elif tool in ("throw", "duplicate"):
             self.chosen = self.held = body
+        elif tool == "select":
+            self.inspect(body)
         elif tool == "delete":
             return self._delete_at(point, body)
         elif tool in ("pin", "weld", "motor"):
@@ -220,12 +223,13 @@ class SolidHand(Part):
 
     def _cut(self, start: Point, point: Point) -> str:
         if elementary.dist(start, point) < 0.2 * self.reach:
+            self.inspect(self.at(start))
             return ""
         joints = joints_across(self.model.world, start, point, 0.5 * self.reach)
         for joint in joints:
             self.model.world.remove_joint(joint)
         bodies = cut_bodies(self.model, start, point)
-        self.chosen = NOBODY
+        self.chosen = self.inspected = NOBODY
         if not joints and not bodies:
             return "Draw the line right through what is to be cut."
         return ""
@@ -247,14 +251,39 @@ class SolidHand(Part):
             world.remove_joint(joint)
         elif body != NOBODY:
             self.model.remove(body)
-        self.chosen = NOBODY
+        self.chosen = self.inspected = NOBODY
         return ""
+
+    # -- what a body has of its own -------------------------------------------------------------------
+
+    def inspect(self, body: int) -> None:
+        """Show a body's own properties (NOBODY: no one's), so that the parameters of the card say them."""
+        self.inspected = body
+        if body != NOBODY:
+            self.chosen = body
+            self.model.show_own(body)
+
+    def inspect_chosen(self) -> str:
+        """Those of what was touched last, or put the card away."""
+        if self.inspected != NOBODY:
+            self.inspect(NOBODY)
+        elif self.chosen in self.model.movable():
+            self.inspect(self.chosen)
+        else:
+            return "Touch a body first."
+        return ""
+
+    def give(self, name: str) -> str:
+        """Give the body on the card what the parameter of that name says; why it cannot have it, or ""."""
+        if self.inspected not in self.model.movable():
+            return ""
+        return self.model.give_own(self.inspected, name)
 
     def delete_chosen(self) -> str:
         """Take away what was touched last."""
         self.let_go()
         if self.chosen in self.model.movable():
             self.model.remove(self.chosen)
-            self.chosen = NOBODY
+            self.chosen = self.inspected = NOBODY
             return ""
         return "Touch a body first."

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 import msgspec
 
@@ -23,6 +23,7 @@ Points = Annotated[tuple[Point, ...], msgspec.Meta(max_length=400)]
 Colour = Literal[
     "plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow", "brass"
 ]
+COLOURS: tuple[Colour, ...] = get_args(Colour)
 MOST_BODIES, MOST_JOINTS = 12_000, 12_000
 GROUND = -1  # stands for what never moves, in joints
 
@@ -54,7 +55,7 @@ class MaterialEntry(LevelEntry, frozen=True, kw_only=True):
 
 
 class SwingEntry(LevelEntry, frozen=True, kw_only=True):
-    """A key-framed body goes by amplitude (m) times sin(rate t + phase); rate rad/s, phase degrees."""
+    """A key-framed body moves by amplitude (m) times sin(rate t + phase); rate rad/s, phase degrees."""
 
     amplitude: Point
     rate: Rate

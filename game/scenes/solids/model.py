@@ -13,7 +13,7 @@ from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
 from game.physics.solids import Material, SolidState, box
 from game.scenes.solids import bodies, measures
-from game.scenes.solids.bodies import COLOURS, HIDDEN, OWN_FRICTION, OWN_RESTITUTION
+from game.scenes.solids.bodies import COLOUR_BITS, COLOURS, HIDDEN, OWN_FRICTION, OWN_RESTITUTION
 from game.scenes.solids.gauges import Gauges
 from game.scenes.solids.level import BodyEntry, JointEntry, Point, SolidContent
 from game.scenes.solids.measures import sounds_now
@@ -159,6 +159,33 @@ class SolidModel(World):
             if name == field:
                 rows[self.tints.rows[shapes.bodies] & bit == 0] = getattr(self.parameters, name)
 
+    def give_own(self, body: int, name: str) -> str:
+        """Give a body what the parameter of that name says is its own; why it cannot have it, or ""."""
+        value, tint = self.parameters.values[name], int(self.tints.rows[body])
+        field = name.removeprefix("own_")
+        if field == "colour":
+            self.tints.set(body, (tint & ~COLOUR_BITS) | COLOURS.index(value))
+            return ""
+        try:
+            self.world.set_material(body, **{field: value})
+        except ValueError as error:
+            return f"{str(error)[:1].upper()}{str(error)[1:]}."
+        self.tints.set(body, tint | {"friction": OWN_FRICTION, "restitution": OWN_RESTITUTION}.get(field, 0))
+        return ""
+
+    def show_own(self, body: int) -> None:
+        """Let the parameters of the card say what a body has, as near as they can say it."""
+        shapes, parameters = self.world.shapes, self.parameters
+        first = self.world.shapes_of(body)[0]
+        for name, rows in (
+            ("own_density", shapes.densities),
+            ("own_friction", shapes.frictions),
+            ("own_restitution", shapes.restitutions),
+        ):
+            ends = getattr(type(parameters), name)
+            setattr(parameters, name, min(max(float(rows[first]), ends.minimum), ends.maximum))
+        parameters.own_colour = COLOURS[int(self.tints.rows[body]) & COLOUR_BITS]
+
     def remove(self, body: int) -> None:
         """Take a body away; its gauges stay as they are."""
         self.world.remove_body(body)
@@ -184,7 +211,7 @@ class SolidModel(World):
             self._drive(shake, dt)
         super().advance(dt)
         self.time = self.world.time  # which goes back with its state
-        kinds = SOUNDS[self.tints.rows & 255]
+        kinds = SOUNDS[self.tints.rows & COLOUR_BITS]
         kinds[self.floors] = measures.THUD
         self.heard.remember(sounds_now(self.world, self.time - dt, kinds), self.time - dt)
         return "A joint is broken." if len(self.world.joints_broken()) else ""

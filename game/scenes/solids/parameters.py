@@ -2,28 +2,33 @@
 
 from __future__ import annotations
 
-from game.stage import Param, Parameters, Toggle
+from game.scenes.solids.level import COLOURS
+from game.stage import Choice, Param, Parameters, Toggle
 from game.worlds.hands.hand import Tool, choose_tool
 from game.worlds.members import solids
 
 TOOLS = (
-    Tool("hand", "Move", "hand"), Tool("throw", "Throw", "throw", "drag a body back and let go"),
-    Tool("disc", "Disc", "disc", "drag from the middle to the rim"),
-    Tool("box", "Box", "box", "drag from corner to corner"),
-    Tool("polygon", "Polygon", "polygon", "drag from the middle to a corner"),
-    Tool("capsule", "Capsule", "capsule", "drag from end to end"),
-    Tool("outline", "Draw an outline", "outline", "draw all around a body"),
-    Tool("pin", "Pin", "pin", "click a body, or where two overlap"),
-    Tool("weld", "Weld", "", "click where two overlap"),
-    Tool("motor", "Motor", "", "click a body, or where two overlap"),
-    Tool("rope", "Rope", "", "drag from body to body"),
-    Tool("spring", "Spring", "", "drag from body to body"),
-    Tool("cut", "Cut", "cut", "draw a line through bodies or joints"),
-    Tool("duplicate", "Duplicate", "", "drag a copy away"),
-    Tool("delete", "Delete", "", "click a body or a joint"),
-)  # fmt: skip
+    Tool("hand", "Move", "hand", "", "G", "grab"),
+    Tool("throw", "Throw", "throw", "drag a body back and let go", "T", "throw"),
+    Tool("select", "Select", "select", "click a body to see and change what is its own", "V", "select"),
+    Tool("disc", "Disc", "disc", "drag from the middle to the rim", "D", "ball", apart=True),
+    Tool("box", "Box", "box", "drag from corner to corner", "B", "box"),
+    Tool("polygon", "Polygon", "polygon", "drag from the middle to a corner", "N", "polygon"),
+    Tool("capsule", "Capsule", "capsule", "drag from end to end", "C", "capsule"),
+    Tool("outline", "Draw an outline", "outline", "draw all around a body", "O", "outline"),
+    Tool("pin", "Pin", "pin", "click a body, or where two overlap", "I", "pin", apart=True),
+    Tool("weld", "Weld", "weld", "click where two overlap", "W", "weld"),
+    Tool("motor", "Motor", "motor", "click a body, or where two overlap", "M", "motor"),
+    Tool("rope", "Rope", "rope", "drag from body to body", "R", "rope"),
+    Tool("spring", "Spring", "spring", "drag from body to body", "S", "spring"),
+    Tool("duplicate", "Duplicate", "duplicate", "drag a copy away", "U", "duplicate", apart=True),
+    Tool("cut", "Cut", "cut", "draw a line through bodies or joints", "X", "cut"),
+    Tool("delete", "Delete", "delete with a click", "click a body or a joint", "E", "delete"),
+)
+OF_CHOSEN = ("own_density", "own_friction", "own_restitution", "own_colour")  # say and set what is clicked
 OF_PICTURE = ("contacts", "forces", "islands", "loads")
 OF_TOOLS = ("density", "sides", "motor_speed", "spring_rate")
+CHOSEN = "Chosen body"  # group of the parameters on the card
 
 
 class SolidParameters(Parameters):
@@ -35,6 +40,21 @@ class SolidParameters(Parameters):
     motor_speed = Param(3.0, -30.0, 30.0, unit="rad/s", group="Tools", label="Motor", help="of new motors")
     spring_rate = Param(
         2.0, 0.1, 30.0, unit="Hz", log=True, group="Tools", label="Spring", help="frequency of new springs"
+    )
+    own_density = Param(
+        1.0, 0.001, 1e4, unit="kg/m²", log=True, group=CHOSEN, label="Density", help="of the chosen body",
+        in_panel=False,
+    )  # fmt: skip
+    own_friction = Param(
+        0.6, 0.0, 2.0, group=CHOSEN, label="Friction", in_panel=False,
+        help="of the chosen body; two that touch have the root of both their products",
+    )  # fmt: skip
+    own_restitution = Param(
+        0.0, 0.0, 1.0, group=CHOSEN, label="Restitution", in_panel=False,
+        help="of the chosen body; of two that touch the larger counts",
+    )  # fmt: skip
+    own_colour = Choice(
+        COLOURS[0], COLOURS, group=CHOSEN, label="Colour", help="of the chosen body", in_panel=False
     )
     friction = Param(
         0.6, 0.0, 2.0, group="World", help="Coulomb's coefficient, of bodies without one of their own"

@@ -12,10 +12,11 @@ from game.scenes.solids.figure import draw_contact
 from game.scenes.solids.hand import SolidHand
 from game.scenes.solids.level import ArchEntry, SolidContent, View
 from game.scenes.solids.model import SolidModel
-from game.scenes.solids.parameters import OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
+from game.scenes.solids.parameters import OF_CHOSEN, OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
+from game.scenes.solids.picking import NOBODY
 from game.scenes.solids.told import hearing, readouts, saved
 from game.scenes.solids.view import SolidView
-from game.stage import Equation, Hint, SceneAction, Strip
+from game.stage import Equation, Hint, Inspected, SceneAction, Strip
 from game.worlds.hands.hand import next_of, tool_keys
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.scene import Parts, WorldScene
@@ -40,11 +41,13 @@ class Solids(WorldScene):
     model: SolidModel
     hand: SolidHand
     parts = Parts(SolidModel, SolidHand, SolidView, readouts, saved, hearing=hearing)
+    tools = TOOLS
     tool_prefix = ""
+    edits = frozenset((*OF_CHOSEN, "delete-chosen"))
     painters = (("polygons", warm_up_painter),)
     covers = False
     builds = True
-    not_of_model = (*OF_PICTURE, *OF_TOOLS)
+    not_of_model = (*OF_PICTURE, *OF_TOOLS, *OF_CHOSEN)
     effects = USUAL
     content_type = SolidContent
     study = stack_study
@@ -53,9 +56,13 @@ class Solids(WorldScene):
     hints = (
         Hint(("Drag",), "move a body"),
         Hint(("Right drag",), "cut"),
-        Hint(("1", "…", "9"), "tools"),
+        Hint(("Right click",), "its own properties"),
     )
-    actions = (*tool_keys(TOOLS), SceneAction("delete", "delete what is chosen", "delete"))
+    actions = (
+        *tool_keys(TOOLS),
+        SceneAction("delete-chosen", "delete what is chosen", "delete"),
+        SceneAction("card", "own properties of what is chosen", "Q"),
+    )
     strips = (
         Strip("Energy", "J", ("moving", "turning", "height", "sum")),
         Strip("Deepest overlap", "m", ("deepest",)),
@@ -89,12 +96,27 @@ class Solids(WorldScene):
         view=View(left=-6.0, bottom=-0.8, right=6.0, top=5.6),
     )
 
-    def action(self, name: str) -> None:
-        """A tool; but delete takes away what was touched last."""
-        if name == "delete":
-            self.said.say(self.hand.delete_chosen())
+    def do(self, name: str) -> str:
+        """Take away what was touched last, or show what is its own."""
+        return self.hand.delete_chosen() if name == "delete-chosen" else self.hand.inspect_chosen()
+
+    def parameter_changed(self, name: str) -> None:
+        if name in OF_CHOSEN:
+            self.said.say(self.hand.give(name))
         else:
-            super().action(name)
+            super().parameter_changed(name)
+
+    def why_idle(self, name: str) -> str:
+        if name in OF_CHOSEN and self.inspected() is None:
+            return "No body is chosen."
+        return super().why_idle(name)
+
+    def inspected(self) -> Inspected | None:
+        """The body that was clicked, if it is still there."""
+        body = self.hand.inspected
+        if body == NOBODY or body not in self.model.movable():
+            return None
+        return Inspected(f"Body {body}", OF_CHOSEN, "card")
 
     def hints_now(self) -> Sequence[Hint]:
         """What the tool in the hand does."""

@@ -59,6 +59,7 @@ class SolidView:
         self.draw_bodies(canvas, previous, alpha)
         self._draw_joints(canvas)
         self._draw_marks(canvas)
+        self._draw_inspected(canvas)
         self._draw_hand(canvas)
 
     def draw_bodies(
@@ -242,6 +243,13 @@ class SolidView:
             color = "text3" if rows.flags[mine[0]] & ASLEEP else "green"
             box = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
             canvas.polygon(box, outline=color, width=1.2, dash=(6.0, 5.0))
+
+    def _draw_inspected(self, canvas: Canvas) -> None:
+        """A dashed ring about the body whose card is open."""
+        body = self.hand.inspected
+        if body != NOBODY and body in self.model.movable():
+            place, reach = self.model.world.bodies.positions[body], self.model.world.bodies.reaches[body]
+            canvas.circle(place, float(reach) + canvas.px(4.0), outline="accent", width=1.6, dash=(5.0, 4.0))
 
     def _draw_hand(self, canvas: Canvas) -> None:
         hand, world = self.hand, self.model.world

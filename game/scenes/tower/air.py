@@ -3,29 +3,31 @@
 Floors are solids in it that move with their true velocity, at least as thick as a cell: what falls drives the
 air out from under it, and draws it in behind. Pieces of floors, which are smaller than a cell, drag the air
 along (quadratic drag). Dust is carried in flux form, so that its mass is kept but for what goes out at the
-sides, and weighs on the air it is in. What the air does to floors is left out: beside them it weighs nothing.
+sides. It weighs on the air it is in. What the air does to floors is left out: beside them it weighs nothing.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from game.arrays import Floats
+from game.arrays import Floats, Point, Singles
 from game.compiler.decorator import lean_kernel
+from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import ADVECTION, PRESSURE
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
-from game.physics.solids.arrays.state import Bodies
 from game.physics.surfaces.surface import Sample, empty_sample
-from game.scenes.tower import tables
+from game.scenes.tower.effects import AIR
+from game.scenes.tower.frame import Frame
 from game.scenes.tower.level import TowerContent
-from game.stage import Part
+from game.scenes.tower.tables import RUBBLE, SHARD, SLAB
+from game.worlds.world import Member
 
-AIR = 1.2  # kg/m³
+DENSITY = 1.2  # kg/m³, of air
 DRAG = 1.2  # of a piece, by its breadth (a plate across: 2; an edge-on one: less)
 PER_STOREY, MOST_ROWS = 3, 64  # cells in a storey; rows of cells
 THICKER = 1.02  # cells: so thick is a floor at least, so that no air goes through it
@@ -84,7 +86,7 @@ def weigh(density, u, v, gravity, force):
     for j in range(force.shape[0]):
         for i in range(force.shape[1]):
             force[j, i, 0] = -0.5 * SLOWS * (u[j, i] + u[j, i + 1])
-            force[j, i, 1] = -gravity * density[j, i] / (AIR + density[j, i])
+            force[j, i, 1] = -gravity * density[j, i] / (DENSITY + density[j, i])
             force[j, i, 1] -= 0.5 * SLOWS * (v[j, i] + v[j + 1, i])
 
 
@@ -107,11 +109,11 @@ def drag_along(pieces, u, v, lower, cell, dt, force):
         force[j, i, 1] += rate * dy
 
 
-def solids_of(parts: Floats, bodies: Bodies, least: float) -> Floats:
+def solids_of(frame: Frame, least: float) -> Floats:
     """(k, FLOOR_WIDTH): bays of floors that are whole, as solids of the air, ``least`` m thick."""
-    whole = parts[(parts[:, tables.KIND] == tables.SLAB) & (parts[:, tables.BODY] >= 0.0)]
-    own = whole[:, tables.BODY].astype(np.int64)
-    long, thick = 0.5 * whole[:, tables.WIDE], 0.5 * np.maximum(whole[:, tables.TALL], least)
+    whole, bodies = frame.rows((SLAB,)), frame.world.bodies
+    own = frame.parts.body[whole]
+    long, thick = 0.5 * frame.parts.wide[whole], 0.5 * np.maximum(frame.parts.tall[whole], least)
     c, s = np.abs(bodies.rotations[own]).T
     return np.column_stack([
         bodies.positions[own], bodies.rotations[own], long, thick, bodies.velocities[own], bodies.spins[own],
@@ -119,14 +121,11 @@ def solids_of(parts: Floats, bodies: Bodies, least: float) -> Floats:
     ])  # fmt: skip
 
 
-def loose_of(parts: Floats, bodies: Bodies) -> Floats:
+def loose_of(frame: Frame) -> Floats:
     """(n, 5): place m, velocity m/s, breadth m of what is broken and moves."""
-    loose = parts[
-        (parts[:, tables.BODY] >= 0.0)
-        & ((parts[:, tables.KIND] == tables.SHARD) | (parts[:, tables.KIND] == tables.RUBBLE))
-    ]
-    own = loose[:, tables.BODY].astype(np.int64)
-    breadth = 0.5 * (loose[:, tables.WIDE] + loose[:, tables.TALL])
+    loose, bodies = frame.rows((SHARD, RUBBLE)), frame.world.bodies
+    own = frame.parts.body[loose]
+    breadth = 0.5 * (frame.parts.wide[loose] + frame.parts.tall[loose])
     found = np.column_stack([bodies.positions[own], bodies.velocities[own], breadth])
     return np.ascontiguousarray(found[np.abs(found[:, 2:4]).max(axis=1, initial=0.0) > SLOWEST])
 
@@ -145,10 +144,16 @@ class Floors:
         return found
 
 
-class TowerAir(Part):
-    """Air and dust about a tower of a level."""
+class TowerAir(Member):
+    """Air and dust about a tower of a level. on: whether it is computed."""
 
-    def __init__(self, content: TowerContent):
+    def __init__(self, content: TowerContent, active: EffectSet):
+        self.content, self.on = content, AIR in active
+        self.begin()
+
+    def begin(self) -> None:
+        """At rest, and without dust."""
+        content = self.content
         tall = content.storeys * content.storey + ABOVE
         half = 0.5 * content.bays * content.bay + BESIDE
         cell = max(content.storey / PER_STOREY, tall / MOST_ROWS)
@@ -220,7 +225,7 @@ class TowerAir(Part):
         w = self.gas.velocity()
         return float(np.sqrt(np.max(w[..., 0] * w[..., 0] + w[..., 1] * w[..., 1])))
 
-    def veil(self) -> NDArray[np.float32]:
+    def veil(self) -> Singles:
         """(ny, nx, 2): how thick the dust is, 0 to 1, and how much light from the right it scatters, 0 to 1;
         good until the next call.
         """
@@ -230,8 +235,8 @@ class TowerAir(Part):
         return self._veil
 
     def _lit(self) -> Floats:
-        """(ny, nx): what is left, behind the dust it has come through, of light that comes in from the right,
-        a little from above; it has gone RISES of a cell down for each one to the left (Lambert's law).
+        """(ny, nx): what is left of light that comes in from the right, behind the dust, a little from above.
+        It has gone RISES of a cell down for each one to the left (Lambert's law).
         """
         depth, behind = np.zeros_like(self.density), np.zeros(self.grid.ny)
         for i in range(self.grid.nx - 1, -1, -1):
@@ -241,17 +246,23 @@ class TowerAir(Part):
             behind = behind + self.density[:, i]
         return elementwise.exp(-depth * self.grid.cell / DIMS)
 
-    def box(self) -> tuple[tuple[float, float], tuple[float, float]]:
+    def box(self) -> tuple[Point, Point]:
         """Lower left and upper right corner, m."""
         (x, y), h = self.grid.lower, self.grid.cell
         return (x, y), (x + self.grid.nx * h, y + self.grid.ny * h)
 
-    def state(self) -> AirState:
-        """All that later steps depend on."""
-        return AirState(self.gas.state(), self.dust, self.floors.rows)
+    # -- as a member ----------------------------------------------------------------------------------
 
-    def restore(self, state: AirState) -> None:
-        """Take over a copy of a state."""
+    def change_effects(self, active: EffectSet) -> None:
+        if AIR in active and not self.on:
+            self.begin()
+        self.on = AIR in active
+
+    def state(self) -> tuple[Any, ...]:
+        return (AirState(self.gas.state(), self.dust, self.floors.rows),)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        state: AirState = next(fields)
         self._take_floors(state.floors.copy())
         self.gas.restore(state.gas)
         self.dust[:] = state.dust

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
-from game.arrays import Floats
+from game.arrays import Floats, Longs
 from game.physics.kernels import elementwise, linear
 from game.physics.solids import Material, Polygon, SolidWorld
 
@@ -93,11 +92,6 @@ def break_up(
     return made
 
 
-def speed_of_stop(impulse: float, mass: float) -> float:
-    """m/s that an impulse (N s) takes from a mass (kg)."""
-    return impulse / mass if mass > 0.0 else math.inf
-
-
 def shocks_of(shocks: Floats, before: Floats, after: Floats, dt: float) -> Floats:
     """m/s (n,) that bodies have lost of their speed lately, a step of dt (s) on: what was lost earlier fades.
 
@@ -107,11 +101,11 @@ def shocks_of(shocks: Floats, before: Floats, after: Floats, dt: float) -> Float
     return np.asarray(shocks / (1.0 + dt / STOP_S) + np.maximum(lost, 0.0))
 
 
-def grind(world: SolidWorld, bodies: Sequence[int], kilograms: float) -> Floats:
+def grind(world: SolidWorld, bodies: Longs, kilograms: float) -> Floats:
     """Take so much mass from bodies, from each by its share of it; kg (n,) that they have then."""
-    rows, own = world.bodies, np.asarray(bodies, dtype=np.int64)
-    masses = 1.0 / rows.inverse_masses[own]
+    rows = world.bodies
+    masses = 1.0 / rows.inverse_masses[bodies]
     left = masses - kilograms * masses / masses.sum()
-    rows.inverse_inertias[own] *= masses / left
-    rows.inverse_masses[own] = 1.0 / left
+    rows.inverse_inertias[bodies] *= masses / left
+    rows.inverse_masses[bodies] = 1.0 / left
     return np.asarray(left)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from game.arrays import Floats
 from game.physics.solids import Material, SolidWorld, box
 from game.scenes.tower.level import TowerContent
-from game.scenes.tower.tables import COLUMN, SLAB
+from game.scenes.tower.tables import COLUMN, SLAB, PartTable
+from game.worlds.tables import extended
 
 DENSITY = 2400.0  # kg/m², of concrete, a metre of depth
 FLOOR_FRICTION = 0.8
@@ -44,8 +42,8 @@ def rubble_stuff(friction: float, density: float = DENSITY) -> Material:
     return Material(density, friction, 0.0, LOOSE, LOOSE)
 
 
-def build(world: SolidWorld, content: TowerContent, friction: float, joints: float) -> tuple[int, Floats]:
-    """The ground's body, and the table of parts (see `tables`).
+def build(world: SolidWorld, content: TowerContent, friction: float, joints: float) -> PartTable:
+    """The parts of a tower on the ground.
 
     joints: load at which the bays of a floor part, in weights of one.
     """
@@ -86,7 +84,7 @@ def build(world: SolidWorld, content: TowerContent, friction: float, joints: flo
             for bay, body in enumerate(slabs)
         ]
         below = [slabs[min(k, content.bays - 1)] for k in range(content.bays + 1)]
-    return ground, np.array(rows, dtype=np.float64)
+    return extended(PartTable(), rows)
 
 
 def _column_place(content: TowerContent, k: int) -> float:

@@ -1,20 +1,24 @@
 """Dust: puffs that spring up where something strikes, slow down in the air, spread, settle.
 
-Their velocity goes over to that of the air at a rate, implicitly, which is at rest unless it is computed (see
-`air`); a puff grows as the square root of its age, as what mixes does. They show the dust; its mass is in the
-air's cells.
+Their velocity goes over to that of the air at a rate, implicitly. The air is at rest unless it is computed
+(see `air`). A puff grows as the square root of its age, as what mixes does. They show the dust; its mass is
+in the air's cells.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
 from game.arrays import Floats
 from game.physics.kernels import linear
-from game.scenes.tower import tables
+from game.worlds.world import Member
 
+# of a puff: place m, velocity m/s, age and life s, radius m
+DX, DY, DVX, DVY, AGE, LIFE, SIZE = range(7)
+PLACE, VELOCITY, DUST_WIDTH = slice(DX, DY + 1), slice(DVX, DVY + 1), 7
 MOST = 900
 DRAG = 1.1  # 1/s
 SINK = 0.12  # m/s
@@ -23,13 +27,13 @@ SINK = 0.12  # m/s
 def puffs(places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator) -> Floats:
     """New ones at places (n, 2) m with velocities (n, 2) m/s, each a little different."""
     count = len(places)
-    found = np.zeros((count, tables.DUST_WIDTH))
-    found[:, [tables.DX, tables.DY]] = places
-    found[:, [tables.DVX, tables.DVY]] = speeds * linear.uniform(
-        random, 0.3, 1.0, (count, 1)
-    ) + linear.uniform(random, -0.6, 0.6, (count, 2))
-    found[:, tables.LIFE] = life * linear.uniform(random, 0.6, 1.3, count)
-    found[:, tables.SIZE] = size * linear.uniform(random, 0.6, 1.5, count)
+    found = np.zeros((count, DUST_WIDTH))
+    found[:, PLACE] = places
+    found[:, VELOCITY] = speeds * linear.uniform(random, 0.3, 1.0, (count, 1)) + linear.uniform(
+        random, -0.6, 0.6, (count, 2)
+    )
+    found[:, LIFE] = life * linear.uniform(random, 0.6, 1.3, count)
+    found[:, SIZE] = size * linear.uniform(random, 0.6, 1.5, count)
     return found
 
 
@@ -42,10 +46,29 @@ def advance_dust(dust: Floats, dt: float, wind: Callable[[Floats], Floats] | Non
         return dust
     now = dust.copy()
     if wind is not None:
-        now[:, [tables.DVX, tables.DVY]] += DRAG * dt * wind(dust[:, [tables.DX, tables.DY]])
-    now[:, [tables.DVX, tables.DVY]] /= 1.0 + DRAG * dt
-    now[:, tables.DVY] -= DRAG * SINK * dt
-    now[:, [tables.DX, tables.DY]] += dt * now[:, [tables.DVX, tables.DVY]]
-    now[:, tables.DY] = np.maximum(now[:, tables.DY], 0.3)
-    now[:, tables.AGE] += dt
-    return now[now[:, tables.AGE] < now[:, tables.LIFE]][-MOST:]
+        now[:, VELOCITY] += DRAG * dt * wind(dust[:, PLACE])
+    now[:, VELOCITY] /= 1.0 + DRAG * dt
+    now[:, DVY] -= DRAG * SINK * dt
+    now[:, PLACE] += dt * now[:, VELOCITY]
+    now[:, DY] = np.maximum(now[:, DY], 0.3)
+    now[:, AGE] += dt
+    return now[now[:, AGE] < now[:, LIFE]][-MOST:]
+
+
+class Dust(Member):
+    """``rows`` (n, DUST_WIDTH) of puffs."""
+
+    def __init__(self) -> None:
+        self.rows: Floats = np.zeros((0, DUST_WIDTH))
+
+    def add(
+        self, places: Floats, speeds: Floats, size: float, life: float, random: np.random.Generator
+    ) -> None:
+        """New ones, see `puffs`."""
+        self.rows = np.concatenate([self.rows, puffs(places, speeds, size, life, random)])
+
+    def state(self) -> tuple[Any, ...]:
+        return (self.rows,)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        self.rows = next(fields).copy()

@@ -8,46 +8,29 @@ import numpy as np
 
 from game.arrays import Floats
 from game.physics.accretion import strike_times
-from game.scenes.tower import tables
 from game.scenes.tower.building import columns_mass, floor_height, slab_mass
-from game.scenes.tower.model import TowerModel
+from game.scenes.tower.tables import COLUMN, NOT_YET
+from game.scenes.tower.world import TowerWorld
 
 
-def pieces_of(model: TowerModel) -> int:
-    """How many parts there are."""
-    return int(np.count_nonzero(model.parts[:, tables.BODY] >= 0.0))
+def mass_of(model: TowerWorld) -> float:
+    """kg, of everything in the world, by the solver's own numbers."""
+    return math.fsum((1.0 / model.world.bodies.inverse_masses[model.frame.bodies()]).tolist())
 
 
-def mass_of(model: TowerModel) -> float:
-    """kg, of all that is in the world, by the solver's own numbers."""
-    bodies = model.parts[model.parts[:, tables.BODY] >= 0.0, tables.BODY].astype(np.int64)
-    return math.fsum((1.0 / model.world.bodies.inverse_masses[bodies]).tolist())
-
-
-def standing(model: TowerModel) -> int:
+def standing(model: TowerWorld) -> int:
     """Storeys whose columns are all there."""
-    whole = (model.parts[:, tables.KIND] == tables.COLUMN) & (model.parts[:, tables.BODY] >= 0.0)
-    counts = np.bincount(
-        model.parts[whole, tables.STOREY].astype(np.int64), minlength=model.content.storeys + 1
-    )
+    storeys = model.frame.parts.storey[model.frame.rows((COLUMN,))]
+    counts = np.bincount(storeys, minlength=model.content.storeys + 1)
     return int(np.count_nonzero(counts[1:] == model.content.bays + 1))
 
 
-def whole_columns(model: TowerModel) -> int:
-    """Columns that are in one piece, wherever they are."""
-    return int(
-        np.count_nonzero(
-            (model.parts[:, tables.KIND] == tables.COLUMN) & (model.parts[:, tables.BODY] >= 0.0)
-        )
-    )
-
-
-def struck(model: TowerModel) -> int:
+def struck(model: TowerWorld) -> int:
     """Floors below the charges that have been struck."""
-    return int(np.count_nonzero(model.storeys[: model.first_storey() - 1, tables.STRUCK] != tables.NOT_YET))
+    return len(strikes_of(model))
 
 
-def fall_of(model: TowerModel) -> tuple[float, float, float]:
+def fall_of(model: TowerWorld) -> tuple[float, float, float]:
     """s from when nothing carried what falls to the last floor struck, s by the law, m the front fell.
 
     The law begins at the same moment, with the speed and the way that were measured then: while the charges
@@ -55,8 +38,8 @@ def fall_of(model: TowerModel) -> tuple[float, float, float]:
     and without gravity.
     """
     first, content, count = model.first_storey(), model.content, struck(model)
-    begun, speed, way = model.freed.tolist()
-    if begun == tables.NOT_YET or not count or model.gravity() <= 0.0:
+    begun, speed, way = model.course.freed
+    if begun == NOT_YET or not count or model.gravity() <= 0.0:
         return math.nan, math.nan, math.nan
     floor, above = slab_mass(content), content.storeys - first
     moving, drop = floor + above * (floor + columns_mass(content)), drop_of(model)
@@ -66,47 +49,44 @@ def fall_of(model: TowerModel) -> tuple[float, float, float]:
     return float(strikes_of(model).max() - begun), law[-1], drop * count - way
 
 
-def drop_of(model: TowerModel) -> float:
+def drop_of(model: TowerWorld) -> float:
     """m that a floor falls until it strikes the next."""
     return model.content.storey - model.content.slab
 
 
-def strikes_of(model: TowerModel) -> Floats:
+def strikes_of(model: TowerWorld) -> Floats:
     """s at which floors below the charges were struck, in the order of time."""
-    times = model.storeys[: model.first_storey() - 1, tables.STRUCK]
-    return np.sort(times[times != tables.NOT_YET])
+    times = model.frame.storeys.struck[: model.first_storey() - 1]
+    return np.sort(times[times != NOT_YET])
 
 
-def paces_of(model: TowerModel) -> Floats:
+def paces_of(model: TowerWorld) -> Floats:
     """m/s of the front, the mean from each floor to the next, the first from where it was freed."""
-    begun, _, way = model.freed.tolist()
+    begun, _, way = model.course.freed
     strikes = strikes_of(model)
-    if begun == tables.NOT_YET or not len(strikes):
+    if begun == NOT_YET or not len(strikes):
         return np.zeros(0)
     ways = np.full(len(strikes), drop_of(model))
     ways[0] -= way
     return np.asarray(ways / np.diff(strikes, prepend=begun))
 
 
-def free_fall_of(model: TowerModel) -> float:
+def free_fall_of(model: TowerWorld) -> float:
     """s that the way of the front would take in free fall, from the same start; NaN as `fall_of`."""
     _, law, way = fall_of(model)
     if not math.isfinite(law):
         return math.nan
-    speed, gravity = float(model.freed[tables.FREE_SPEED]), model.gravity()
+    speed, gravity = model.course.freed.speed, model.gravity()
     return (math.sqrt(speed * speed + 2.0 * gravity * way) - speed) / gravity
 
 
-def front_of(model: TowerModel) -> tuple[float, float]:
+def front_of(model: TowerWorld) -> tuple[float, float]:
     """Where the floors meet now, m."""
     first = model.first_storey()
-    storey = (
-        max(first - struck(model), 0) if model.storeys[first - 1, tables.CUT] != tables.NOT_YET else first
-    )
+    storey = max(first - struck(model), 0) if model.frame.storeys.cut[first - 1] != NOT_YET else first
     return 0.0, floor_height(model.content, storey)
 
 
-def roof_of(model: TowerModel) -> float:
+def roof_of(model: TowerWorld) -> float:
     """Height (m) of the highest part."""
-    bodies = model.parts[model.parts[:, tables.BODY] >= 0.0, tables.BODY].astype(np.int64)
-    return float(model.world.bodies.positions[bodies, 1].max())
+    return float(model.world.bodies.positions[model.frame.bodies(), 1].max())

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from game.physics.solids import SOLVERS, TIERS
-from game.stage import Choice, Param, Parameters, Toggle
+from game.stage import Param, Parameters, Toggle
+from game.worlds.hands.hand import Tool, choose_tool
+from game.worlds.members import solids
 
 OF_PICTURE = ("marks", "dust")
-OF_TOOLS = ("tool",)
+TOOLS = (
+    Tool("cut", "Cut a column", "tool: cut a column"), Tool("break", "Break a floor", "tool: break a floor"),
+)  # fmt: skip
 
 
 class TowerParameters(Parameters):
     """The charges, the strength of what breaks, and the solver."""
 
-    tool = Choice(
-        "cut", ("cut", "break"), labels=("Cut a column", "Break a floor"), group="Tools",
-        help="what the left button does",
-    )  # fmt: skip
+    tool = choose_tool(TOOLS)
     first = Param(
         0, 0, 40, whole=True, group="Charges", label="First storey",
         help="whose columns are cut first, counted from the ground; 0: as the level says",
@@ -34,18 +34,9 @@ class TowerParameters(Parameters):
     )  # fmt: skip
     friction = Param(0.5, 0.0, 2.0, group="World", help="Coulomb's coefficient of everything")
     gravity = Param(9.81, 0.5, 30.0, unit="m/s²", group="World", help="downwards")
-    tier = Choice(
-        "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Solver", label="Quality",
-        help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say",
-    )  # fmt: skip
-    substeps = Param(4, 1, 128, whole=True, log=True, group="Solver", help="parts of a step, with Own")
-    solver = Choice("soft-step", tuple(SOLVERS), group="Solver", help="what finds the impulses of contacts")
-    step_length = Param(
-        1.0 / 60.0, 1.0 / 2000.0, 1.0 / 30.0, unit="s", log=True, group="Solver", label="Time step"
-    )
+    tier = solids.choose_quality()
+    substeps = solids.choose_substeps(128)
+    solver = solids.choose_solver()
+    step_length = solids.choose_step(1.0 / 60.0, 1.0 / 2000.0, 1.0 / 30.0)
     dust = Toggle(True, group="Shown", label="Dust")
     marks = Toggle(False, group="Shown", label="Front and law", help="in a story F7 shows them as well")
-
-    def substeps_now(self) -> int:
-        """By the quality that is chosen."""
-        return TIERS.get(self.tier, int(self.substeps))

@@ -2,42 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import ClassVar
 
-import msgspec
-
 from game.lab.studies.collapse import collapse_study
-from game.levels import Level
 from game.physics.fields import GRAVITY
 from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
 from game.scenes.tower import A08
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.figure import draw_front
-from game.scenes.tower.hand import TowerHand
+from game.scenes.tower.hand import tower_hand
 from game.scenes.tower.level import TowerContent
-from game.scenes.tower.model import TowerModel
-from game.scenes.tower.parameters import OF_PICTURE, TowerParameters
-from game.scenes.tower.readouts import readouts
-from game.scenes.tower.sounds import hearing_of
-from game.scenes.tower.targets import story_names, story_targets
+from game.scenes.tower.parameters import OF_PICTURE, TOOLS, TowerParameters
+from game.scenes.tower.told import hearing, names, readouts, saved, targets
 from game.scenes.tower.view import TowerView
-from game.stage import (
-    Equation,
-    Hearing,
-    Hint,
-    Readout,
-    SceneAction,
-    Strip,
-    WarmUp,
-)
+from game.scenes.tower.world import TowerWorld
+from game.stage import Equation, Hint, SceneAction, Strip
+from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import BuiltScene
+from game.worlds.scene import Parts, WorldScene
 
 
-class Tower(BuiltScene):
-    """An empty tower of floors and columns. Charges cut the columns of one storey; what is above falls upon
-    the floor below, takes it along, and both go on, slower than before but with more mass. So the front runs
+class Tower(WorldScene):
+    """An empty tower of floors and columns. Charges cut the columns of one storey. What is above falls upon
+    the floor below, and takes it along. Both go on, slower than before but with more mass. So the front runs
     down from floor to floor: with nothing else to resist, an even row of floors falls with a third of
     gravity, and a mass at the start makes it faster.
 
@@ -46,8 +33,8 @@ class Tower(BuiltScene):
     than one and a half times that speed within a twentieth of a second, and its pieces fly apart. Pieces and
     dust together keep the mass of what they were. Columns further down are cut by the scene the moment before
     the falling floor meets theirs: a rigid column would stop the fall for a whole step before its joints
-    part. The clock of the fall and the law begin when the last column is cut, with the speed and the way that
-    the floors have by then.
+    part. The clock of the fall and the law begin when the last column is cut. They start with the speed and
+    the displacement that the floors have by then.
 
     The air flows on a coarse grid around floors that move with their true velocity: it is driven out from
     under them and carries the dust, whose mass is kept and which weighs on it. The air does not slow floors.
@@ -59,14 +46,14 @@ class Tower(BuiltScene):
     name, task, title = A08.names
     parameters_type = TowerParameters
     parameters: TowerParameters
-    model: TowerModel
-    hand: TowerHand
+    model: TowerWorld
+    parts = Parts(TowerWorld, tower_hand, TowerView, readouts, saved, targets, hearing, names)
+    tool_prefix = "tool-"
+    painters = (("polygons", warm_up_painter),)
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS | AIR
     content_type = TowerContent
     not_of_model = OF_PICTURE
     study = collapse_study
-    takes: ClassVar[frozenset[str]] = frozenset(("right",))
-    covers = True
     may_be_infinite = frozenset(("world.joints",))
 
     strips = (
@@ -85,8 +72,7 @@ class Tower(BuiltScene):
     actions = (
         SceneAction("fire", "fire the charges", "U"),
         SceneAction("build", "build it again", "B"),
-        SceneAction("tool-cut", "tool: cut a column", "1"),
-        SceneAction("tool-break", "tool: break a floor", "2"),
+        *tool_keys(TOOLS, "tool-"),
     )
     figure = staticmethod(draw_front)
     equations = (
@@ -102,52 +88,11 @@ class Tower(BuiltScene):
     )
     default_content: ClassVar[TowerContent] = TowerContent()
 
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        """A step, and what paints."""
-        return (WarmUp("step", lambda: cls().advance(cls.dt)), WarmUp("polygons", warm_up_painter))
-
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = TowerModel(content, self.parameters, self.active)
-        self.hand = TowerHand(self.model)
-        self.view = TowerView(self.model)
-        self.check_content(content)
-
     def why_idle(self, name: str) -> str:
         if name == "joints":
             return "" if self.model.time == 0.0 else "Joints are as they were built; reset the tower."
         return super().why_idle(name)
 
-    def save_content(self) -> TowerContent:
-        """The tower as it was built, with the storey that is cut first as chosen."""
-        return msgspec.structs.replace(self.model.content, first=self.model.first_storey())
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def action(self, name: str) -> None:
-        if name.startswith("tool-"):
-            self.parameters.tool = name.removeprefix("tool-")
-        elif name == "build":
-            self.model.build()
-        else:
-            self.model.fire()
-
-    # -- what there is to see -----------------------------------------------------------------------
-
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return story_targets(self.model)
-
-    def story_names(self) -> list[tuple[tuple[float, float], str]]:
-        return story_names(self.model)
-
-    def hearing(self) -> Hearing:
-        return hearing_of(self.model.heard, self.model.time)
+    def do(self, name: str) -> str:
+        (self.model.build if name == "build" else self.model.fire)()
+        return ""

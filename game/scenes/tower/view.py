@@ -9,15 +9,18 @@ import numpy as np
 import pygame
 
 from game.arrays import Floats, Longs
-from game.physics.solids.arrays.state import DYNAMIC
-from game.scenes.tower import tables
 from game.scenes.tower.building import floor_height, half_width
-from game.scenes.tower.effects import AIR
+from game.scenes.tower.dust import AGE, LIFE, PLACE, SIZE
+from game.scenes.tower.frame import FLOORS
 from game.scenes.tower.measures import fall_of, front_of
-from game.scenes.tower.model import ModelState, TowerModel
+from game.scenes.tower.tables import COLUMN, NOT_YET
+from game.scenes.tower.world import TowerState, TowerWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
-from game.worlds.members.solids import contact_places
+from game.worlds.hands.hand import Hand
+from game.worlds.members.solids import bodies_between, contact_places
+from game.worlds.painting.boards import paint_quads
+from game.worlds.painting.inks import color_of
 from game.worlds.painting.polygons import NO_EDGE, paint
 
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
@@ -38,7 +41,7 @@ class Hour(NamedTuple):
     column: int
     rubble: tuple[int, int]
     edge: int
-    glass: tuple[int, int]  # no lamp is on: nobody is there; some panes mirror the sky
+    glass: tuple[int, int]  # no lamp is on: the house is empty; some panes mirror the sky
     dust: tuple[int, int]
     sheen: int  # added where light from the sun or the moon falls on dust
 
@@ -62,7 +65,7 @@ def hour_of(canvas: Canvas) -> Hour:
 class TowerView:
     """Draws a model."""
 
-    def __init__(self, model: TowerModel):
+    def __init__(self, model: TowerWorld, hand: Hand):
         self.model = model
         self._asked = False  # marks are asked for by key
         self._standing = Standing()
@@ -75,7 +78,7 @@ class TowerView:
             return []
         return [("disc:amber", "contact", ""), ("dash:vermilion", "front by the law", "")]
 
-    def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
+    def draw(self, canvas: Canvas, previous: TowerState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         hour = hour_of(canvas)
         self._standing.draw(canvas, self._paint_behind)
@@ -94,27 +97,27 @@ class TowerView:
         hour = hour_of(canvas)
         seen = canvas.camera.visible()
         rows = np.array([[0.0], [0.35], [1.0]])
-        stops = [(0.0, _color(hour.sky[2])), (0.4, _color(hour.sky[1])), (1.0, _color(hour.sky[0]))]
+        stops = [(0.0, color_of(hour.sky[2])), (0.4, color_of(hour.sky[1])), (1.0, color_of(hour.sky[0]))]
         low = min(seen.bottom, 0.0)
         canvas.field(np.repeat(rows, 2, axis=1), (seen.left, low), (seen.right, seen.top), stops)
         width, (x, _) = seen.right - seen.left, canvas.camera.center
         sun = seen.left + 0.76 * width, 0.3 * (seen.top - seen.bottom) + max(seen.bottom, 0.0)
         for share, veil in ((2.2, 0.08), (1.5, 0.14), (1.0, 1.0)):
-            canvas.discs(np.array([sun]), 0.02 * width * share, _color(hour.sun), veil)
+            canvas.discs(np.array([sun]), 0.02 * width * share, color_of(hour.sun), veil)
         for (slide, _), town, ink in zip(BEHIND, self._towns, hour.towns, strict=True):
             shifted = town + np.array(((1.0 - slide) * x, 0.0))
             near = (shifted[:, 0] > seen.left - 40.0) & (shifted[:, 0] < seen.right + 40.0)
             kept = shifted[near]
             if len(kept) > 2:
                 outline = np.concatenate([[(kept[0, 0], -2.0)], kept, [(kept[-1, 0], -2.0)]])
-                canvas.polygon(outline, fill=_color(ink))
+                canvas.polygon(outline, fill=color_of(ink))
         self._paint_ground(canvas, hour, sun[0])
 
     @staticmethod
     def _paint_ground(canvas: Canvas, hour: Hour, sun_x: float) -> None:
         """A field in bands, the nearer the darker, with the light of the sun or the moon on it."""
         seen = canvas.camera.visible()
-        near, far = _color(hour.ground[1]), _color(hour.ground[0])
+        near, far = color_of(hour.ground[1]), color_of(hour.ground[0])
         heights = -GROUND_M * np.linspace(0.0, 1.0, GROUND_BANDS + 1) ** 1.6
         heights[-1] = min(seen.bottom, -GROUND_M) - 1.0
         wide = 0.02 * (seen.right - seen.left)
@@ -127,14 +130,14 @@ class TowerView:
             half = wide * (0.8 + 0.22 * k)
             lit = [(sun_x - half, top), (sun_x + half, top), (sun_x + half + 0.22 * wide, low),
                    (sun_x - half - 0.22 * wide, low)]  # fmt: skip
-            canvas.polygon(lit, fill=_color(hour.sun), fill_alpha=0.12 * (1.0 - k / GROUND_BANDS) ** 2)
+            canvas.polygon(lit, fill=color_of(hour.sun), fill_alpha=0.12 * (1.0 - k / GROUND_BANDS) ** 2)
 
     def _facade(self, canvas: Canvas, hour: Hour) -> None:
         """Panes between the floors of storeys that stand."""
         content = self.model.content
         half, boxes, inks = half_width(content), [], []
         for storey in range(1, content.storeys + 1):
-            if self.model.storeys[storey - 1, tables.CUT] != tables.NOT_YET or self._is_falling(storey):
+            if self.model.frame.storeys.cut[storey - 1] != NOT_YET or self._is_falling(storey):
                 continue
             low, high = floor_height(content, storey - 1), floor_height(content, storey) - content.slab
             for k in range(content.bays * PANES):
@@ -145,17 +148,12 @@ class TowerView:
                 )
                 inks.append(hour.glass[1] if (7 * storey + 5 * k) % 11 in (0, 4) else hour.glass[0])
         if boxes:
-            self._paint(
-                canvas, np.array(boxes).reshape(-1, 2), np.array(inks, dtype=np.int64), 0.75, hour.edge
-            )
+            paint_quads(canvas, np.array(boxes).reshape(-1, 2), np.array(inks), 0.75, hour.edge)
 
     def _is_falling(self, storey: int) -> bool:
         """True if the floor that carries a storey is not where it was built."""
         model = self.model
-        rows = model.parts[
-            (model.parts[:, tables.KIND] == tables.COLUMN) & (model.parts[:, tables.BODY] >= 0.0)
-        ]
-        own = rows[rows[:, tables.STOREY] == storey, tables.BODY].astype(np.int64)
+        own = model.frame.bodies((COLUMN,), (storey,))
         if not len(own):
             return True
         middle = floor_height(model.content, storey) - model.content.slab
@@ -164,16 +162,13 @@ class TowerView:
 
     # -- bodies ---------------------------------------------------------------------------------------
 
-    def _bodies(self, canvas: Canvas, hour: Hour, previous: ModelState | None, alpha: float) -> None:
+    def _bodies(self, canvas: Canvas, hour: Hour, previous: TowerState | None, alpha: float) -> None:
         model = self.model
-        parts = model.parts[model.parts[:, tables.BODY] >= 0.0]
-        order = np.argsort(
-            np.where(parts[:, tables.KIND] == tables.COLUMN, 0.0, parts[:, tables.KIND] + 1.0), kind="stable"
-        )
-        parts = parts[order]
-        bodies = parts[:, tables.BODY].astype(np.int64)
-        places, angles = self._between(previous, alpha)
-        world = model.world
+        rows, world = model.frame.rows(), model.world
+        kinds = model.frame.parts.kind[rows]
+        order = np.argsort(np.where(kinds == COLUMN, 0, kinds + 1), kind="stable")
+        bodies, kinds = model.frame.parts.body[rows[order]], kinds[order]
+        places, angles = bodies_between(world, previous.world if previous else None, alpha)
         shape_of = np.full(len(world.bodies.flags), -1)
         used = np.flatnonzero(world.shapes.kinds >= 0)
         shape_of[world.shapes.bodies[used]] = used
@@ -187,12 +182,11 @@ class TowerView:
         points = (
             np.stack([c * corners[:, 0] - s * corners[:, 1], s * corners[:, 0] + c * corners[:, 1]], 1) + at
         )
-        kinds = parts[:, tables.KIND].astype(np.int64)
         inks = np.array([hour.slab, hour.column, hour.rubble[0], hour.rubble[1]])[kinds]
         self._shadow(canvas, points, firsts, hour)
         none = np.zeros((64, 2))
         paint(canvas, points, firsts, inks, np.ones(len(inks)), np.full(len(inks), hour.edge), none)
-        flat = (kinds == tables.SLAB) | (kinds == tables.SHARD)
+        flat = np.isin(kinds, FLOORS)
         centre = np.repeat(places[bodies], counts, axis=0)
         lit = centre + (points - centre) * np.array((1.0, 0.9))
         lit[:, 1] += 0.04
@@ -212,25 +206,7 @@ class TowerView:
         a, b = float(left[near].min()), float(right[near].max())
         for wider, veil in ((0.6, 0.22), (2.2, 0.14), (5.0, 0.08)):
             quad = np.array([(a - 0.3 * wider, 0.0), (b + wider, 0.0), (b + 0.6 * wider, -0.9), (a, -0.9)])
-            canvas.polygon(quad, fill=_color(hour.edge), fill_alpha=veil)
-
-    def _between(self, previous: ModelState | None, alpha: float) -> tuple[Floats, Floats]:
-        """Places (n, 2) m and angles (n,) rad of all slots between the last two steps."""
-        rows = self.model.world.bodies
-        if previous is None or previous.world.bodies.angles.shape != rows.angles.shape:
-            return rows.positions, rows.angles
-        before = previous.world.bodies
-        same = (before.flags & DYNAMIC == rows.flags & DYNAMIC) & (
-            before.inverse_masses == rows.inverse_masses
-        )
-        share = np.where(same, 1.0 - alpha, 0.0)
-        places = rows.positions - share[:, None] * (rows.positions - before.positions)
-        return places, rows.angles - share * (rows.angles - before.angles)
-
-    def _paint(self, canvas: Canvas, corners: Floats, inks: Longs, share: float, edge: int) -> None:
-        count = len(inks)
-        paint(canvas, corners, np.arange(0, 4 * count + 1, 4), inks, np.full(count, share),
-              np.full(count, edge), np.zeros((4, 2)))  # fmt: skip
+            canvas.polygon(quad, fill=color_of(hour.edge), fill_alpha=veil)
 
     # -- in front -------------------------------------------------------------------------------------
 
@@ -238,22 +214,20 @@ class TowerView:
         """What the air carries, then puffs, old ones first, lighter above: discs in discs, thin at the
         rim.
         """
-        dust, air = self.model.dust, AIR in self.model.active
+        dust, air = self.model.dust.rows, self.model.air.on
         if air:
-            sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, _color(hour.sheen)))
-            canvas.veil(self.model.air.veil(), *self.model.air.box(), _color(hour.dust[1]), sheen)
-            dust = dust[
-                np.floor(997.0 * dust[:, tables.LIFE]) % SPARED == 0.0
-            ]  # the same ones in each picture
+            sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, color_of(hour.sheen)))
+            canvas.veil(self.model.air.veil(), *self.model.air.box(), color_of(hour.dust[1]), sheen)
+            dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
         if not len(dust):
             return
-        age = dust[:, tables.AGE] / dust[:, tables.LIFE]
-        radius = dust[:, tables.SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, tables.AGE]))
+        age = dust[:, AGE] / dust[:, LIFE]
+        radius = dust[:, SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, AGE]))
         for first in range(0, len(dust), CHUNK):
             part = slice(first, first + CHUNK)
             fade = float(np.mean((1.0 - age[part]) * np.minimum(1.0, 6.0 * age[part] + 0.2)))
-            where = dust[part][:, [tables.DX, tables.DY]]
-            shade, light = _color(hour.dust[1]), _color(hour.dust[0])
+            where = dust[part][:, PLACE]
+            shade, light = color_of(hour.dust[1]), color_of(hour.dust[0])
             for share, ink, veil in ((1.0, shade, 0.05), (0.72, shade, 0.06), (0.48, light, 0.08)):
                 shift = (0.0, 0.0) if ink is shade else (0.3, 0.2)
                 canvas.discs(where + np.array(shift), radius[part] * share, ink, veil * min(1.0, 1.6 * fade))
@@ -264,7 +238,7 @@ class TowerView:
         if len(points):
             canvas.discs(points, canvas.px(2.0), "amber")
         half = half_width(model.content) + 3.0
-        struck = np.flatnonzero(model.storeys[:, tables.STRUCK] != tables.NOT_YET)
+        struck = np.flatnonzero(model.frame.storeys.struck != NOT_YET)
         for k in struck.tolist():
             y = floor_height(model.content, k + 1)
             canvas.line((half, y), (half + 1.5, y), "amber", 1.6)
@@ -274,10 +248,6 @@ class TowerView:
         if math.isfinite(took):
             words = canvas.figure("fall", f"{took:.2f} s, law {law:.2f} s")
             canvas.label((half, y), words, "vermilion", 13, "semibold", "left", (8.0, 0.0), clear=True)
-
-
-def _color(ink: int) -> pygame.Color:
-    return pygame.Color(ink >> 16 & 255, ink >> 8 & 255, ink & 255)
 
 
 def _town(random: np.random.Generator, scale: float) -> Any:

@@ -7,11 +7,11 @@ from game.worlds.hands.hand import Tool, choose_tool
 from game.worlds.members import solids
 
 TOOLS = (
-    Tool("hand", "Move a ball", "move"),
-    Tool("ball", "New ball", "new ball", "click, drag and let go: a new ball"),
-    Tool("draw", "Draw a track", "draw a track", "draw a track"),
-    Tool("bend", "Bend a track", "bend a track", "drag a track"),
-    Tool("delete", "Delete", "delete", "click a ball or a track"),
+    Tool("hand", "Move a ball", "move", "", "G", "grab"),
+    Tool("ball", "New ball", "new ball", "click, drag and let go: a new ball", "N", "ball", apart=True),
+    Tool("draw", "Draw a track", "draw a track", "draw a track", "D", "track"),
+    Tool("bend", "Bend a track", "bend a track", "drag a track", "B", "bend"),
+    Tool("delete", "Delete", "delete", "click a ball or a track", "E", "delete", apart=True),
 )
 FORMS = ("disc", "sphere", "ring")
 OF_TOOLS = ("radius", "form", "bending")

@@ -25,7 +25,7 @@ from game.worlds.scene import Parts, WorldScene
 class Tracks(WorldScene):
     """A ball on a track has one coordinate, the way of its centre. The track is a smooth curve through its
     points, so it costs the ball nothing: a loop that is drawn by 50 chords is passed from the same height as
-    one of 800, where every corner of chords takes some of the speed.
+    one of 800. Every corner of chords takes some of the speed.
 
     While friction holds, the ball rolls, and its energy says how fast. Where the track presses too little for
     that, it slips. Where the track would have to pull, it leaves and flies, until it meets a track.
@@ -41,6 +41,7 @@ class Tracks(WorldScene):
     parameters: TrackParameters
     model: TracksWorld
     parts = Parts(TracksWorld, track_hand, TrackView, readouts, saved)
+    tools = TOOLS
     tool_prefix = ""
     takes = frozenset()
     covers = False
@@ -52,8 +53,8 @@ class Tracks(WorldScene):
 
     hints = (
         Hint(("Drag",), "move a ball"),
-        Hint(("2", "3", "4"), "new ball, draw, bend"),
-        Hint(("5",), "delete"),
+        Hint(("N", "D", "B"), "new ball, draw, bend"),
+        Hint(("E",), "delete"),
     )
     actions = tool_keys(TOOLS)
     strips = (

@@ -22,11 +22,15 @@ MARGIN_S = 0.05  # s of `LATE_S` that are left for what lies between two looks
 
 
 class Caption(NamedTuple):
-    """Words in the picture from one moment of the film to another (s; infinity as long as that is open)."""
+    """Words in the picture from one moment of the film to another (s; infinity as long as that is open).
+
+    line: the line that says them.
+    """
 
     text: str
     begins: float
     ends: float
+    line: int
 
 
 def reading_s(text: str) -> float:
@@ -149,7 +153,7 @@ class Course:
     def waiting(self) -> list[tuple[int, float]]:
         """Lines that may begin, each with the moment of the film from which on it may.
 
-        They stand in the order of their turn: who has waited longest for words to go comes first.
+        They stand in the order of their turn: the one that has waited longest for words to go comes first.
         """
         lines = self.story.lines
         found = [
@@ -259,7 +263,7 @@ class Course:
                 ends = max(ends, reached.film_s) if reached is not None else math.inf
                 if place + 1 < len(self._words):
                     ends = min(ends, self.begun[self._words[place + 1]].film_s)
-            found.append(Caption(begun.text, begun.film_s, ends))
+            found.append(Caption(begun.text, begun.film_s, ends, number))
         return found
 
     def cards(self) -> list[tuple[int, float, float]]:

@@ -92,26 +92,48 @@ class Do(Line, frozen=True, kw_only=False):
     do: Deed
 
 
+class Chart(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
+    """What is measured over what is expected, in a corner of the picture for as long as a caption stands.
+
+    measured: a readout. expected: another, or a number. over: the readout along which both are drawn; "time"
+    is that of the simulation, s, if no readout is called so; "" for two marks on an axis. since: a moment
+    from which on they are drawn; a curve begins again where ``over`` does. names: of both, if not those of
+    the readouts. shows: what the scene calls so (`Scene.story_charts`), in place of all these.
+    """
+
+    measured: Annotated[str, msgspec.Meta(max_length=60)] = ""
+    expected: Annotated[str, msgspec.Meta(max_length=60)] | float = ""
+    over: Annotated[str, msgspec.Meta(max_length=60)] = ""
+    since: Annotated[str, msgspec.Meta(max_length=60)] = ""
+    names: tuple[Name, Name] | None = None
+    shows: Annotated[str, msgspec.Meta(max_length=60)] = ""
+    corner: Literal["top right", "top left", "bottom right", "bottom left"] = "top right"
+
+
 class Say(Line, frozen=True, kw_only=False):
     """A caption; {readout} stands for its value with its unit, {readout:.1f} for the number alone.
 
     until: the moment at which it goes, once it could be read; without one it stays as long as reading takes.
+    chart: what is drawn in a corner meanwhile.
     """
 
     say: Words
     until: str = ""
+    chart: Chart | None = None
 
 
 class Moment(Line, frozen=True, kw_only=False):
     """Waits until the state is so. when: one or more of "READOUT > NUMBER" (or <, >=, <=), all at a time.
 
-    deadline: s of simulated time that it may take. chapter: how the film calls what begins then.
+    deadline: s of simulated time that it may take. chapter: how the film calls what begins then; quiet: no
+    chapter begins.
     """
 
     moment: Name
     when: str | tuple[str, ...]
     deadline: Annotated[float, msgspec.Meta(gt=0.0, le=3600.0)]
     chapter: Annotated[str, msgspec.Meta(max_length=60)] = ""
+    quiet: bool = False
 
     @property
     def conditions(self) -> tuple[str, ...]:
@@ -120,7 +142,9 @@ class Moment(Line, frozen=True, kw_only=False):
 
     @property
     def heading(self) -> str:
-        """The name of its chapter."""
+        """The name of its chapter; "" if it begins none."""
+        if self.quiet:
+            return ""
         return self.chapter or self.moment[0].upper() + self.moment[1:]
 
 

@@ -37,7 +37,8 @@ class MomentWatch:
     def _film_s(self) -> float:
         return self.course.film_s(self.stage.time_s)
 
-    def _measured(self) -> dict[str, Readout]:
+    def measured(self) -> dict[str, Readout]:
+        """The readouts of the present step, by their names."""
         if self._readouts is None:
             self._readouts = {readout.name: readout for readout in self.stage.scene.readouts()}
         return self._readouts
@@ -52,7 +53,7 @@ class MomentWatch:
         for number, conditions in self._conditions.items():
             if self._names[number] in course.reached:
                 continue
-            true = all(condition.holds(self._measured()) for condition in conditions)
+            true = all(condition.holds(self.measured()) for condition in conditions)
             if true != (number in course.true):
                 course.add(Turned(stage.step_number, stage.time_s, self._film_s, number, true))
 
@@ -79,7 +80,7 @@ class MomentWatch:
         stage, course, story = self.stage, self.course, self.story
         film_s, since_s = self._film_s, course.since.get(number, stage.time_s) if come else math.nan
         told = [i for i in story.first_words(number) if i not in course.begun]
-        values = self._measured()
+        values = self.measured()
         words = {i: line.say for i in told if isinstance(line := story.lines[i], Say)}
         typed = (
             [thresholds_in(text, self._conditions[number], values) for text in words.values()] if come else []
@@ -100,7 +101,7 @@ class MomentWatch:
             due = ends or self._is_due(one)
             if not due and one.by is None:
                 continue
-            readout = self._measured().get(one.expect)
+            readout = self.measured().get(one.expect)
             value = readout.value if readout is not None else math.nan
             if due or one.holds(value):
                 stage = self.stage

@@ -59,6 +59,7 @@ from game.stage.script.lines import (
 )  # fmt: skip
 from game.stage.script.lines import StoryLine as AnyLine
 from game.stage.script.readouts import named_in, parse_condition
+from game.stage.story.charts import check_chart, readouts_of
 
 MOST_LINES = 500
 MOST_CONDITIONS = 8
@@ -204,6 +205,8 @@ def _check_words(line: AnyLine, moments: Sequence[str]) -> None:
         named_in(line.say)
         if line.until and line.until not in moments:
             raise ValueError(f"until: no moment is called {line.until!r}")
+        if line.chart is not None:
+            check_chart(line.chart, moments)
     elif isinstance(line, Moment):
         if not 1 <= len(line.conditions) <= MOST_CONDITIONS:
             raise ValueError(f"when: expected 1 to {MOST_CONDITIONS} conditions")
@@ -265,8 +268,11 @@ def check_names(story: Story, scene: Scene) -> None:
     path = story.level.path
     readouts = [readout.name for readout in scene.readouts()]
     readouts += [name for strip in scene.strips for name in strip.sometimes]
-    targets = {*scene.story_targets(), WHOLE}
+    targets, charts = {*scene.story_targets(), WHOLE}, sorted(scene.story_charts())
     for i, line in enumerate(story.lines):
+        chart = line.chart if isinstance(line, Say) else None
+        if chart is not None and chart.shows and chart.shows not in charts:
+            raise _unknown(path, f"line[{i}].chart", "chart", chart.shows, charts)
         for name in _readouts_in(line):
             if name not in readouts:
                 raise _unknown(path, f"line[{i}]", "readout", name, readouts)
@@ -284,7 +290,7 @@ def _unknown(path: Path | None, field: str, kind: str, name: str, known: Sequenc
 
 def _readouts_in(line: Line) -> list[str]:
     if isinstance(line, Say):
-        return named_in(line.say)
+        return [*named_in(line.say), *readouts_of(line.chart)]
     return [parse_condition(w).readout for w in line.conditions] if isinstance(line, Moment) else []
 
 

@@ -17,6 +17,7 @@ from game.stage.script.deeds import RATE_HZ, begin_of, end_of, on_the_way
 from game.stage.script.entries import Begun, Dropped, Ended
 from game.stage.script.lines import WHOLE, Do, Follow, HandOver, Look, Say, Story, Title
 from game.stage.script.readouts import filled
+from game.stage.story.charts import ChartWatch
 from game.stage.story.moments import MomentWatch
 from game.stage.story.reading import check_names
 
@@ -46,6 +47,7 @@ class Runner:
         self._looks = looks
         self.turned = stage.scene_type.quarter_turns % 2 == 1
         self.watch = MomentWatch(story, stage, self.course)
+        self.charts = ChartWatch(story, stage, self.course)
         self.restart()
         stage.cue = self
 
@@ -54,6 +56,7 @@ class Runner:
     def restart(self) -> None:
         """The stage stands at step 0 again."""
         self.course.forget_after(-1)
+        self.charts.restart()
         self.stopped_at = None
         self._own_events = 0  # that had acted when somebody took over
         self._own_done = -1
@@ -90,6 +93,7 @@ class Runner:
         if step >= self._done:
             return
         self.course.forget_after(step)
+        self.charts.forget_after(step)
         self._aims = [(when, aim) for when, aim in self._aims if when <= step]
         self._aim = self._aims[-1][1]
         self.path.forget_after(step)
@@ -174,6 +178,8 @@ class Runner:
         self.watch.look()
         while self.watch.reach() or self._overtake() or self._begin_one():
             pass
+        if self.charts.waiting:
+            self.charts.look(self.watch.measured())
         self.watch.measure()
 
     def _begin_one(self) -> bool:

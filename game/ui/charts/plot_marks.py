@@ -52,7 +52,16 @@ class Brush:
         self, a: tuple[float, float], b: tuple[float, float], width: float,
         dash: tuple[float, float], color: str, alpha: float,
     ) -> None:  # fmt: skip
-        array, k = np.array((a, b)) + self.offset, self.look.k
+        self.dashed_chain((a, b), width, dash, color, alpha)
+
+    def dashed_chain(
+        self, points: Sequence[tuple[float, float]], width: float, dash: tuple[float, float], color: str,
+        alpha: float = 1.0,
+    ) -> None:  # fmt: skip
+        """Dashes that go on from each line to the next."""
+        if len(points) < 2:
+            return
+        array, k = np.array(points) + self.offset, self.look.k
         raster.stroke_dashes(
             self.pixels, self.clip, self.cover, array, float(width * k), False, dash[0] * k, dash[1] * k, 0.0,
             self._ink(color), float(alpha),

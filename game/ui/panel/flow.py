@@ -43,6 +43,7 @@ class Contents(NamedTuple):
     legend: tuple[str, ...] = ()  # words of the rows, for a scene that has its legend here
     table: tuple[str, int] | None = None  # title and capacity of the scene's table
     hidden: tuple[str, ...] = ()  # parts and parameters that the level hides: see `hidden_of`
+    only: tuple[str, ...] = ()  # parameters of a card on the stage; none: those of the panel
 
     def present_level(self) -> str:
         """Path of the level that the scene was made from, as the drop-down knows it."""
@@ -96,9 +97,12 @@ class Flow:
             for index in range(HEADER, space):
                 self._row(TableLine, index)
         parameters = source.scene.declared_parameters().values()
-        shown = [one for one in parameters if one.in_panel and f"parameter {one.name}" not in hidden]
+        only = contents.only
+        chosen = [one for one in parameters if (one.name in only if only else one.in_panel)]
+        shown = [one for one in chosen if f"parameter {one.name}" not in hidden]
         for title, declared in grouped(shown) if "parameters" not in hidden else ():
-            self._row(Heading, title)
+            if not only:  # a card has a title of its own
+                self._row(Heading, title)
             for parameter in declared:
                 self._parameter(parameter, title, source)
         effects = tuple(source.scene.effects)

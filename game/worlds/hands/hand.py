@@ -6,18 +6,25 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from game.arrays import Point
-from game.stage import Choice, Hint, Part, Pointer, SceneAction
+from game.stage import Choice, Hint, Part, Pointer, SceneAction, ToolButton
 
 NOBODY = -1
 
 
 class Tool(NamedTuple):
-    """A tool as it can be chosen: option, label, words beside its key, what the hand does next."""
+    """A tool as it can be chosen: option, label, words beside its key, what the hand does next.
+
+    key: its own; "": the next number. icon: its sign on the stage; "": it has none. apart: another group of
+    the bar begins with it.
+    """
 
     name: str
     label: str
     words: str = ""
     next: str = ""
+    key: str = ""
+    icon: str = ""
+    apart: bool = False
 
 
 def choose_tool(tools: Sequence[Tool]) -> Choice:
@@ -27,10 +34,26 @@ def choose_tool(tools: Sequence[Tool]) -> Choice:
 
 
 def tool_keys(tools: Sequence[Tool], prefix: str = "") -> tuple[SceneAction, ...]:
-    """An action for each tool that has words, on the keys 1, 2, 3 and so on."""
+    """An action for each tool that has words, on its own key or on the keys 1, 2, 3 and so on."""
     return tuple(
-        SceneAction(prefix + tool.name, tool.words, str(k + 1))
+        SceneAction(prefix + tool.name, tool.words, tool.key or str(k + 1))
         for k, tool in enumerate(tool for tool in tools if tool.words)
+    )
+
+
+def tool_buttons(tools: Sequence[Tool], chosen: str, prefix: str = "") -> tuple[ToolButton, ...]:
+    """A button on the stage for each tool that has a sign."""
+    return tuple(
+        ToolButton(
+            prefix + tool.name,
+            tool.icon,
+            f"{tool.label}: {tool.next}" if tool.next else tool.label,
+            tool.key,
+            tool.name == chosen,
+            tool.apart,
+        )
+        for tool in tools
+        if tool.icon
     )
 
 
@@ -68,7 +91,8 @@ class Use(NamedTuple):
 
 
 class Hand(Part):
-    """``uses`` of its tools, by name. ``right``: the tool of the right button, "": none.
+    """``uses`` of its tools, by name. ``right``: the tool of the right button, "": none; ``left``: that of
+    the left one, "": the parameter ``tool`` says it.
 
     held: number of what it holds, or NOBODY; kind: of what that is, where a tool takes more than one. start,
     point: where a drag began, and is, m, None when there is none; before: where it was at the last event;
@@ -82,12 +106,14 @@ class Hand(Part):
         low: Point,
         high: Point,
         *,
+        left: str = "",
         right: str = "",
         drop: Callable[[Hand], None] | None = None,
     ):
         """low, high: corners of where a hand may be, m. drop: what letting go does to the model."""
         self.model, self.parameters = model, model.parameters
-        self._uses, self._low, self._high, self._right, self._drop = uses, low, high, right, drop
+        self._uses, self._low, self._high, self._drop = uses, low, high, drop
+        self._left, self._right = left, right
         self.held, self.kind, self.verb, self.shift = NOBODY, "", "", False
         self.start: Point | None = None
         self.point: Point | None = None
@@ -110,7 +136,7 @@ class Hand(Part):
         point = tuple(map(_within, (event.x, event.y), self._low, self._high))
         if event.kind == "down" and (event.button == 1 or (event.button == 3 and self._right)):
             self.let_go()
-            self.verb = self._right if event.button == 3 else self.parameters.tool
+            self.verb = self._right if event.button == 3 else self._left or self.parameters.tool
             self.start = self.point = self.before = point[0], point[1]
             self.path, self.shift = [self.point], event.shift
             return self._uses.get(self.verb, Use()).press(self)

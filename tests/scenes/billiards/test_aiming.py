@@ -8,9 +8,10 @@ import pytest
 from game.billiards.game.frame import Struck, trajectory_of
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
-from game.scenes.billiards.parameters import LARGEST_TIP
 from game.scenes.billiards.stroke.aiming import NOTCH, TIP_STEP
 from game.scenes.billiards.stroke.motion import cue_speed_of, power_of, pull_of, stroke_motion
+from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.choices import LARGEST_TIP
 from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED
 from game.scenes.shared.tables.prediction import foresee
 from game.stage import Action, SetParameter
@@ -172,7 +173,7 @@ def test_pulling_the_cue_back_strikes_as_hard_as_it_was_pulled():
     pull = 0.4 * FULL_PULL
     x, y = 0.45, 0.45
     point(stage, "down", x, y, button=1)
-    assert scene.play.grip == "cue"
+    assert scene.play.grip == grip.CUE
     point(
         stage,
         "move",

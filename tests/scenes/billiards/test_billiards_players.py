@@ -10,8 +10,9 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.billiards.players import opponents
 from game.scenes.billiards.opponents.deciding import NEW_RACK_S
-from game.scenes.billiards.opponents.thinking import GRADES, decision_of, simple_stroke, think
+from game.scenes.billiards.opponents.thinking import decision_of, simple_stroke, think
 from game.scenes.billiards.scene import Billiards
+from game.scenes.shared.tables.choices import GRADES
 from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.stage import Action, Decision, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import check_balls, open_level, seconds, until_aiming

@@ -10,8 +10,8 @@ from game.billiards.game.frame import Struck
 from game.levels import load_level
 from game.scenes.billiards import layout
 from game.scenes.billiards.scene import Billiards
-from game.scenes.billiards.stroke.guide import FIRST, NONE, WHOLE
 from game.scenes.billiards.view.score_board import key_rows
+from game.scenes.shared.tables.choices import FIRST, NONE, WHOLE
 from game.scenes.shared.tables.prediction import FIRST_BALL, SET_OFF, foresee
 from game.stage import Action, SetParameter, Stage
 from tests.scenes.billiards.billiards_stages import (

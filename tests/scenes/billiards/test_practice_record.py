@@ -16,6 +16,7 @@ from game.scenes.billiards.view.beside.record import (
     rows_of,
     summary_of,
 )
+from game.scenes.shared.tables import grip
 from game.stage import Action, Decision, SetParameter, replay_scene
 from game.stage.records.history import PracticeSet, history_path, keep_set
 from game.ui.look.look import Look
@@ -125,8 +126,8 @@ class TestGhostAtTheTable:
         from game.scenes.billiards import layout
 
         stage = open_level("ghost-09")
-        assert stage.scene.buttons.at(*layout.card_box(1).middle) == ""
-        assert stage.scene.buttons.at(*layout.card_box(0).middle) == "card-0"
+        assert stage.scene.buttons.at(*layout.card_box(1).middle) == grip.NOTHING
+        assert stage.scene.buttons.at(*layout.card_box(0).middle) == grip.card(0)
 
     def test_the_parameter_begins_it_as_well(self):
         stage = open_level("default")

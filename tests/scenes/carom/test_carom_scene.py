@@ -15,8 +15,9 @@ from game.levels import LevelError, parse_level
 from game.scenes.carom import layout
 from game.scenes.carom.level import CaromContent
 from game.scenes.carom.opponents import CaromOpponents
-from game.scenes.carom.parameters import GRADES
 from game.scenes.carom.scene import CaromScene
+from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.choices import GRADES
 from game.stage import Action, Decision, Pointer, SetParameter, Stage, replay_scene
 from tests.scenes.carom.carom_stages import (
     click,
@@ -178,7 +179,7 @@ def test_a_press_that_does_not_move_a_ball_changes_nothing():
     click(stage, 0.41, 1.1)
     assert (
         stage.scene.model.frame is before
-        and stage.scene.course.grip == ""
+        and stage.scene.course.grip == grip.NOTHING
         and len(stage.scene.model.frame.game.players) == 2
     )
 

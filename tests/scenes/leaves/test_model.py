@@ -14,15 +14,16 @@ from game.physics.plates.regimes import BORDERS
 from game.physics.plates.watch import FLUTTER, GLIDE, NOTHING, TUMBLE
 from game.scenes.leaves.basket import WIRE
 from game.scenes.leaves.foliage import cut_outlines
-from game.scenes.leaves.hand import FARTHEST, LeavesHand
+from game.scenes.leaves.hand import FARTHEST, leaves_hand
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.model import DEPTH, FLIP, GROWN, KIND, NAMES, SHADE, YAW, LeavesModel
-from game.scenes.leaves.readouts import readouts_of
 from game.scenes.leaves.scene import Leaves
 from game.scenes.leaves.sounds import LANDING, RUBBING, WIND
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
+from game.scenes.leaves.told import readouts
 from game.scenes.leaves.ways import ACROSS, CHANGES, DOWN, TOOK, TURNED
 from game.stage import Pointer
+from game.worlds.hands.hand import Hand
 from game.worlds.hearing import REMEMBERED_S
 
 DT = 1.0 / 120.0
@@ -37,7 +38,7 @@ def made(words: str, seed: int = 3, **parameters) -> LeavesModel:
 
 
 def measured(model: LeavesModel) -> dict[str, float]:
-    return {readout.name: readout.value for readout in readouts_of(model)}
+    return {readout.name: readout.value for readout in readouts(model)}
 
 
 BED = 'beds = [{ kinds = ["maple", "oak"], count = 7, left = -2.0, right = 1.5 }]\n'
@@ -199,24 +200,26 @@ class TestStep:
         model.plates.rows[VX], model.plates.rows[VY] = 0.6, -0.8
         model.advance(DT)
         assert (model.plates.touched > 0.0).tolist() == [True, True, False]
-        assert model.heard.shape == (1, 4) and model.airborne[:2].tolist() == [0.0, 0.0]
-        assert model.heard[0] == pytest.approx([DT, LANDING, 0.125, model.plates.rows[X, 0]])
-        model.heard = np.tile((0.0, RUBBING, 0.5, 0.0), (24, 1))
-        model.heard[0, 0] = -REMEMBERED_S
+        assert model.heard.rows.shape == (1, 4) and model.airborne[:2].tolist() == [0.0, 0.0]
+        assert model.heard.rows[0] == pytest.approx([DT, LANDING, 0.125, model.plates.rows[X, 0]])
+        model.heard.rows = np.tile((0.0, RUBBING, 0.5, 0.0), (24, 1))
+        model.heard.rows[0, 0] = -REMEMBERED_S
         model.airborne[:] = 0.3, 0.3, 0.3
         model.plates.rows[Y, :2], model.plates.rows[VY, :2] = 0.004, -1.0
         model.advance(DT)
-        assert len(model.heard) == 24 and model.heard[:, 1].tolist() == [RUBBING] * 22 + [LANDING] * 2
+        assert (
+            len(model.heard.rows) == 24 and model.heard.rows[:, 1].tolist() == [RUBBING] * 22 + [LANDING] * 2
+        )
 
     def test_what_slides_and_the_wind_are_heard_now_and_then(self):
         model = self.free(wind=4.0)
         model.plates.rows[Y, :2], model.plates.rows[Y, 2] = 0.004, 2.0
         model.plates.rows[VX, :2] = 1.0, 0.1
-        while not (model.heard[:, 1] == WIND).any():
+        while not (model.heard.rows[:, 1] == WIND).any():
             model.advance(DT)
-        blown = model.heard[model.heard[:, 1] == WIND][0]
+        blown = model.heard.rows[model.heard.rows[:, 1] == WIND][0]
         assert blown[0] == pytest.approx(0.2, abs=DT) and 0.0 < blown[2] < 0.16 * 4.0
-        rubbed = model.heard[model.heard[:, 1] == RUBBING]
+        rubbed = model.heard.rows[model.heard.rows[:, 1] == RUBBING]
         assert len(rubbed) and rubbed[:, 2].min() > 0.06 * 0.15 and rubbed[:, 2].max() < 0.06 * 4.0
         assert (rubbed[:, 3] < 0.5).all()  # the third is high up, at 0.67
 
@@ -259,7 +262,7 @@ def test_a_state_brings_every_number_back():
     model = made(BED + "gusts = [{ place = [0.0, 0.3], begins = 0.0, lasts = 3.0, blows = [4.0, 3.0] }]\n")
     for _ in range(60):
         model.advance(DT)
-    model.heard = np.array([[0.5, 0.0, 0.2, 0.3]])
+    model.heard.rows = np.array([[0.5, 0.0, 0.2, 0.3]])
     kept = copied(model.state())
     for _ in range(20):
         model.advance(DT)
@@ -328,37 +331,33 @@ def test_readouts_say_what_is_counted_by_hand():
 
 class TestHand:
     @staticmethod
-    def held() -> tuple[LeavesHand, list]:
+    def held() -> tuple[Hand, list]:
         model, blown = made(""), []
         model.blow = lambda place, way: blown.append((place, way))
-        return LeavesHand(model), blown
+        return leaves_hand(model), blown
 
     def test_a_drag_is_a_gust_from_where_it_began_to_where_it_ends_within_the_park(self):
         hand, blown = self.held()
-        assert hand.take(Pointer("move", 1.0, 1.0, button=1)) == "" and not hand.draws
+        assert hand.take(Pointer("move", 1.0, 1.0, button=1)) == "" and hand.start is None
         hand.take(Pointer("down", -40.0, -3.0, button=1))
-        assert hand.draws and (hand.from_x, hand.from_y) == (hand.x, hand.y) == (-FARTHEST, 0.05)
+        assert hand.start == hand.at == (-FARTHEST, 0.05)
         hand.take(Pointer("move", 2.0, 50.0, button=1))
-        assert (hand.x, hand.y) == (2.0, FARTHEST) and (hand.from_x, hand.from_y) == (-FARTHEST, 0.05)
+        assert hand.at == (2.0, FARTHEST) and hand.start == (-FARTHEST, 0.05)
         hand.take(Pointer("up", 1.0, 2.05, button=1))
-        assert blown == [((-FARTHEST, 0.05), (1.0 + FARTHEST, 2.05 - 0.05))] and not hand.draws
+        assert blown == [((-FARTHEST, 0.05), (1.0 + FARTHEST, 2.05 - 0.05))] and hand.start is None
         hand.take(Pointer("up", 0.0, 0.0, button=1))
         assert len(blown) == 1
-
-    def test_a_hand_begins_nowhere_and_empty(self):
-        hand, _ = self.held()
-        assert (hand.draws, hand.from_x, hand.from_y, hand.x, hand.y) == (False, 0.0, 0.0, 0.0, 0.0)
 
     def test_a_drag_that_is_taken_back_blows_nothing(self):
         hand, blown = self.held()
         hand.take(Pointer("down", 0.0, 1.0, button=1))
         hand.take(Pointer("cancel", 1.0, 1.0))
-        assert not hand.draws and not blown
+        assert hand.start is None and not blown
         hand.take(Pointer("up", 1.0, 1.0, button=1))
         assert not blown
 
     def test_the_right_button_drops_the_chosen_leaf_until_there_are_too_many(self, monkeypatch):
-        hand = LeavesHand(made("", leaf="birch"))
+        hand = leaves_hand(made("", leaf="birch"))
         monkeypatch.setattr("game.scenes.leaves.hand.MOST_LEAVES", 2)
         monkeypatch.setattr("game.scenes.leaves.model.MOST_LEAVES", 2)
         for x in (0.5, -0.5):
@@ -367,7 +366,7 @@ class TestHand:
         assert model.own[:, KIND].tolist() == [NAMES.index("birch")] * 2 and model.added == 2
         assert model.plates.positions == pytest.approx(np.array([(0.5, 1.5), (-0.5, 1.5)]))
         assert model.own[0, SHADE] != model.own[1, SHADE]
-        assert hand.take(Pointer("down", 0.0, 1.0, button=3)) == "At most 2 leaves." and not hand.draws
+        assert hand.take(Pointer("down", 0.0, 1.0, button=3)) == "At most 2 leaves." and hand.start is None
         assert len(model.plates) == 2
         with pytest.raises(ValueError, match=r"leaves: at most 2"):
             model.add("oak", (0.0, 0.0), 0.0, np.random.default_rng(1))
@@ -464,7 +463,9 @@ def test_a_scenes_actions_are_a_gust_from_below_and_calm():
 
 def test_a_landing_sounds_by_its_speed_from_where_it_is():
     scene = Leaves()
-    scene.model.heard = np.array([(0.5, LANDING, 0.5, 1.5), (0.6, RUBBING, 0.2, -9.0), (0.7, WIND, 0.1, 9.0)])
+    scene.model.heard.rows = np.array(
+        [(0.5, LANDING, 0.5, 1.5), (0.6, RUBBING, 0.2, -9.0), (0.7, WIND, 0.1, 9.0)]
+    )
     hearing = scene.hearing()
     assert [(s.time, s.kind, s.speed, s.pan) for s in hearing.sounds] == [
         (0.5, "rustle", 0.5, 0.5), (0.6, "rustle", 0.2, -1.0), (0.7, "wind", 0.1, 1.0)

@@ -189,7 +189,7 @@ def test_copies_and_deletions():
     stage.run(1)
     draw(stage, [(0.0, 1.0), (3.0, 1.0)])
     assert len(bodies(stage)) == 2
-    stage.post(Action("delete"))
+    stage.post(Action("delete-chosen"))
     stage.run(1)
     assert len(bodies(stage)) == 1
 

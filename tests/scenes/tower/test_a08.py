@@ -13,25 +13,11 @@ from game.physics.accretion import strike_times
 from game.physics.solids import Material, SolidWorld, box
 from game.scenes.tower.breaking import apart, break_up, cuts_of, middle_of, shocks_of
 from game.scenes.tower.building import floor_height
-from game.scenes.tower.dust import advance_dust, puffs
+from game.scenes.tower.dust import DVX, DX, advance_dust, puffs
+from game.scenes.tower.hand import REACH
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import (
-    BODY,
-    COLUMN,
-    DVX,
-    DX,
-    FREE,
-    FREE_SPEED,
-    FREE_WAY,
-    GONE,
-    KIND,
-    MASS,
-    RUBBLE,
-    SHARD,
-    SLAB,
-    STOREY,
-)
+from game.scenes.tower.tables import COLUMN, RUBBLE, SHARD, SLAB
 from game.stage import Action, Pointer, Stage
 from tests.scenes.listening import heard_in
 
@@ -83,17 +69,15 @@ def test_charges_go_off_one_after_the_other_and_push_nothing() -> None:
     stage = small(delay=0.1, gravity=0.5)
     stage.post(Action("fire"))
     stage.run(2)
-    parts = stage.scene.model.parts
-    left = parts[(parts[:, KIND] == COLUMN) & (parts[:, STOREY] == 4) & (parts[:, BODY] != GONE)]
-    assert len(left) == 2
-    rubble = stage.scene.model.parts[stage.scene.model.parts[:, KIND] == RUBBLE, BODY].astype(int)
+    frame = stage.scene.model.frame
+    assert len(frame.rows((COLUMN,), (4,))) == 2
+    rubble = frame.bodies((RUBBLE,))
     bodies = stage.scene.model.world.bodies
     thrown = bodies.velocities[rubble, 0]
     assert thrown.max() > 1.0
     assert thrown.min() < -1.0
     stage.run(14)
-    parts = stage.scene.model.parts
-    assert not ((parts[:, KIND] == COLUMN) & (parts[:, STOREY] == 4) & (parts[:, BODY] != GONE)).any()
+    assert len(frame.rows((COLUMN,), (4,))) == 0
 
 
 def test_another_storey_may_be_first() -> None:
@@ -120,7 +104,7 @@ def test_a_click_cuts_a_column_and_a_right_click_breaks_a_floor() -> None:
     before = read(stage)["pieces"]
     stage.post(Pointer("down", -2.5, floor_height(model.content, 5) - 0.2, 3))
     stage.run(1)
-    assert (model.parts[:, KIND] == SHARD).sum() == 3
+    assert (model.frame.parts.kind == SHARD).sum() == 3
     assert read(stage)["pieces"] == before + 2
     stage.post(Pointer("down", 300.0, 10.0, 1))
     stage.run(1)
@@ -133,7 +117,7 @@ def test_floors_that_are_stopped_slowly_stay_whole() -> None:
         stage = small(strength=strength)
         stage.post(Action("fire"))
         stage.run(180)
-        counts.append(int((stage.scene.model.parts[:, KIND] == SHARD).sum()))
+        counts.append(int((stage.scene.model.frame.parts.kind == SHARD).sum()))
     assert counts[0] > 6
     assert counts[1] == 0
 
@@ -226,19 +210,19 @@ def test_a_restored_model_breaks_as_it_would_have() -> None:
     stage.post(Action("fire"))
     stage.run(20)
     model = stage.scene.model
-    state, steps, fired = model.state(), model.steps, model.fired
+    state, steps, fired = model.state(), model.course.steps, model.course.fired
     stage.run(30)
     model.restore(state)
-    assert (model.steps, model.fired) == (steps, fired)
+    assert (model.course.steps, model.course.fired) == (steps, fired)
 
 
 def test_the_hand_takes_what_has_turned_where_it_lies() -> None:
     stage = small()
-    model, hand = stage.scene.model, stage.scene.hand
-    row = int(np.flatnonzero(model.parts[:, KIND] == SLAB)[0])
-    model.world.set_pose(int(model.parts[row, BODY]), (40.0, 10.0), 0.5 * math.pi)
-    assert hand.part_at((40.0, 12.3), (SLAB,)) == row
-    assert hand.part_at((42.3, 10.0), (SLAB,)) == -1
+    frame = stage.scene.model.frame
+    row = int(frame.rows((SLAB,))[0])
+    frame.world.set_pose(int(frame.parts.body[row]), (40.0, 10.0), 0.5 * math.pi)
+    assert frame.nearest((40.0, 12.3), (SLAB,), REACH) == row
+    assert frame.nearest((42.3, 10.0), (SLAB,), REACH) == -1
 
 
 @pytest.mark.parametrize("delay", [0.04, 0.1])
@@ -250,8 +234,8 @@ def test_clock_and_law_begin_when_nothing_carries_what_falls(delay: float) -> No
     stage.run(100)
     model, found = stage.scene.model, read(stage)
     assert found["floors struck"] >= 1
-    assert model.freed[FREE] - model.fired == pytest.approx(3.0 * delay, abs=stage.dt)
-    assert model.freed[FREE_SPEED] > 0.1 and model.freed[FREE_WAY] > 0.0
+    assert model.course.freed.time - model.course.fired == pytest.approx(3.0 * delay, abs=stage.dt)
+    assert model.course.freed.speed > 0.1 and model.course.freed.way > 0.0
     assert abs(found["law error"]) < 2.5  # begun at rest it would be 4 and more
     assert found["free fall"] <= found["law"]
 
@@ -276,9 +260,8 @@ def test_dust_is_taken_from_what_it_comes_from() -> None:
     found = read(stage)
     assert found["dust raised"] > 100.0
     assert found["mass"] + 1e-3 * found["dust raised"] == pytest.approx(built, rel=1e-12)
-    alive = model.parts[:, BODY] >= 0.0
-    own = model.parts[alive, BODY].astype(int)
-    assert model.parts[alive, MASS] == pytest.approx(1.0 / model.world.bodies.inverse_masses[own])
+    own = model.world.bodies.inverse_masses[model.frame.bodies()]
+    assert model.frame.parts.mass[model.frame.rows()] == pytest.approx(1.0 / own)
     assert found["mass lost"] < 1e-12
 
 
@@ -308,8 +291,7 @@ def test_nothing_stands_whole_on_the_heap() -> None:
     found = read(stage)
     assert found["whole columns"] == 0.0 and found["storeys standing"] == 0.0
     assert found["roof"] < 8.0 and found["faster floors"] >= 9.0
-    parts = stage.scene.model.parts
-    assert not ((parts[:, KIND] == SLAB) & (parts[:, BODY] != GONE) & (parts[:, STOREY] == 13)).any()
+    assert not len(stage.scene.model.frame.rows((SLAB,), (13,)))
 
 
 def test_it_is_built_again_and_falls_again() -> None:

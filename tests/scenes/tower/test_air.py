@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from game.levels import parse_level
+from game.physics.fields import GRAVITY
 from game.physics.gas.ledger import CARRIED_THROUGH
 from game.scenes.tower.air import FLOOR_WIDTH, QUICKEST, Floors, TowerAir, drag_along, weigh
-from game.scenes.tower.dust import advance_dust, puffs
+from game.scenes.tower.dust import DVX, DX, advance_dust, puffs
+from game.scenes.tower.effects import AIR
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import DVX, DX, KIND, SHARD
+from game.scenes.tower.tables import SHARD
 from game.stage import Action, Pointer, SetEffect, Stage
 
 SMALL = TowerContent(storeys=3, bays=2, first=3)
@@ -32,7 +34,7 @@ def read(stage: Stage, name: str) -> float:
 
 def test_a_falling_floor_drives_out_the_air_below_it():
     """What leaves at both ends of the gap is what the floor sweeps: 10 m at 6 m/s."""
-    air = TowerAir(SMALL)
+    air = TowerAir(SMALL, GRAVITY | AIR)
     for step in range(4):
         air.advance(floor(4.0 - 0.1 * step, -6.0), np.zeros((0, 5)), 9.81, 1.0 / 60.0)
     h, low = air.grid.cell, round(3.0 / air.grid.cell)
@@ -45,7 +47,7 @@ def test_a_falling_floor_drives_out_the_air_below_it():
 
 
 def test_dust_stays_but_for_what_leaves_at_the_sides():
-    air = TowerAir(SMALL)
+    air = TowerAir(SMALL, GRAVITY | AIR)
     air.gas.keep_books()
     air.raise_dust(np.array([[-2.0, 1.0], [2.0, 1.0], [0.0, 2.0], [900.0, 1.0]]), 30.0)
     assert air.in_the_air() == pytest.approx(30.0) and float(air.dust[0]) == 30.0
@@ -59,7 +61,7 @@ def test_dust_stays_but_for_what_leaves_at_the_sides():
 
 
 def test_dust_is_not_raised_inside_a_floor():
-    air = TowerAir(SMALL)
+    air = TowerAir(SMALL, GRAVITY | AIR)
     air.advance(floor(5.5, 0.0, thick=1.6), np.zeros((0, 5)), 9.81, 1.0 / 60.0)
     air.raise_dust(np.array([[0.0, 5.5]]), 5.0)
     assert air.in_the_air() == 0.0 and float(air.dust[0]) == 0.0
@@ -68,7 +70,7 @@ def test_dust_is_not_raised_inside_a_floor():
 
 
 def test_dusty_air_sinks_and_spreads_on_the_ground():
-    air = TowerAir(SMALL)
+    air = TowerAir(SMALL, GRAVITY | AIR)
     x, y = air.grid.centres()
     air.density[(np.abs(x) < 3.0) & (y < 8.0)] = 1.0
     tall = float(np.sum(air.density * y) / np.sum(air.density))
@@ -139,7 +141,7 @@ def test_the_fall_is_the_same_with_and_without_the_air():
     assert read(one, "dust in the air") > 10.0 and read(one, "fastest air") > 3.0
     assert read(other, "dust in the air") == 0.0 == read(other, "fastest air")
     assert read(other, "dust raised") == read(one, "dust raised") > 0.0  # what falls is lighter by it
-    assert len(other.scene.model.dust) > 30
+    assert len(other.scene.model.dust.rows) > 30
     other.post(SetEffect("air", True))
     other.run(20)
     assert read(other, "fastest air") > 0.5
@@ -148,12 +150,12 @@ def test_the_fall_is_the_same_with_and_without_the_air():
 def test_still_air_is_not_computed_and_a_state_is_taken_up_again():
     stage = built()
     stage.run(90)
-    assert stage.scene.model.awake() == 0 and stage.scene.model.air.gas.time < 80.0 / 60.0
+    assert stage.scene.model.solids.awake() == 0 and stage.scene.model.air.gas.time < 80.0 / 60.0
     stage.post(Action("fire"))
     stage.run(30)
     stage.post(Pointer("down", -2.5, 2.8, 3))  # a floor breaks between two steps
     digest = stage.digest()
-    assert (stage.scene.model.parts[:, KIND] == SHARD).any()
+    assert (stage.scene.model.frame.parts.kind == SHARD).any()
     stage.run(30)
     after = stage.digest()
     for _ in range(30):

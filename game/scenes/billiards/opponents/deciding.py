@@ -5,8 +5,9 @@ from __future__ import annotations
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.billiards.shot.cue import strike as struck_ball
-from game.scenes.billiards.opponents.thinking import GRADES, WARM_UPS, decision_of, simple_stroke, think
+from game.scenes.billiards.opponents.thinking import WARM_UPS, decision_of, simple_stroke, think
 from game.scenes.billiards.play import AIMING, Play
+from game.scenes.shared.tables.choices import GRADES
 from game.scenes.shared.tables.opponents import TableOpponents, check_option
 from game.stage import Decision
 

@@ -9,12 +9,11 @@ import numpy as np
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
+from game.scenes.shared.tables.choices import GRADES
 from game.scenes.shared.tables.demo_shots import choose_stroke
 from game.scenes.shared.thinker import Question, Thought
 from game.stage import Decision
 
-GRADES = ("novice", "club", "expert", "master")  # of game.billiards.players.opponents
-GRADE_LABELS = ("Novice", "Club player", "Expert", "Master")
 THINK_S = 3.0  # s, that a player thinks at most
 SWING_RATIO = 0.65  # speed of the cue over that of the ball that a simple stroke is meant to give
 HAND_SEED = 50_021

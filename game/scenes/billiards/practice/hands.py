@@ -7,8 +7,8 @@ from typing import NamedTuple
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.map.hand import FEWEST, noise_of
 from game.billiards.search.strokes import Noise
-from game.scenes.billiards.parameters import OWN
 from game.scenes.billiards.play import Play
+from game.scenes.shared.tables.choices import OWN
 
 STAND_IN = "club"  # for one's own hand while too little is known of it
 

@@ -10,7 +10,8 @@ from game.billiards.game.rules import Game
 from game.levels import Level
 from game.scenes.billiards import layout
 from game.scenes.billiards.level import BilliardsContent
-from game.scenes.billiards.play import PERSON, Play
+from game.scenes.billiards.play import Play
+from game.scenes.shared.tables.choices import PERSON
 from game.stage.records.history import Practised
 
 GHOST_TITLES = {"nine-ball": "9-ball ghost", "ten-ball": "10-ball ghost", "eight-ball": "8-ball ghost"}

@@ -17,7 +17,6 @@ from game.scenes.billiards.practice.columns import COLUMN, ROWS, row_at
 from game.scenes.billiards.practice.hands import hand_of
 from game.stage import Decision, Part, Pointer
 
-GRIP = "column"
 DECISIONS = (SHOW, PLAY)
 
 

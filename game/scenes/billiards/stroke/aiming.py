@@ -7,8 +7,9 @@ import math
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.physics.kernels import elementary
-from game.scenes.billiards.parameters import LARGEST_TIP, STEEPEST_DEG, BilliardsParameters
+from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.billiards.stroke.motion import cue_speed_of, power_in_range, power_of
+from game.scenes.shared.tables.choices import LARGEST_TIP, STEEPEST_DEG
 from game.scenes.shared.tables.cue import PULLING, CueControl
 from game.scenes.shared.tables.cue import STRIKING as LET_GO
 from game.stage import Part, Pointer

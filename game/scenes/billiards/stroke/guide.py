@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from game.billiards.game.games import Drill, Practice, RunDrill
 from game.billiards.game.rules import Game
-
-WHOLE, FIRST, NONE = "whole", "first", "none"
-GUIDES = (WHOLE, FIRST, NONE)
-GUIDE_LABELS = ("Full path", "To the first ball", "None")
-GUIDE_BUTTONS = {WHOLE: "Full path", FIRST: "First ball", NONE: "No guide"}
+from game.scenes.shared.tables.choices import FIRST, GUIDES, WHOLE
 
 
 def guide_of(chosen: str, game: Game) -> str:
@@ -16,8 +12,3 @@ def guide_of(chosen: str, game: Game) -> str:
     if chosen in GUIDES:
         return chosen
     return WHOLE if isinstance(game, (Practice, Drill, RunDrill)) else FIRST
-
-
-def next_guide(guide: str) -> str:
-    """The guide after one, round the end."""
-    return GUIDES[(GUIDES.index(guide) + 1) % len(GUIDES)]

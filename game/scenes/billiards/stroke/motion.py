@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from game.billiards.shot.cue import speed_ratio
 from game.physics.animation import Keyframes
-from game.scenes.billiards.parameters import LEAST_POWER
+from game.scenes.shared.tables.choices import LEAST_POWER
 from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED, REST_GAP
 from game.stage import WarmUp
 

@@ -9,6 +9,7 @@ from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.table import Table
 from game.scenes.billiards.play import REPLAY, ROLLING, STRIKING, Play
 from game.scenes.billiards.stroke.motion import pull_of
+from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.cue import REST_GAP
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_WARM
@@ -33,7 +34,7 @@ def draw_players_cue(canvas: Canvas, play: Play, time: float) -> None:
             return
         stroke, before = last.stroke, last.frame
         gap, solid = play.motion.track.sample(at).tolist()
-    elif play.may_aim and play.grip != "cue ball":
+    elif play.may_aim and play.grip != grip.CUE_BALL:
         stroke, before, solid = play.aiming.stroke, frame, 1.0
         gap = pull_of(play.aiming.cue.speed) if play.aiming.pulling else REST_GAP
     else:

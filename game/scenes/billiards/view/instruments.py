@@ -17,6 +17,7 @@ from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.play import REPLAY, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.motion import power_of
 from game.scenes.billiards.view.words import aim_words
+from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import OFFSETS, Odds
@@ -53,7 +54,7 @@ class Instruments:
         aim = Number("Aim locked" if locked else "Aim", aim_words(play.aiming.cue.aim), locked)
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
         for row, (name, words, on) in enumerate(self.buttons.rows()):
-            draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
+            draw_button(canvas, look, layout.button_box(row), words, on, play.grip == grip.button(name))
         if play.asked:
             _draw_options(canvas, look, play.model.frame, play.grip)
         if play.phase == SET_UP:
@@ -154,8 +155,8 @@ def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> No
             look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
 
 
-def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:
-    """Who chooses and why, and what may be chosen, in the row below the table."""
+def _draw_options(canvas: Canvas, look: Look, frame: Frame, held: grip.Grip) -> None:
+    """The player that chooses and why, and what may be chosen, in the row below the table."""
     game, rect = frame.game, layout.rect_of(canvas, layout.FOOT)
     said = " ".join(frame.words) or f"{game.shooter} chooses."
     lines = look.fonts.wrap(said, 12, "medium", look.px(layout.ASKED - 12.0))[:MOST_LINES]
@@ -164,7 +165,7 @@ def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:
         look.text(canvas.surface, line, (rect.x + look.px(4), y), 12, "medium", "text1")
     for row, option in enumerate(game.options):
         box = layout.option_box(row, len(game.options))
-        draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, grip == f"button option-{row}")
+        draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, held == grip.option(row))
 
 
 def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...], words: str) -> None:

@@ -14,7 +14,6 @@ from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
 from game.scenes.billiards.practice.hands import hand_of
 from game.scenes.billiards.practice.sets import drill_title
-from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.view.balls import balls_at_rest
 from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.close_up import CloseUpView
@@ -25,7 +24,8 @@ from game.scenes.billiards.view.marks import draw_marks
 from game.scenes.billiards.view.score_board import draw_board, draw_line, key_rows
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
-from game.scenes.shared.tables import boxes
+from game.scenes.shared.tables import boxes, grip
+from game.scenes.shared.tables.choices import FIRST, NONE
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.rolling import balls_at
@@ -75,15 +75,23 @@ class BilliardsView:
             self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
         else:
             sight = self._draw_play(canvas, time)
-        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+        if canvas.pixels_per_unit >= layout.LEAST_PIXELS and self._in_view(canvas):
             self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
+
+    def _in_view(self, canvas: Canvas) -> bool:
+        """Whether all of the table is seen: nearer, what stands round it would be seen in parts."""
+        seen, table = canvas.camera.visible(), layout.TABLE
+        return (
+            seen.bottom <= table.left and seen.top >= table.right
+            and seen.left <= table.top and seen.right >= table.bottom
+        )  # fmt: skip
 
     def _draw_play(self, canvas: Canvas, time: float) -> Sight | None:
         """What lies and moves on the table at a time of the phase, s; what is foreseen of an aimed stroke."""
         play, frame = self.play, self.play.model.frame
         draw_marks(canvas, play)
         self.on_cloth.draw(canvas)
-        shows_aim = play.may_aim and play.guide != NONE and play.grip != "cue ball"
+        shows_aim = play.may_aim and play.guide != NONE and play.grip != grip.CUE_BALL
         sight = self._draw_aim(canvas) if shows_aim else None
         if self.hint is not None and play.phase == AIMING:
             self._draw_hint(canvas, self.hint)

@@ -8,9 +8,9 @@ from typing import NamedTuple
 import pygame
 
 from game.scenes.billiards import layout
-from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.view.standing import Card, Standing
 from game.scenes.billiards.view.words import Line
+from game.scenes.shared.tables.choices import FIRST, NONE
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.icons import icon
 from game.ui.look.look import Look

@@ -18,6 +18,7 @@ from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_
 from game.scenes.carom.view.score_board import draw_board, draw_foot
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
+from game.scenes.shared.tables.grip import Held
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM
@@ -56,7 +57,7 @@ class CaromView:
         draw_balls(canvas, self._balls(alpha, clock_before), frame.table, felt=dress.felt)
         if course.may_aim or course.phase == STRIKING:
             ball = np.array(course.cue_ball)
-            if not course.grip.startswith("ball"):
+            if course.grip.kind is not Held.BALL:
                 draw_cue_behind(canvas, frame.table, ball, BALL_RADIUS, course.cue, CUE_WORDS)
             canvas.circle(ball, 1.25 * BALL_RADIUS, outline=FELT_WARM, width=1.4, alpha=0.8)
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
@@ -102,7 +103,7 @@ class CaromView:
             for group in drawn.map.groups:
                 if group.stroke == chosen and len(group.ends):
                     draw_ends(canvas, group.ends, frame.game.cue)
-        if not course.grip.startswith("ball") and (chosen is not None or course.parameters.path):
+        if course.grip.kind is not Held.BALL and (chosen is not None or course.parameters.path):
             stroke = chosen if chosen is not None else course.stroke
             sight = self._aimed.of(frame, stroke)
             if sight is not None:

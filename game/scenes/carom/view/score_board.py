@@ -9,8 +9,8 @@ from game.billiards.map.words import explain
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Drawn
 from game.scenes.carom.course import Course
-from game.scenes.carom.parameters import GRADE_LABELS, GRADES
 from game.scenes.shared.tables.boxes import rect_of
+from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES
 from game.scenes.shared.tables.course import PERSON
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
@@ -101,7 +101,7 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -
 
 
 def _draw_choices(canvas: Canvas, look: Look, drawn: Drawn, area: tuple[float, float, float, float]) -> None:
-    """The first three groups in sentences, as many lines as there is room for."""
+    """The first three groups in sentences, as many lines as there is space for."""
     x, y, right, bottom = area
     pitch = look.fonts.line_height(11) - look.px(2)
     for place, group in enumerate(drawn.map.groups[:CHOICES]):

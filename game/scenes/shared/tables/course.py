@@ -9,12 +9,13 @@ import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.shot.cue import speed_ratio
+from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
+from game.scenes.shared.tables.grip import NOTHING
 from game.stage import Part
 from game.stage.messages import Messages
 
 AIMING, STRIKING, ROLLING = "aiming", "striking", "rolling"
-PERSON = "person"
 AFTER_S = 0.25  # s that a shot is shown beyond its end
 
 
@@ -22,9 +23,9 @@ class CueCourse(Part):
     """In which phase the game is, and since when. Subclasses say how a stroke is made and what they choose.
 
     model: with frame, played, strike, roll, settle and go_back_to. clock (1,) s: time of the phase; it
-    belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what
-    a subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long
-    nobody has done anything, s. by_hand: strokes that a hand has played.
+    belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what a
+    subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long nothing
+    has been done, s. by_hand: strokes that a hand has played.
     """
 
     model: Any
@@ -39,7 +40,7 @@ class CueCourse(Part):
         self.clock = np.zeros(1)
         self.pending: Stroke | None = None
         self.chosen: Any = None
-        self.grip = ""
+        self.grip = NOTHING
         self.rest_s = 0.0
         self.plays_itself = False
         self.by_hand = 0
@@ -59,7 +60,7 @@ class CueCourse(Part):
     # -- who plays ----------------------------------------------------------------------------------
 
     def grade_of(self, player: int) -> str:
-        """ "person", or the grade of a computer player; whoever practises is a person."""
+        """ "person", or the grade of a computer player; a player that practises is a person."""
         if len(self.model.frame.game.players) == 1:
             return PERSON
         return str(self.parameters.first_player if player == 0 else self.parameters.second_player)
@@ -113,7 +114,7 @@ class CueCourse(Part):
         """The cue starts to swing for a stroke. ValueError if no stroke may be played now."""
         if self.phase != AIMING or not self.model.frame.playable:
             raise ValueError("stroke: none may be played now")
-        self.pending, self.grip = stroke, ""
+        self.pending, self.grip = stroke, NOTHING
         self.cue.strike(stroke.azimuth, min(stroke.cue_speed * self.ball_per_cue, MAX_SPEED))
         self.start_phase(STRIKING)
 
@@ -170,11 +171,11 @@ class CueCourse(Part):
             if self.grade_of(taken.game.turn) == PERSON or self.plays_itself:
                 break
         self.model.go_back_to(taken)
-        self.chosen, self.grip = None, ""
+        self.chosen, self.grip = None, NOTHING
         self.start_phase(AIMING)
 
     def begin_again(self) -> None:
         """Nothing is pending, chosen or held; the cue is at rest."""
-        self.pending, self.chosen, self.grip = None, None, ""
+        self.pending, self.chosen, self.grip = None, None, NOTHING
         self.cue.data[1:3] = 0.0
         self.start_phase(AIMING)

@@ -5,14 +5,21 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from game.arrays import Floats
-from game.stage import Decision, Hearing, Pointer, Scene
+from game.stage import Action, Decision, Equation, Hearing, Pointer, Scene, Stamped, Strip
+
+ENERGY, CUE_BALL = Strip("Energy", "J", ("energy",)), Strip("Cue ball", "m/s", ("cue ball",))
+SLIDING = Equation(
+    "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
+)
+PLAYS_ITSELF = Stamped(12, Action("demo"))  # and it goes on playing
 
 
 class CueGameState(NamedTuple):
     """What is on the table at this moment.
 
-    clock (1,) s of the phase. places (n, 2) m of the balls; turns, turns_before (n, 3, 3): how they are
-    turned, and were before the last stroke. cue (7,). word: of the frame.
+    clock (1,) s: time of the phase; at a table with replays (2,), also the place in the replay.
+    places (n, 2) m of the balls. turns, turns_before (n, 3, 3): how they are turned, and were before the
+    last stroke. cue (7,). word: of the frame.
     """
 
     clock: Floats
@@ -25,6 +32,9 @@ class CueGameState(NamedTuple):
 
 class CueGameScene(Scene):
     """A game of parts that ``build`` makes: model, course, hand, opponents, sounds and view."""
+
+    covers = True
+    quarter_turns = 1
 
     model: Any
     course: Any

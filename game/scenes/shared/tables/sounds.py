@@ -1,11 +1,15 @@
-"""What scenes that are heard have in common."""
+"""The sounds of a shot, and the line of them that a course plays."""
 
 from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from typing import Any
 
 from game.billiards.laws import state as s
 from game.billiards.shot.impacts import heard_impacts
 from game.billiards.shot.trajectory import Trajectory
-from game.stage import Sound
+from game.scenes.shared.tables.course import CueCourse
+from game.stage import Hearing, Sound
 
 
 def pan_of(y: float, length: float) -> float:
@@ -32,3 +36,32 @@ def sounds_of(trajectory: Trajectory, cue_speed: float, cue: str = "0") -> tuple
             for one in heard_impacts(trajectory)
         ),
     )
+
+
+class StrokeSounds:
+    """The sounds of the last stroke, made when they are asked for; no part of the state.
+
+    phases: in which it is heard. cue_of: name of the ball that was struck, from the stroke.
+    """
+
+    def __init__(
+        self, course: CueCourse, phases: Collection[str], cue_of: Callable[[Any], str] = lambda struck: "0"
+    ) -> None:
+        self.course = course
+        self.phases = phases
+        self.cue_of = cue_of
+        self._of: Any = None
+        self._sounds: tuple[Sound, ...] = ()
+
+    def hearing(self) -> Hearing | None:
+        """The line of sounds of the shot that rolls or is replayed, and the moment in it."""
+        course, frame = self.course, self.course.model.frame
+        played = course.model.played
+        if course.phase not in self.phases or frame.last is None or played is None:
+            return None
+        if self._of is not frame.last:
+            struck = frame.last
+            self._sounds = sounds_of(played.trajectory, struck.stroke.cue_speed, self.cue_of(struck))
+            self._of = struck
+        key = (course.phase, frame.strokes, id(frame.last))
+        return Hearing(key, float(course.clock[0]), self._sounds)

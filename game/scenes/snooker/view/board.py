@@ -7,6 +7,7 @@ from functools import lru_cache
 import pygame
 
 from game.billiards.table.snooker import COLOURS
+from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.boxes import rect_of
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.snooker import layout
@@ -139,7 +140,7 @@ def _chip(look: Look, ball: int) -> pygame.Surface:
 
 
 def _draw_options(canvas: Canvas, look: Look, course: Course, line: Line) -> None:
-    """Who chooses and why, and what may be chosen, in the row below the table."""
+    """The player that chooses and why, and what may be chosen, in the row below the table."""
     game, rect = course.model.game, rect_of(canvas, layout.FOOT)
     said = f"{line.lead} {line.more}".strip() or f"{game.shooter} chooses."
     lines = look.fonts.wrap(said, 11, "medium", look.px(layout.ASKED - 12.0))
@@ -152,5 +153,5 @@ def _draw_options(canvas: Canvas, look: Look, course: Course, line: Line) -> Non
                   "vermilion" if line.foul and not row else "text1")  # fmt: skip
     for row, option in enumerate(game.options):
         box = layout.option_box(row, len(game.options))
-        pressed = course.grip == f"button option-{row}"
+        pressed = course.grip == grip.option(row)
         draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, pressed)

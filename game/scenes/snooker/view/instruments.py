@@ -6,6 +6,7 @@ import math
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.table.snooker import name_of
+from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.boxes import rect_of
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.course import STRIKING
@@ -31,7 +32,7 @@ def draw_instruments(
     _draw_stroke(canvas, look, course.pending if swings and course.pending else course.stroke)
     _draw_figures(canvas, look, course, odds)
     for row, (name, words, on) in enumerate(hand.buttons()):
-        draw_button(canvas, look, layout.button_box(row), words, on, course.grip == f"button {name}")
+        draw_button(canvas, look, layout.button_box(row), words, on, course.grip == grip.button(name))
 
 
 def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke) -> None:

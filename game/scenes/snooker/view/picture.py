@@ -8,7 +8,9 @@ from game.arrays import Floats
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.snooker import BALL_RADIUS, SPOTS
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
+from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.boxes import look_of
+from game.scenes.shared.tables.choices import FIRST, NONE
 from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
@@ -20,7 +22,6 @@ from game.scenes.snooker import layout
 from game.scenes.snooker.course import REPLAY, Course
 from game.scenes.snooker.hand import SnookerHand
 from game.scenes.snooker.opponents import SnookerOpponents
-from game.scenes.snooker.parameters import FIRST, NONE
 from game.scenes.snooker.view.board import draw_board, draw_foot, look_number
 from game.scenes.snooker.view.instruments import draw_instruments
 from game.scenes.snooker.view.magnifier import Magnifier, box_beside, magnifies
@@ -69,7 +70,11 @@ class SnookerView:
         if course.parameters.considered and course.phase == STRIKING and not course.person_plays:
             draw_considered(canvas, self.opponents.considered, frame.layout.places, frame.table, played=False)
         place = frame.cue_ball
-        if place is not None and (course.may_aim or course.phase == STRIKING) and course.grip != "cue ball":
+        if (
+            place is not None
+            and (course.may_aim or course.phase == STRIKING)
+            and course.grip != grip.CUE_BALL
+        ):
             draw_cue_behind(canvas, frame.table, np.array(place), BALL_RADIUS, course.cue, CUE_WORDS)
         if sight is not None and place is not None:
             self._magnify(canvas, sight, balls, place, bool(foul))
@@ -91,7 +96,7 @@ class SnookerView:
     def _sight(self) -> Sight | None:
         """What is foreseen of the stroke that is aimed."""
         course = self.course
-        if not course.may_aim or course.guide == NONE or course.grip == "cue ball":
+        if not course.may_aim or course.guide == NONE or course.grip == grip.CUE_BALL:
             return None
         events = FIRST_BALL if course.guide == FIRST else int(course.parameters.events)
         return self._foresight.of(course.model.frame, course.stroke, events)

@@ -18,6 +18,7 @@ from game.scenes.billiards.practice.advisor import Drawn, PoolAdvisor
 from game.scenes.billiards.practice.drill_maker import DrillMaker
 from game.scenes.billiards.practice.hands import hand_of
 from game.scenes.billiards.practice.landing import Landing, LandingMeter
+from game.scenes.shared.tables import grip
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_WARM
 from game.ui.painters.cloth_label import draw_cloth_label
@@ -73,7 +74,7 @@ class OnCloth:
         them.
         """
         play, frame = self.play, self.play.model.frame
-        if not (play.parameters.cloud and play.may_aim) or play.grip == "cue ball":
+        if not (play.parameters.cloud and play.may_aim) or play.grip == grip.CUE_BALL:
             return None
         landing = self._landings.of(frame, play.aiming.stroke, hand_of(play).noise)
         if landing is None:

@@ -1,4 +1,4 @@
-"""What is measured of leaves in a wind."""
+"""What a story says of leaves in a wind: readouts, places for stories, sounds."""
 
 from __future__ import annotations
 
@@ -6,15 +6,17 @@ import math
 
 import numpy as np
 
+from game.arrays import Point
 from game.physics.kernels import elementwise
 from game.physics.plates import law
 from game.physics.plates.flight import WY
 from game.physics.plates.watch import FLUTTER, GLIDE, TUMBLE
 from game.scenes.leaves.model import LeavesModel
-from game.stage import Readout
+from game.scenes.leaves.sounds import HALF, NAMES
+from game.stage import Hearing, Readout
 
 
-def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
+def readouts(model: LeavesModel) -> tuple[Readout, ...]:
     """Where the leaves are, what those in the air do, how fast they come down, and the error of a step."""
     plates = model.plates
     flying, inside = model.flying(), model.inside()
@@ -41,3 +43,13 @@ def readouts_of(model: LeavesModel) -> tuple[Readout, ...]:
         Readout("step error", plates.step_error(model.parameters.step_length), "m"),
         Readout("time", plates.time, "s"),
     )
+
+
+def targets(model: LeavesModel) -> dict[str, Point]:
+    """Where the camera has the middle of the leaves that fly, and above the basket; m."""
+    return {"cloud": (float(model.tally[2]), float(model.tally[3])), "basket": (model.basket.x, 0.75)}
+
+
+def hearing(model: LeavesModel) -> Hearing:
+    """What was heard in the last moments."""
+    return Hearing("leaves", model.plates.time, model.heard.sounds(NAMES, HALF))

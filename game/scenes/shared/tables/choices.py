@@ -1,0 +1,95 @@
+"""What can be chosen at every cue table, declared once: the players, the stroke and the guide."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from game.scenes.shared.tables.cue import MAX_SPEED
+from game.scenes.shared.tables.unsteady import HANDS, STEADY_HAND
+from game.stage import Choice, Param
+
+PERSON = "person"
+OWN = "own"  # the player's own hand, as it was measured
+GRADES = ("novice", "club", "expert", "master")  # of game.billiards.players
+GRADE_LABELS = ("Novice", "Club player", "Expert", "Master")
+LEAST_POWER = 0.1  # m/s
+LARGEST_TIP = 0.6  # ball radii
+STEEPEST_DEG = 80.0
+WHOLE, FIRST, NONE = GUIDES = ("whole", "first", "none")
+GUIDE_LABELS = ("Full path", "To the first ball", "None")
+GUIDE_BUTTONS = {WHOLE: "Full path", FIRST: "First ball", NONE: "No guide"}
+
+
+def player(label: str) -> Choice:
+    """A person, or the grade of a computer player."""
+    return Choice(
+        PERSON, (PERSON, *GRADES), labels=("A person", *GRADE_LABELS), group="Game", label=label,
+        help="you, or a computer player",
+    )  # fmt: skip
+
+
+def power(default: float) -> Param:
+    """Speed of the struck ball, m/s."""
+    return Param(
+        default, LEAST_POWER, MAX_SPEED, unit="m/s", group="Stroke",
+        help="speed of a ball that is struck in its middle",
+    )  # fmt: skip
+
+
+def tip(label: str, help: str = "") -> Param:
+    """Offset of the tip from the middle of the ball, ball radii."""
+    return Param(0.0, -LARGEST_TIP, LARGEST_TIP, unit="R", group="Stroke", label=label, help=help)
+
+
+def elevation(steepest: float = STEEPEST_DEG) -> Param:
+    """How far the butt of the cue is raised, degrees."""
+    return Param(0.0, 0.0, steepest, unit="°", group="Stroke", help="of the butt of the cue")
+
+
+def guide(formerly: Mapping[str | bool, str] | None = None) -> Choice:
+    """How much of a stroke is shown before it. formerly: as of `Choice`."""
+    return Choice(
+        "auto", ("auto", *GUIDES), labels=("As suits the game", *GUIDE_LABELS), group="Stroke",
+        formerly=formerly,
+        help="what is shown of a stroke before it: in practice its whole path, else that to the first ball",
+    )  # fmt: skip
+
+
+def events_ahead() -> Param:
+    """How many events of a stroke the guide shows."""
+    return Param(30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where a whole path ends")
+
+
+def noise_of_hand(help: str) -> Choice:
+    """How much a person's hand shakes."""
+    return Choice(STEADY_HAND, tuple(HANDS), group="Stroke", label="Noise of the hand", help=help)
+
+
+def sliding(default: float) -> Param:
+    """Coefficient of friction of a sliding ball."""
+    return Param(default, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
+
+
+def rolling(default: float) -> Param:
+    """Coefficient of resistance of a rolling ball."""
+    return Param(default, 0.002, 0.05, group="Table", label="Rolling resistance")
+
+
+def ball_restitution(default: float) -> Param:
+    """Coefficient of restitution of two balls."""
+    return Param(default, 0.5, 1.0, group="Table", label="Ball restitution")
+
+
+def cushion_restitution(default: float) -> Param:
+    """Coefficient of restitution of ball and cushion."""
+    return Param(default, 0.3, 1.0, group="Table", label="Cushion restitution")
+
+
+def following(option: str, options: tuple[str, ...]) -> str:
+    """The option after one, round the end. ValueError if it is none of them."""
+    return options[(options.index(option) + 1) % len(options)]
+
+
+def next_player(grade: str) -> str:
+    """The player that follows: a person, then computer players from weak to strong."""
+    return following(grade, (PERSON, *GRADES))
