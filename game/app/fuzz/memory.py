@@ -21,7 +21,7 @@ def resident_bytes() -> int:
 
 
 def peak_bytes() -> int:
-    """The most bytes that the process has had in memory at once; 0 where nobody says.
+    """The most bytes that the process has had in memory at once; 0 where the system does not say.
 
     Linux tells it of the program that runs now. What `getrusage` tells there counts its parent's before.
     """

@@ -64,7 +64,7 @@ class TargetDispatcher(Dispatcher):
     def add_overload(self, cres: Any) -> None:
         """Take compiled code, without the statements and types that it was made of.
 
-        numba keeps them for `inspect_types`; they are an eighth of what a process grows by as it compiles.
+        numba keeps them for `inspect_types`: an eighth of the memory that a process takes as it compiles.
         """
         super().add_overload(cres._replace(type_annotation=""))
 

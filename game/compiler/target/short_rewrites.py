@@ -1,8 +1,8 @@
 """numba's rewriting of array expressions, left out of kernels that have none.
 
-Before numba looks for expressions such as ``a + b`` of whole arrays, it writes down after each statement
-which variables are not needed any more, and strikes that out again afterwards. Most kernels go through
-arrays element by element, so that nothing is found.
+numba looks for expressions of whole arrays, such as ``a + b``. Before that it notes after each statement
+which variables are no longer needed, and afterwards it removes these notes. Most kernels read arrays element
+by element: there is nothing to find.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from numba.core.compiler_machinery import register_pass
 from numba.core.rewrites import rewrite_registry
 from numba.core.typed_passes import NopythonRewrites
 
-# What numba looks for after it has found the types. All but the first two begin at an array that comes of an
-# operator or a call; those two at an index that is a text.
+# The rules that numba applies once types are known. The first two match an index that is a text.
+# The others match an array that an operator or a call returns.
 _KNOWN = {
     "RewriteStringLiteralGetitems",
     "RewriteStringLiteralSetitems",
@@ -40,7 +40,7 @@ def may_be_rewritten(code: Any, kinds: Any) -> bool:
     """Whether a kernel has what one of numba's rules may match. ``kinds``: types by names of variables."""
     if {rule.__name__ for rule in rewrite_registry.rewrites["after-inference"]} != _KNOWN:
         return True
-    if any(isinstance(kind, types.StringLiteral) for kind in kinds.values()):
+    if any(isinstance(kind, types.StringLiteral) for kind in kinds.values()):  # type: ignore[attr-defined]
         return True
     return any(
         isinstance(one.value, ir.Expr)
