@@ -81,7 +81,7 @@ def _absolute(ask: Callable[[], str], kind: str) -> Path:
     files.
 
     Without a home the system's answer begins with "~" or at the folder the program stands in, where nothing
-    must be made; newer versions of platformdirs raise RuntimeError.
+    must be made. Newer versions of platformdirs raise RuntimeError.
     """
     try:
         path = Path(ask())

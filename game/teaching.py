@@ -2,7 +2,7 @@
 
     [teaching]
     task = "Find out how much of its energy the ball keeps at a bounce."
-    locked = ["gravity"]                   # parameters that nobody can change
+    locked = ["gravity"]                   # parameters that cannot be changed
     locked_effects = ["gravity"]
     hidden = ["effects", "charts"]         # parts of the window, see PARTS
     hidden_parameters = ["restitution"]    # not in the panel, and locked
@@ -134,7 +134,7 @@ class Teaching(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def fixed(self) -> frozenset[str]:
-        """Parameters that nobody can change: those locked, and those hidden."""
+        """Parameters that cannot be changed: those locked, and those hidden."""
         return frozenset((*self.locked, *self.hidden_parameters))
 
     def check(self) -> None:

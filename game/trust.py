@@ -1,7 +1,7 @@
-"""Whether a folder is one that nobody but this user (and root) can change: what code may be taken from.
+"""Whether a folder is one that only this user (and root) can change: what code may be taken from.
 
-Machine code that is kept on disk is run as it lies there, so whoever may write it runs what he likes as the
-user who reads it. A checksum does not help, and neither would another format, for the content is code.
+Machine code that is kept on disk is run as it lies there. So a user that may write it runs any code as the
+user that reads it. A checksum does not help, and neither would another format, for the content is code.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ def make_private_folder(folder: Path) -> None:
 def reason_to_distrust(folder: Path) -> str:
     """Why what lies in an existing folder may be another user's, in a few words; empty if it cannot be.
 
-    Every folder and link on the way from the root must belong to this user or to root, and nobody else may
+    Every folder and link on the way from the root must belong to this user or to root. No other user may
     write in it. A folder on the way, but not the last one, may let others write where it is sticky, as
-    ``/tmp`` is: there nobody can rename what is not his. Always empty where files have no owners (Windows).
-    OSError for what is missing or no folder.
+    ``/tmp`` is: there only an owner can rename. Always empty where files have no owners (Windows). OSError
+    for what is missing or no folder.
     """
     if not hasattr(os, "geteuid"):
         return ""
@@ -54,7 +54,7 @@ def reason_to_distrust(folder: Path) -> str:
 
 
 def is_private_file(found: os.stat_result) -> bool:
-    """True for a regular file that belongs to this user or to root and that nobody else may write."""
+    """True for a regular file that only its owner, this user or root, may write."""
     if not stat.S_ISREG(found.st_mode):
         return False
     if not hasattr(os, "geteuid"):

@@ -10,7 +10,7 @@ from game.app.application import App
 from game.app.window.commands import BY_NAME
 from game.app.window.frames import Clock, SystemClock
 
-HIDDEN_HZ = 10.0  # a window that nobody sees asks for events only now and then
+HIDDEN_HZ = 10.0  # a window out of sight asks for events only now and then
 LONGEST_FRAME_S = 1.0  # what is longer is a machine that slept; the scene's clock drops more than that itself
 
 

@@ -1,7 +1,7 @@
 """Shots on the tables that step, computed as far as they are asked for.
 
-A minute in steps of 50 µs takes more than a second to compute, and a picture needs a sixtieth of a second of
-it at a time. What is known of a moment does not depend on how much has been computed beyond it.
+A minute in steps of 50 µs takes more than a second to compute. A picture needs a sixtieth of a second of it
+at a time. What is known of a moment does not depend on how much has been computed beyond it.
 """
 
 from __future__ import annotations

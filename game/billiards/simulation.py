@@ -59,7 +59,7 @@ def log_for(shots: int, n: int, capacity: int, paths: bool = True, flies: bool =
 def play_into(log: Log, batch: Batch, first: int, until: float, max_events: int) -> int:
     """Play a batch from shot `first` on until the log is full; the number of the first that was not played.
 
-    The door to the two kernels: balls (m, n, 13) may leave the slate, balls (m, n, 11) do not.
+    The entry to the two kernels: balls (m, n, 13) may leave the slate, balls (m, n, 11) do not.
     """
     work = workspace_for(batch.balls.shape[1])
     if batch.balls.shape[2] > s.IN_COLUMNS:

@@ -2,18 +2,18 @@
 
     <cache>/kernels/game.billiards.lecture.table-4f1c.../step_lecture-88-9a0b....py311.code
 
-There is no index and nothing is locked. A file's name says all that its content depends on; it is written
-beside its place and then moved there, so whoever reads finds a whole file or none, and of two processes
-that compile the same kernel the later one writes the same again. A checksum is read with the code: a
-damaged file counts as none, and is written again. No failure here does more than cost time.
+There is no index and nothing is locked. A file's name says all that its content depends on. It is written
+beside its place and then moved there, so a reader finds a whole file or none. Of two processes that compile
+the same kernel the later one writes the same again. A checksum is read with the code: a damaged file counts
+as none, and is written again. No failure here does more than cost time.
 
-What is read is machine code (and a pickle that says how it is called), so it is run whatever its format:
-it is taken only from folders that nobody but this user can change (see game/trust.py), from the root down.
-Otherwise kernels are compiled again, and that is said once.
+What is read is machine code (and a pickle that says how it is called), so it is run whatever its format: it
+is taken only from folders that only this user can change (see game/trust.py), from the root down. Otherwise
+kernels are compiled again, and that is said once.
 
 What is not there is looked for in the machine code that came with Carom (see prebuilt.py), for a generic
-processor. What comes from there is not written again: whoever looks for code of this very processor finds
-none, and compiles it.
+processor. What comes from there is not written again: a look for code of this very processor finds none, and
+compiles it.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def take_code(path: Path) -> bytes | None:
 
 
 def keep_code(path: Path, code: bytes) -> None:
-    """Write code to a file of the cache folder, unless nobody could trust it there; OSError if that fails."""
+    """Write code to a file of the cache folder, unless it cannot be trusted there; OSError if that fails."""
     make_private_folder(path.parent)
     if _is_trusted(path.parent):
         _write(path, _checksum(code) + code)
@@ -106,7 +106,7 @@ def _checksum(data: bytes) -> bytes:
 def _is_trusted(folder: Path) -> bool:
     """Once in a process and folder: whether code may be taken from it; OSError if it is not there (yet).
 
-    Once is enough: where only this user can change anything, nobody else can change the answer.
+    Once is enough: where only this user can change anything, the answer cannot be changed from outside.
     """
     reason = reason_to_distrust(folder)
     if reason:
@@ -159,8 +159,8 @@ def _mark_used(folder: Path) -> None:
 def remove_old_folders(current: Path) -> None:
     """Once in a process and folder: remove what is stale, then what is too much, never the current folder.
 
-    Stale is a folder of the same module with other sources that was not used for `STALE_AFTER_S`; the
-    folders used longest ago go first until all take less than `MAX_BYTES`.
+    Stale is a folder of the same module with other sources that was not used for `STALE_AFTER_S`. The folders
+    used longest ago go first until all take less than `MAX_BYTES`.
     """
     with contextlib.suppress(OSError):
         os.utime(current)

@@ -1,13 +1,13 @@
 """The decorator of kernels: numba's nopython compiler with a disk cache that cannot go stale.
 
-numba's own cache looks only at the file a function stands in, and hands back old code after an edit of a
+numba's own cache looks only at the file a function stands in. It hands back old code after an edit of a
 helper in another file. Here machine code lies in a folder named by all sources that it depends on (see
 sources.py), in the user's cache folder or ``CAROM_CACHE_DIR`` (see cache.py). If that cannot be written,
 kernels compile again in each process: that costs time and nothing else.
 
-Kept on disk are kernels of this package, at module level or closures over plain integers (a closure over
-another kernel is a new function in every process). So variants by effect are specialised by integer masks.
-A kernel elsewhere, in a test say, is compiled in each process. A module must not make a constant that its
+Kept on disk are kernels of this package, at module level or closures over plain integers. A closure over
+another kernel is a new function in every process. So variants by effect are specialised by integer masks. A
+kernel elsewhere, in a test say, is compiled in each process. A module must not make a constant that its
 kernels use depend on anything but sources: environment, files and clock are not in the folder's name.
 
 Kernels take Carom's own compilation target (see target/), or are plain ones of numba's (see tried.py).
@@ -38,9 +38,9 @@ _OF_THE_TARGET = ("_nrt", "no_cpython_wrapper", "no_cfunc_wrapper")  # options t
 def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
     """Compile a function to machine code (nopython, no GIL, no fastmath), kept on disk.
 
-    Use bare (``@kernel``) or with numba options (``@kernel(inline="always")``). Division by zero gives
-    inf or nan as in numpy. ValueError for fastmath, which removes NaN tests and fuses sums so that equal
-    input would no longer give equal bits, and for parallel and cache, which are not the caller's to say.
+    Use bare (``@kernel``) or with numba options (``@kernel(inline="always")``). Division by zero gives inf or
+    nan as in numpy. ValueError for fastmath, which removes NaN tests and fuses sums so that equal input would
+    no longer give equal bits. Also for parallel and cache, which are not the caller's to say.
     """
     for refused in ("fastmath", "parallel", "cache", "error_model", "nogil"):
         if refused in options:
@@ -63,8 +63,8 @@ def lean_kernel(function: Any = None, **options: Any) -> Any:
 
     numba counts the references to every array that a compiled function gets, by an atomic addition when it
     enters and another when it leaves: 100 to 200 clock cycles for each call with ten arrays. The exact
-    billiard table makes about ten calls an event, so that this cost a fifth of its time, and code that
-    counts takes longer to compile. A lean kernel must not create arrays; views of given ones are fine.
+    billiard table makes about ten calls an event, so this cost a fifth of its time. Code that counts takes
+    longer to compile. A lean kernel must not create arrays; views of given ones are fine.
     """
     return partial(lean_kernel, **options) if function is None else kernel(_nrt=False, **options)(function)
 

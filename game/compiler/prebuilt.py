@@ -4,7 +4,7 @@
 
 A newcomer's first picture need not wait for the compiler. The file is made by ``python -m game precompile``
 and put into a wheel by hatch_build.py. It is used where Python, numba, llvmlite and numpy are those that it
-was made with; each kernel in it has a name that says all that it depends on, the sources included, as in the
+was made with. Each kernel in it has a name that says all that it depends on, the sources included, as in the
 cache folder (see cache.py). Otherwise kernels are compiled as if it were not there.
 
 It is read whole, once, and checked whole: bytes that are not those that were packed count as no file, and so

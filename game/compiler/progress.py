@@ -1,4 +1,4 @@
-"""What the compiler is at, for whoever waits for it."""
+"""What the compiler is at, for those that wait for it."""
 
 from __future__ import annotations
 

@@ -75,9 +75,9 @@ def two_balls(start: Floats, velocities: Floats, radius: float, time: float) -> 
 def missed_share(speed: float, dt: float, radius: float) -> float:
     """Share of hits that a test once a step misses, impact parameters even over [0, 2 R].
 
-    With D = 2 R, c = v dt, b0 = sqrt(D^2 - c^2): P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), and for c >= D
-    P = 1 - pi D/(4 c). A chord of the circle of contact shorter than the way of one step may fall between
-    two tests; only its first half counts, as in the second the balls part again.
+    With D = 2 R, c = v dt, b0 = sqrt(D^2 - c^2): P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), and for c >= D P = 1
+    - pi D/(4 c). A chord of the circle of contact shorter than the way of one step may fall between two
+    tests. Only its first half counts, as in the second the balls part again.
     """
     d, c = 2.0 * radius, speed * dt
     if c >= d:

@@ -88,8 +88,8 @@ def run_study(
     """Measure all settings of a study; rows (method, knob, error, cpu_s, ...).
 
     progress(done, total, label, seconds_left) is called before each point and at the end (seconds_left nan
-    while nothing is known). stop() true ends the run; the table holds what was measured, and handed back as
-    `table` it is gone on with; ValueError if it is one of another study. Rows are added one by one, and in
+    while nothing is known). stop() true ends the run. The table holds what was measured, and handed back as
+    `table` it is gone on with. ValueError if it is one of another study. Rows are added one by one, and in
     the end stand in the order of the settings. repeats, seconds: see `measure`.
     """
     table = StudyTable(study) if table is None else table
@@ -112,7 +112,7 @@ def run_study(
         except StoppedError:
             break
         have[setting.key] = row
-        table.rows.append(row)  # whoever draws the table in another thread sees it grow
+        table.rows.append(row)  # another thread that draws the table sees it grow
         behind += setting.weight
     table.rows = [have[setting.key] for setting in settings if setting.key in have]
     table.complete = len(table.rows) == len(settings)

@@ -2,7 +2,7 @@
 
 Each floor is at rest until it is struck, and goes on with what struck it (plastically). With nothing that
 resists and no mass at the start, the front of an even row falls with a third of gravity (Cayley 1857, "On a
-class of dynamical problems"); a mass at the start makes it faster at first.
+class of dynamical problems"). A mass at the start makes it faster at first.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """How fast a row of dominoes falls, and how far a block slides: what a world of solids is compared with.
 
 The wave is that of van Leeuwen 2010, "The domino effect" (American Journal of Physics 78, 721): each domino
-turns about the lower edge of its face, without sliding; the one struck stays with the one that struck it, so
+turns about the lower edge of its face, without sliding. The one struck stays with the one that struck it, so
 that all behind the front lean on each other; friction acts between them. Then all angles follow from the
 front's, and there is one degree of freedom between two impacts. Lengths here are in heights of a domino.
 """

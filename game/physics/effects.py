@@ -1,15 +1,15 @@
 """What a step may be asked to simulate, and how it is switched.
 
 An effect is a name that levels, recordings and the command line use. A scene's set of effects may span rooms
-of the house. Each room that computes effects gives them bits of a mask of its own, so a new room never runs
-out of bits and never renumbers another:
+of physics. Each room that computes effects gives them bits of a mask of its own. So a new room never runs out
+of bits and never renumbers another:
 
     PARTICLES = Room("particles", GRAVITY | DRAG | OBSTACLES)
     GRAVITY_BIT = PARTICLES.bit(GRAVITY)
     step = step_kernel(PARTICLES.mask(effects))     # effects of other rooms are left out
 
 A kernel asks ``if mask & GRAVITY_BIT`` with both numbers known when it is compiled (a closure over plain
-integers), so the machine code of an effect that is off is not there at all.
+integers). So the machine code of an effect that is off is not there at all.
 """
 
 from __future__ import annotations
@@ -128,7 +128,7 @@ class EffectSet:
 
 
 class Room:
-    """The effects that one room of the house computes, and the bit that each has in that room's mask.
+    """The effects that one room of physics computes, and the bit that each has in that room's mask.
 
     name: for messages, a plural ("particles"). known: the effects, of this room or of others; the first has
     bit 0. EffectError for more than `MOST_BITS`.

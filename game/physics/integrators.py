@@ -8,8 +8,8 @@
 | verlet              | 2     | energy error bounded            | w dt < 2,     k dt < 2        |
 | rk4                 | 4     | shrinks slightly                | w dt < 2.828, k dt < 2.785    |
 
-Verlet is velocity Verlet; where the acceleration depends on the velocity, that is predicted with v + a dt,
-which keeps second order (the backward difference of the textbook form would not).
+Verlet is velocity Verlet. Where the acceleration depends on the velocity, that is predicted with v + a dt,
+which keeps second order. The backward difference of the textbook form would not.
 
 `integrate` serves one body, or any array of bodies, with a plain Python acceleration. Kernels that need speed
 write the same few lines out for their own forces.

@@ -1,6 +1,6 @@
 """What a scene is, without a screen: declarations, input events, fixed-step clock, snapshots, replay.
 
-What runs a scene needs the compiler, whose import takes most of a second; it is imported when it is first
+What runs a scene needs the compiler, whose import takes most of a second. It is imported when it is first
 asked for, so that a menu or a list that only names scenes is there at once.
 """
 

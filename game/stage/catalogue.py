@@ -14,15 +14,15 @@ from game.stage.scene import Scene
 
 # Of the menu's bar, in its order; one that is not among them comes after these.
 CATEGORIES = ("Play", "Course", "Lecture", "Examples", "Stories", "Papers", "Playgrounds", "Carom")
-STORIES = "Stories"  # category of scenes that open with their story
+STORIES = "Stories"  # category of scenes that open with their story, and of the stories that others have
 
 
 class CloseUp(NamedTuple):
     """How a scene is framed in the live picture of its card, where all of it would be too small to see.
 
     shown_s: simulated time, s, at which the picture begins. zoom: so many times closer than the whole frame;
-    across, down: the point of the frame, in shares of it as it is seen from its upper left corner, that is in
-    the middle of the card. level: the name of one of the scene's levels that shows more than its default.
+    across, down: the point of the frame that is in the middle of the card, in shares of the frame from its
+    upper left corner. level: the name of one of the scene's levels that shows more than its default.
     """
 
     shown_s: float = 1.6
@@ -30,6 +30,14 @@ class CloseUp(NamedTuple):
     across: float = 0.5
     down: float = 0.5
     level: str = ""
+
+
+class StoryCard(NamedTuple):
+    """What the card of a scene's own story says, in place of the scene's own words."""
+
+    task: str
+    title: str
+    fact: str
 
 
 class Entry(NamedTuple):
@@ -48,6 +56,7 @@ class Entry(NamedTuple):
     topic: str = ""  # what a large category is divided into; of it a heading in the menu
     level_card: str = ""  # function in card.py that draws a level, as its file is read, with a Pen
     start: str = ""  # StartLines in start.py beside the module: the card that a game is begun with
+    story: StoryCard | None = None  # of its own story, by which it stands among the stories as well
 
     @property
     def names(self) -> tuple[str, str, str]:
@@ -158,12 +167,19 @@ class Catalogue:
                 found[entry.topic] = (*found.get(entry.topic, ()), entry)
         return found
 
+    def stories(self) -> tuple[Entry, ...]:
+        """Scenes that are stories, then others as the stories that they have: with its card's words."""
+        own = tuple(entry for entry in self.entries if entry.category == STORIES)
+        told = (entry for entry in self.entries if entry.story is not None and entry.category != STORIES)
+        return (*own, *(entry._replace(**entry.story._asdict()) for entry in told if entry.story is not None))
+
     def after_in_category(self, name: str, category: str) -> Entry | None:
         """The scene of a category that comes after one, or the first; None if there is no other."""
-        names = [entry.name for entry in self.entries if entry.category == category]
-        index = names.index(name) + 1 if name in names else 0
-        found = names[index % len(names)] if names else name
-        return None if found == name else self[found]
+        own = tuple(entry for entry in self.entries if entry.category == category)
+        entries = self.stories() if category == STORIES else own
+        names = [entry.name for entry in entries]
+        found = entries[(names.index(name) + 1 if name in names else 0) % len(entries)] if entries else None
+        return None if found is None or found.name == name else found
 
     def neighbour(self, name: str, offset: int) -> Entry:
         """The scene so many places on, round the end."""

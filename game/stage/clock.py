@@ -1,7 +1,7 @@
 """The fixed-step clock: real time in, whole steps out (Fiedler 2004, "Fix your timestep").
 
-Time that is too much for one frame is dropped and counted, so a slow step cannot ask for ever more steps;
-simulated time is an integer number of steps, never a running sum.
+Time that is too much for one frame is dropped and counted, so a slow step cannot ask for ever more steps.
+Simulated time is an integer number of steps, never a running sum.
 """
 
 from __future__ import annotations

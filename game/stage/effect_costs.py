@@ -1,9 +1,9 @@
 """What each effect costs per step: measured on copies of the scene, a little in every frame.
 
 A cost is the difference of two measurements made in turn, with the effect and without it, from the same
-state; the median of several such differences is given, so that neither a drifting processor speed nor one
-interruption moves it much. What does not exceed the noise of that median counts as nothing. The scene in
-play is only read.
+state. The median of several such differences is given. So neither a drifting processor speed nor one
+interruption moves it much. What does not exceed the noise of that median counts as nothing. The scene in play
+is only read.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ BARE = ""  # name of the variant with every effect off
 class EffectMeter:
     """Measures the effects of a stage's scene one after the other, as long as `slice` is called.
 
-    `costs`: s per step by effect, for one that is on the time saved without it, for one that is off the
-    time added with it; effects not measured yet are missing. `bare`: s of a step with all effects off, NaN
-    until measured. `done`: True when all have been measured; changing parameters or effects begins again, and
+    `costs`: s per step by effect, for one that is on the time saved without it, for one that is off the time
+    added with it. Effects not measured yet are missing. `bare`: s of a step with all effects off, NaN until
+    measured. `done`: True when all have been measured; changing parameters or effects begins again, and
     another level forgets what was measured.
 
     ``clock`` gives s. Copies are built, and code of a new variant compiles, in a thread meanwhile.

@@ -1,7 +1,7 @@
 """What comes in to a scene, and all that comes in: pointer, action, decision, parameter set, effect switched.
 
-Each is stamped with the number of steps made before it acts, so a list of them is a replay, and
-a story or a test is written in the same words as a person's hand.
+Each is stamped with the number of steps made before it acts, so a list of them is a replay. A story or a test
+is written in the same words as a person's hand.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ class Action(msgspec.Struct, frozen=True, tag="action", forbid_unknown_fields=Tr
 class Decision(msgspec.Struct, frozen=True, tag="decision", forbid_unknown_fields=True):
     """What a player without a hand has decided, such as a stroke: a name, and numbers that the scene knows.
 
-    A computer player thinks as long as it likes, in a thread; only what it decides comes in, so a recording
-    holds its choices and a replay asks nobody.
+    A computer player thinks as long as it likes, in a thread. Only what it decides comes in, so a recording
+    holds its choices and a replay needs no thinking.
     """
 
     name: str

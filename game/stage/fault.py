@@ -1,4 +1,4 @@
-"""What is told of a scene that was stopped."""
+"""What is said of a scene that was stopped."""
 
 from __future__ import annotations
 

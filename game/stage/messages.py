@@ -10,7 +10,7 @@ MOST_UNREAD = 8  # of more, the oldest are forgotten
 
 
 class Messages(Part):
-    """Messages that nobody has read yet; ``Scene.messages`` is to give ``take()``."""
+    """Messages that are not read yet; ``Scene.messages`` is to give ``take()``."""
 
     def __init__(self) -> None:
         self.unread: deque[str] = deque(maxlen=MOST_UNREAD)
@@ -21,7 +21,7 @@ class Messages(Part):
             self.unread.append(words)
 
     def take(self) -> tuple[str, ...]:
-        """All that is new since the last call, oldest first."""
+        """What is new since the last call, oldest first."""
         new = tuple(self.unread)
         self.unread.clear()
         return new

@@ -1,7 +1,7 @@
 """What a person may change about a scene: numbers, choices and switches, declared as class attributes.
 
-A declared parameter checks every value at one door, whoever brings it: panel, level file, command line or
-replay. Controls, help page, level file and command line are made from the declarations alone.
+A declared parameter checks every value in one place, wherever it comes from: panel, level file, command line
+or replay. Controls, help page, level file and command line are made from the declarations alone.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Parts of a scene: its model, its hand, what it measures.
 
 A scene knows all its parts, a view knows model and hand, a hand the model, the model parameters, level and
-physics; nobody knows the scene.
+physics. None knows the scene.
 """
 
 from __future__ import annotations

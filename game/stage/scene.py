@@ -204,9 +204,9 @@ class Scene(SceneDeclaration):
     def state(self) -> NamedTuple:
         """A NamedTuple of the arrays (and numbers) that are the state: snapshot, digest, step back.
 
-        All that later steps depend on, but for parameters and effects and for plain attributes of the scene
-        (numbers, words, and lists of them; see memory.py), which the stage remembers by itself. Arrays are
-        given as they are, not copied. Floats must be finite, but for fields named in ``may_be_infinite``.
+        What later steps depend on, but for parameters and effects. Plain attributes of the scene (numbers,
+        words, and lists of them; see memory.py) the stage remembers by itself. Arrays are given as they are,
+        not copied. Floats must be finite, but for fields named in ``may_be_infinite``.
         """
         raise NotImplementedError
 
@@ -311,9 +311,6 @@ class Scene(SceneDeclaration):
         Readouts need none: a story draws them by itself. All that can be named is there from the beginning.
         """
         return {}
-
-    def draw_story_row(self, surface: Any, look: Any, row: Any) -> None:
-        """On film, draw what stands beside the captions, in the row below the picture (a Rect, px)."""
 
     def readouts(self) -> Sequence[Readout]:
         """Measured values; the first is shown in the top bar, those named in strips are charted."""

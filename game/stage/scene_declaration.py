@@ -23,7 +23,7 @@ class SceneDeclaration:
     name: ClassVar[str] = ""  # command line name, e.g. "c04"
     task: ClassVar[str] = ""  # id of the task, e.g. "C04"
     title: ClassVar[str] = ""
-    effects: ClassVar[EffectSet] = EffectSet(())  # all that is ever computed
+    effects: ClassVar[EffectSet] = EffectSet(())  # what is ever computed
     parameters_type: ClassVar[type[Parameters]] = Parameters  # beside those declared on the scene itself
     dt: ClassVar[float] = 1.0 / 120.0  # s, length of a step; a parameter "step_length" says it instead
     may_be_infinite: ClassVar[frozenset[str]] = frozenset()  # fields of the state where inf or NaN is meant
@@ -47,9 +47,8 @@ class SceneDeclaration:
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
     stories: ClassVar[tuple[Story, ...]] = ()  # beside those in files
-    story_row: ClassVar[int] = 0  # design px below the picture on film, for its captions and `draw_story_row`
     play_action: ClassVar[str] = ""  # by it a timeline of the scene's own plays and pauses, if it has one
-    demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
+    demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when no person plays
 
     former_parameters: ClassVar[Mapping[str, str]] = {}  # old name: present name
 

@@ -1,7 +1,7 @@
 """A session: the sequence of a scene's states, which steps and events alone decide. No real time in here.
 
-Going back restores the last snapshot before a step and steps again, with the events that acted since; so
-what a parameter, an effect or a drag did is undone as well. A step or event that fails (a state that is not
+Going back restores the last snapshot before a step and steps again, with the events that acted since. So what
+a parameter, an effect or a drag did is undone as well. A step or event that fails (a state that is not
 finite, an exception) is undone the same way: the scene stands at its last good state, and `fault` says why.
 """
 
@@ -119,7 +119,7 @@ class Session:
         return self.fault
 
     def kept(self, step: int) -> tuple[Snapshot, tuple[Stamped, ...]]:
-        """The latest kept state not after a step (the first one there is, if it is out of reach), and the
+        """The latest kept state not after a step (the first one there is, if it is out of reach). Also the
         events that have acted since.
         """
         base = self._ring.before(max(step, self._ring.first_step))

@@ -1,9 +1,9 @@
 """Sounds of impacts, made of damped tones and noise, and a player that follows a line of them.
 
 Nothing is read from files. What is heard in a frame is mixed into one short piece, each sound at its own
-moment within the frame, as loud and as bright as the impact was fast, and where on the table it was. Without
-a sound card all of it is silent. The player hears what a scene says of itself and never changes it. In slow
-motion all of it sounds lower.
+moment within the frame. It is as loud and as bright as the impact was fast, and comes from its place on the
+table. Without a sound card all of it is silent. The player hears what a scene says of itself and never
+changes it. In slow motion all of it sounds lower.
 """
 
 from __future__ import annotations

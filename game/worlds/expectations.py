@@ -87,7 +87,7 @@ def _aim_in_words(entry: Expectation, value: float, unit: str) -> str:
 
 
 def with_headroom(frame: Frame, lines: int) -> Frame:
-    """A frame (m) with room for so many captions above it."""
+    """A frame (m) with space for so many captions above it."""
     share = HEADROOM + OF_A_LINE * lines if lines else 0.0
     return frame._replace(top=frame.top + share * (frame.top - frame.bottom))
 

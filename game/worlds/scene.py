@@ -75,8 +75,8 @@ class BuiltScene(ModelScene):
     """A scene in which a person builds: of a model, a hand and a view.
 
     The content of its levels has a ``view`` (the part of the world to show, m) and what is ``expected``.
-    ``not_of_model``: parameters of the picture and of the tools; the model is told of all others.
-    ``of_tier``: those that go by the quality unless that is one's own.
+    ``not_of_model``: parameters of the picture and of the tools; all others go to the model. ``of_tier``:
+    those that the quality decides, unless it is one's own.
     """
 
     model: BuiltModel
@@ -119,7 +119,7 @@ class BuiltScene(ModelScene):
         return self.view.legend()
 
     def shown(self) -> Frame:
-        """The part of the world to show, without room for what is expected."""
+        """The part of the world to show, without the space for what is expected."""
         view = self.model.content.view
         return Frame(view.left, view.bottom, view.right, view.top)
 

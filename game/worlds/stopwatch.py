@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
 
-FIRST = 3  # measurements of every step that find no room yet, cold caches and unread machine code
+FIRST = 3  # measurements of every step that find no space yet, cold caches and unread machine code
 SAMPLES = 31  # odd, so that the median is a sample
 
 

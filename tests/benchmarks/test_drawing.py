@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import pygame
 import pytest
 
 from game.billiards.table.table import Table
+from game.lab.timing import least_time
 from game.ui.look.theme import DARK, FELT
 from game.ui.painters.ball import BallPainter, ScreenBalls
 from game.ui.painters.ball_picture import ball_picture, turned
@@ -43,15 +42,11 @@ def balls():
     return ScreenBalls(rng.uniform((130, 110), (1150, 610), (16, 2)), np.full(16, 11.5), np.arange(16), turns)
 
 
-def median_time(call, rounds=15):
-    """Median of some calls, each begun afresh."""
-    call()
-    times = []
-    for _ in range(rounds):
-        start = time.perf_counter()
-        call()
-        times.append(time.perf_counter() - start)
-    return float(np.median(times))
+@pytest.fixture
+def timed(request):
+    """Asks for a run that measures: beside other work a ratio of costs is that of shared caches, too."""
+    if not request.config.getoption("benchmark_enable"):
+        pytest.skip("measures only with --benchmark-enable")
 
 
 @pytest.mark.parametrize("radius", [1.15, 2.0])
@@ -98,15 +93,15 @@ def test_cue(paper, benchmark):
     assert (paper[0] != 0).mean() > 0.002
 
 
-def test_balls_are_drawn_many_times_faster_than_by_numpy(paper, balls):
+def test_balls_are_drawn_many_times_faster_than_by_numpy(paper, balls, timed):
     painter = BallPainter(FELT)
-    kernel = median_time(lambda: painter.draw(*paper, balls, (640.0, 360.0), 403.0))
+    kernel = least_time(lambda: painter.draw(*paper, balls, (640.0, 360.0), 403.0))
     pairs = list(zip(balls.numbers, balls.turns, strict=True))
-    numpy = median_time(lambda: [ball_picture(int(n), 11.5, t, FELT) for n, t in pairs], 5)
+    numpy = least_time(lambda: [ball_picture(int(n), 11.5, t, FELT) for n, t in pairs], 5)
     assert kernel < numpy / 5.0
 
 
-def test_a_particle_costs_no_more_than_a_dozen_plain_pixels(paper, particles):
+def test_a_particle_costs_no_more_than_a_dozen_plain_pixels(paper, particles, timed):
     """An anti-aliased disc covers 8 pixels; numpy sets one pixel of each particle."""
     points, _, colors = particles
 
@@ -114,4 +109,4 @@ def test_a_particle_costs_no_more_than_a_dozen_plain_pixels(paper, particles):
         columns, rows = points.astype(np.int64).T
         paper[0][rows, columns] = colors
 
-    assert median_time(lambda: fill_particles(*paper, points, colors, 1.15, 1.0)) < 12.0 * median_time(plain)
+    assert least_time(lambda: fill_particles(*paper, points, colors, 1.15, 1.0)) < 12.0 * least_time(plain)

@@ -87,9 +87,9 @@ def played(request: pytest.FixtureRequest) -> Performance:
         if not all(map(math.isfinite, view)):
             outside.append(runner.shown_s)
         if target is not None and runner.arrived(runner.shown_s):
-            share = max(
-                abs(target[0] - view.x) / (0.3 * view.width), abs(target[1] - view.y) / (0.16875 * view.width)
-            )
+            reach = (0.3 * view.width, 0.16875 * view.width)
+            across, up = reach[::-1] if runner.turned else reach
+            share = max(abs(target[0] - view.x) / across, abs(target[1] - view.y) / up)
             off.append((runner.shown_s, share))
     found = result_of(runner)
     return Performance(

@@ -84,7 +84,7 @@ def run_command_line(arguments: Sequence[str]) -> int:
         say_stopped()
         return status_of(why)
     except BrokenPipeError:
-        # whoever read the output has enough; nothing must be flushed into the closed pipe at exit
+        # the reader of the output has enough; nothing must be flushed into the closed pipe at exit
         _drop_output()
         return 0
     except OSError as error:  # a disk that is full or gone, under a file or under the standard output

@@ -173,7 +173,7 @@ def _prices(scene_type: Any, folder: Path, place: str, anew: bool) -> Prices:
 def _kept(study: Study, folder: Path, complete: bool) -> StudyTable | None:
     """What an earlier run has measured of a study, whole ones only if ``complete``; None if there is nothing.
 
-    Whoever names a scene wants it measured; of all scenes only what is missing.
+    A scene that is named is measured; of all scenes only what is missing.
     """
     from game.files import FileProblem, read_text
     from game.lab import StudyTable

@@ -1,4 +1,7 @@
-"""``match``: a billiard match that plays itself; from its record every round can be played again."""
+"""``match``: a billiard match that plays itself; from its record every round can be played again.
+
+A match to be watched is the story of the billiard game: ``record billiards --story``.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
 from game.app.window.mistake import MistakeError
-from game.app.window.words import say
 
 if TYPE_CHECKING:
     from game.billiards.players.match import Round
@@ -24,9 +26,6 @@ def add(commands: Any) -> None:
     parser.add_argument("--seed", default="1", metavar="N", help="seed of balls, rack and search (1)")
     parser.add_argument("--json", metavar="FILE", help="write all rounds; - is standard output")
     parser.add_argument("--title", default="", metavar="TEXT", help="title of the match, with a name")
-    parser.add_argument("--video", metavar="FILE.mp4", help="film it (needs PyAV, the extra 'video')")
-    parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the film (1280x720)")
-    parser.add_argument("--fps", default="30", metavar="N", help="pictures a second (30)")
     parser.set_defaults(execute=execute)
 
 
@@ -36,9 +35,6 @@ def execute(options: argparse.Namespace) -> int:
     if len(options.title) > MOST_TITLE:
         raise MistakeError(f"--title: expected at most {MOST_TITLE} letters")
     output.check_writable(options.json, "--json")
-    film = None
-    if options.video is not None:
-        film = given.read_film(options.video, options.size, options.fps, "--video")
     from game.billiards.players.match import MatchError, match_data, play_match
 
     silent = options.json == output.STANDARD_OUTPUT
@@ -50,20 +46,10 @@ def execute(options: argparse.Namespace) -> int:
         print(file=sys.stderr)
     if options.json:
         output.write_json(match_data(match, options.title), options.json)
-    if film is not None:
-        from game.app.film.match_film import write_match_film
-        from game.app.film.video import VideoError
-
-        try:
-            length = write_match_film(match, film.path, options.title, film.size, film.fps)
-        except VideoError as error:
-            raise MistakeError(str(error), status=1) from None
     if not silent:
         for one in match.rounds:
             print(describe(one))
         print(f"{len(match.rounds)} rounds, {match.playing_time:.0f} s of play")
-        if film is not None:
-            say(f"{film.path}: {length:.0f} s")
     return 0
 
 

@@ -159,7 +159,7 @@ def make_wheel(root: Path, file: Path, folder: Path) -> None:
 
 
 def _write(path: Path, content: bytes) -> None:
-    """A file that nobody else may write, whatever the mask."""
+    """A file that only its owner may write, whatever the mask."""
     path.write_bytes(content)
     path.chmod(0o644)
 

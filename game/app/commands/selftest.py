@@ -123,7 +123,7 @@ def check_declared(scene_type: type[Scene]) -> Iterator[Result]:
 def against_golden(
     results: Iterable[Result], golden: Mapping[str, str], scenes: Collection[str]
 ) -> Iterator[Result]:
-    """The results, with trouble where the kept digest is another or there is none; and at the end one for
+    """The results, with trouble where the kept digest is another or there is none. At the end comes one for
     each kept digest that no level came to, of these scenes or of all if none are named.
     """
     seen = set()

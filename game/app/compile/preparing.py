@@ -1,9 +1,9 @@
 """While the menu stands, a process of low priority compiles what has not been opened yet, scene by scene.
 
 What it has finished is on disk, so it may be stopped at any moment; a scene whose name it has printed opens
-at once. `python -m game.app.compile.preparing` is that process; it ends when nobody reads its names. It takes
-nothing of the machine code that came with Carom, and so compiles for this very processor; with the name of a
-scene it does so for that scene alone, while that is played.
+at once. `python -m game.app.compile.preparing` is that process; it ends when its names are no longer read. It
+takes nothing of the machine code that came with Carom, and so compiles for this very processor. With the name
+of a scene it does so for that scene alone, while that is played.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ def compile_scene(entry: Entry) -> None:
 def prepare_all(entries: Iterable[Entry]) -> None:
     """Prepare one scene after another and print the name of each that is ready.
 
-    One that cannot be prepared is left out: opening it will say why. Ends quietly when nobody listens.
+    One that cannot be prepared is left out: opening it will say why. Ends quietly when its output is closed.
     """
     with contextlib.suppress(BrokenPipeError):
         for entry in entries:

@@ -1,8 +1,8 @@
 """Which scenes open at once: those whose kernels were compiled from the very sources that are here now.
 
 Code for this very processor is in the cache folder; code for a generic one may have come with Carom. A note
-in the cache folder, named by a hash of the sources of the scene's module and of the canvas, says that the
-former is all there. Wrong notes are harmless: the scene then compiles when it is opened or drawn.
+in the cache folder says that the former is all there. It is named by a hash of the sources of the scene's
+module and of the canvas. Wrong notes are harmless: the scene then compiles when it is opened or drawn.
 """
 
 from __future__ import annotations

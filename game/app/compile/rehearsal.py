@@ -1,4 +1,4 @@
-"""A scene's first frames where nobody sees them, so that nothing is left to compile in the window's own."""
+"""A scene's first frames out of sight, so that nothing is left to compile in the window's own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A second Python process that works for the window where nobody sees it."""
+"""A second Python process that works for the window out of sight."""
 
 from __future__ import annotations
 

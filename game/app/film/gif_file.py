@@ -1,6 +1,6 @@
 """GIF files of our own making, so that a film needs nothing that is not installed.
 
-Pictures wait packed until all colours are known; then 255 of them are chosen for the whole film by halving
+Pictures wait packed until all colours are known. Then 255 of them are chosen for the whole film by halving
 the box of colours that is widest (P. Heckbert, Color Image Quantization for Frame Buffer Display, SIGGRAPH
 1982), and of each picture only what has changed is written.
 """

@@ -1,7 +1,7 @@
 """The file in which a film grows: under a hidden name, which becomes its own when all of it is on disk.
 
 A process that is killed leaves such a file behind. The next film in that folder removes it: a file of that
-form that nobody holds locked belongs to a film that is no longer made.
+form that is not locked belongs to a film that is no longer made.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A bar that tells how far a long work is, in one line that is written over; silent where nobody looks."""
+"""A bar that tells how far a long work is, in one line that is written over; silent without a terminal."""
 
 from __future__ import annotations
 

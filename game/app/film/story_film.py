@@ -54,11 +54,7 @@ class StoryFilm:
         self._player = player
         self._view = StageView(self.stage, self.look)
         self._view.show_marks(False)
-        picture = self.surface.get_rect()
-        height = min(self.look.px(scene_type.story_row), picture.h // 3)
-        picture.h -= height
-        self._row = pygame.Rect(0, picture.h, picture.w, height) if height else None
-        self._view.place(picture, self.look)
+        self._view.place(self.surface.get_rect(), self.look)
 
     @property
     def sounding(self) -> bool:
@@ -86,9 +82,7 @@ class StoryFilm:
         self.surface.fill(self.look.theme.stage)
         point_camera(self._view, runner, film_s)
         self._view.draw(self.surface, alpha=min(max(1.0 - behind, 0.0), NEWEST))
-        if self._row is not None:
-            stage.scene.draw_story_row(self.surface, self.look, self._row)
-        draw_words(self.surface, self.look, self._view, runner, film_s, self._player, row=self._row)
+        draw_words(self.surface, self.look, self._view, runner, film_s, self._player)
         return self.surface
 
 

@@ -41,7 +41,7 @@ class Driver:
     """Drives the program by events, frame by frame.
 
     ``folder``: of the settings. ``size``: of the window, px. ``settings``: fields of the settings.
-    ``forgiving``: False lets pass what a screen or a scene raises, as who drives is to see it.
+    ``forgiving``: False lets pass what a screen or a scene raises, as the driver is to see it.
     """
 
     def __init__(

@@ -11,7 +11,7 @@ import pygame
 from game.app.window.commands import COMMANDS
 from game.app.window.keys import Chord, parse_chord
 
-LEAVING = ("quit", "full-screen")  # would end the program, or change the screen of whoever runs it
+LEAVING = ("quit", "full-screen")  # would end the program, or change the screen of the person at it
 SELDOM_USED = ("accuracy", "next", "previous")  # begin something long: pressed, but seldom
 SELDOM = tuple(parse_chord(command.key) for command in COMMANDS if command.name in SELDOM_USED)
 PLACES = tuple(parse_chord(command.key) for command in COMMANDS if command.name not in LEAVING + SELDOM_USED)
@@ -45,7 +45,7 @@ def any_event(hand: Random, size: tuple[int, int], chords: Sequence[Chord] = ())
 
 
 def _rare_events(hand: Random) -> list[pygame.Event]:
-    """What windows and gamepads do, and what nobody expects."""
+    """What windows and gamepads do, and what is not expected."""
     return [
         pygame.Event(pygame.WINDOWFOCUSLOST),
         pygame.Event(pygame.WINDOWLEAVE),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def resident_bytes() -> int:
-    """Bytes in memory now on Linux; elsewhere the most so far, or 0 where nobody says."""
+    """Bytes in memory now on Linux; elsewhere the most so far, or 0 where it is unknown."""
     try:
         import resource
     except ImportError:

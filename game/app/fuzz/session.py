@@ -35,10 +35,11 @@ AGAIN = 1000  # events after which the scene is opened again, so that what broke
 
 
 class FuzzReport(NamedTuple):
-    """What came of a scene: events posted, parameter values refused, files refused, faults reported,
-    frames of no simulated time in which the drawing thread worked longer than SLOW_S (but for those in which
-    a kernel was compiled) and the longest of them (s), growth of memory in the second half (bytes), and the
-    trouble: empty, or what was raised, with the number of the event."""
+    """What came of a scene: events posted, parameter values refused, files refused, faults reported, growth
+    of memory in the second half (bytes), and the trouble. Slow frames show no simulated time, and the drawing
+    thread worked longer than SLOW_S. Frames in which a kernel was compiled do not count. Trouble: empty, or
+    what was raised, with the number of the event.
+    """
 
     scene: str
     events: int

@@ -66,11 +66,13 @@ class Contents(NamedTuple):
 
 
 def lay_out(offer: Offer, query: str, settings: Settings, size: tuple[int, int], look: Look) -> Contents:
-    """All that is offered, or what a query finds, in a view of that size, window px."""
+    """Everything that is offered, or what a query finds, in a view of that size, window px."""
     found = offer.find(query) if query else None
     groups = offer.groups(settings.favourites, settings.recent) if found is None else _groups_of(found)
     arranged = flow.arrange_cards(groups, "" if query else offer.wide, *size, look.k)
-    cards = tuple(Item(c.rect, offer.catalogue[c.name], c.category, card=c) for c in arranged.cards)
+    cards = tuple(
+        Item(c.rect, offer.entry_in(c.category, c.name), c.category, card=c) for c in arranged.cards
+    )
     contents = Contents(cards, arranged.heads, arranged.height)
     levels = offer.levels if found is None else found.levels[:LEVELS_SHOWN]
     number = len(levels) if found is None else len(found.levels)

@@ -63,8 +63,8 @@ def arrange_cards(groups: Sequence[Group], wide: str, width: int, height: int, k
 
     Categories follow one another in their order, each beginning with its first group; the others of a
     category come as they fill the rows best. The fewest columns are taken, and so the largest cards, with
-    which nothing needs scrolling; if that cannot be, as many as there is space for. ``wide`` names the scene
-    that takes two columns.
+    which nothing needs scrolling. If that cannot be, the columns are as many as there is space for. ``wide``
+    names the scene that takes two columns.
     """
     most = max(1, int((width / k - 2 * MARGIN + GAP) // (NARROWEST + GAP)))
     least = 1

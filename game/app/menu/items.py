@@ -9,7 +9,7 @@ from typing import NamedTuple
 from game.app.menu.flow import Group
 from game.app.menu.search import Field, rank, words_of
 from game.app.stagehand.level_index import LevelHead, level_heads
-from game.stage.catalogue import Catalogue, Entry
+from game.stage.catalogue import STORIES, Catalogue, Entry
 
 FAVOURITES, RECENT = "Favourites", "Recent"  # categories of what stands in another one as well
 LEVELS = "Levels"
@@ -50,10 +50,21 @@ class Offer:
             Group(RECENT, opened, RECENT, again=True, one_row=True),
         ]
         return [group for group in first if group.names] + [
-            Group(topic or category, self._names(entries), category)
-            for category in self.catalogue.categories()
-            for topic, entries in self.catalogue.topics(category).items()
+            group for category in self.catalogue.categories() for group in self._groups_of(category)
         ]
+
+    def _groups_of(self, category: str) -> list[Group]:
+        """A category by its topics; the stories with those that other scenes have."""
+        if category == STORIES:
+            names = tuple(entry.name for entry in self.catalogue.stories())
+            return [Group(category, names, category, again=True)]
+        topics = self.catalogue.topics(category)
+        return [Group(topic or category, self._names(entries), category) for topic, entries in topics.items()]
+
+    def entry_in(self, category: str, name: str) -> Entry:
+        """A scene as its card in a category shows it."""
+        told = self.catalogue.stories() if category == STORIES else ()
+        return next((entry for entry in told if entry.name == name), self.catalogue[name])
 
     def _known(self, names: Sequence[str]) -> tuple[str, ...]:
         """Those that there are, each once."""

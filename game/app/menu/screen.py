@@ -17,7 +17,9 @@ from game.app.menu.painter import Painter, Shown
 from game.app.menu.scroll import Scroll
 from game.app.screens.host import Host
 from game.app.screens.screen import Screen
+from game.app.stagehand.opening import Opening
 from game.app.window.commands import Actions
+from game.stage.catalogue import STORIES
 from game.ui.look.motion import LIFT_S, Fade
 
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
@@ -296,7 +298,11 @@ class MenuScreen(Screen):
         item = self.focused
         if item is not None:
             self.host.menu_category = item.category
-            self.host.open_scene(item.entry.name, level=item.level.path if item.level else None)
+            told = item.category == STORIES and item.level is None
+            opening = Opening(story="") if told and item.entry.category != STORIES else None
+            self.host.open_scene(
+                item.entry.name, level=item.level.path if item.level else None, opening=opening
+            )
 
     # -- life ---------------------------------------------------------------------------------------
 

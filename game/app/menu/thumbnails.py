@@ -1,8 +1,8 @@
 """Live pictures for the menu's cards: the scenes themselves, drawn small; the chosen one moves.
 
-Only scenes that are in view and whose kernels are ready are built and drawn, one after another, so that the
-menu waits neither for the compiler nor for scenes that nobody looks at. What was drawn is kept in the cache
-folder: the next start shows it at once, before the compiler is even imported.
+Only scenes that are in view and whose kernels are ready are built and drawn, one after another. So the menu
+waits neither for the compiler nor for scenes out of sight. What was drawn is kept in the cache folder: the
+next start shows it at once, before the compiler is even imported.
 """
 
 from __future__ import annotations
@@ -185,7 +185,7 @@ def _path(key: Key) -> Path:
 
 
 def _load(key: Key) -> pygame.Surface | None:
-    """A picture of an earlier session, if it is whole and nobody else can have put it there.
+    """A picture of an earlier session, if it is whole and only this user can have put it there.
 
     A decoder of pictures is C code: it is given nothing that another user may have written.
     """

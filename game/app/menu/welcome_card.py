@@ -43,7 +43,7 @@ GAMES = (
     Choice("snooker", "Play snooker", "fifteen reds, six colours", "snooker"),
 )
 OTHERS = (
-    Choice("stories", "Watch a story", "fireworks, fire, falling dominoes", "a09"),
+    Choice("stories", "Watch a story", "a billiard match, fireworks, fire", "a09"),
     Choice("course", "See the course", "from key-frames to soft bodies", "c04"),
 )
 

@@ -1,6 +1,6 @@
 """What each effect of a scene costs: with it, declared but off, not declared at all, and with none.
 
-Every variant is a copy of the scene that plays on from the same state; the variants take turns, so that a
+Every variant is a copy of the scene that plays on from the same state. The variants take turns, so that a
 busy moment meets all of them, and the least CPU time of a step counts. Tables that are played by events do
 all their work in the moment of a stroke: of them a break is measured in place of a step.
 """

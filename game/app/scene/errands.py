@@ -58,7 +58,8 @@ class Errands:
         self._add(_Errand(lambda: act, quick=True, name=name))
 
     def work_inside(self, work: Callable[[], Act | None], name: str = "") -> None:
-        """Let a thread do this to the scene itself, which nobody else may look at meanwhile; then as `work`.
+        """Let a thread do this to the scene itself, which no other thread may look at meanwhile; then as
+        `work`.
 
         ``name``: as in `act`.
         """

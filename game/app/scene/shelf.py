@@ -1,6 +1,6 @@
 """Levels and recordings of a scene in play: opened, watched, saved.
 
-All of it is done in the background, as a large file takes longer than a frame; what is wrong with one is said
+All of it is done in the background, as a large file takes longer than a frame. What is wrong with one is said
 in a line, and the scene goes on with what it had.
 """
 
@@ -116,7 +116,7 @@ class Shelf:
 
     def copy(self) -> None:
         """Put the last stroke (of a scene that gives such excerpts), or the session, into the clipboard as a
-        text; for the second time in a row the session.
+        text. Asked a second time in a row, it is the session.
         """
         self._record.errands.work(self._pack)
 

@@ -15,7 +15,7 @@ WORDS = "Working…"
 
 
 class Standstill:
-    """Keeps the picture for as long as nobody may look into the scene."""
+    """Keeps the picture for as long as the scene may not be looked into."""
 
     def __init__(self) -> None:
         self._picture: pygame.Surface | None = None

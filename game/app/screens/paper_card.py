@@ -17,7 +17,7 @@ OPEN = "open"
 
 
 class Measuring:
-    """What a page compares, measured in a thread; whoever looks sees what is there so far."""
+    """What a page compares, measured in a thread; what is there so far is seen."""
 
     def __init__(self, paper: Paper) -> None:
         self.found: tuple[Comparison, ...] = ()

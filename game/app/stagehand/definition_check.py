@@ -19,7 +19,7 @@ CARD, PICTURE = (320, 208), (640, 360)  # px
 def check_definition(scene_type: type[Scene]) -> None:
     """Draw and read all that a scene's class declares; whatever is raised says what is wrong with it.
 
-    DefinitionError for the key of an action that is taken, for a name that stands for two things, and for a
+    DefinitionError for the key of an action that is taken, for a name that stands for two things. Also for a
     study that does not find the scene. Equations, card and figure are only looked at in a scene that has
     them; strips and a picture as it opens.
     """

@@ -93,7 +93,7 @@ class StarKeeper:
 
 
 def _read() -> Table:
-    """All that is kept; ValueError if it cannot be understood."""
+    """Everything that is kept; ValueError if it cannot be understood."""
     if not stars_path().exists():
         return {}
     try:

@@ -36,21 +36,18 @@ def caption_at(runner: Runner, shown_s: float) -> Caption | None:
 
 def draw_words(
     surface: pygame.Surface, look: Look, view: StageView, runner: Runner, shown_s: float, player: str = "",
-    leaves: bool = False, row: pygame.Rect | None = None,
+    leaves: bool = False,
 ) -> None:  # fmt: skip
     """Caption or card of a moment of the film. ``player``: whose name the title card bears.
 
-    ``leaves``: the end card goes when its time is up. ``row``: where captions stand, if not in the picture.
+    ``leaves``: the end card goes when its time is up.
     """
     caption = caption_at(runner, shown_s)
     if caption is not None:
         opacity = opacity_at(shown_s, caption.begins, caption.ends)
         draw_chart(surface, look, view, runner, caption, opacity)
-        if row is not None:
-            story_words.draw_row_caption(surface, look, row, caption.text, opacity)
-        else:
-            above = _hides_target(look, view, runner, caption.text)
-            story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
+        above = _hides_target(look, view, runner, caption.text)
+        story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
     for number, begins, ends in runner.course.cards():
         stays = not leaves and number == len(runner.story.lines) - 1
         if begins <= shown_s and (shown_s < ends or stays):

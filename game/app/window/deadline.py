@@ -1,9 +1,9 @@
 """The time within which a program that was told to end has ended, whatever it is at.
 
-A signal's handler in Python waits for the main thread, which may be in a compiler for half a minute, and what
-it raises may be dropped there; and at its exit the interpreter waits for threads that compute. So another
-thread is woken by the signal itself, and ends the process where it stands. Files are written whole or not
-at all, so that nothing is lost but what was not yet written.
+A signal's handler in Python waits for the main thread, which may be in a compiler for half a minute. What it
+raises may be dropped there. At its exit the interpreter waits for threads that compute. So another thread is
+woken by the signal itself, and ends the process where it stands. Files are written whole or not at all, so
+that nothing is lost but what was not yet written.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from contextlib import contextmanager
 
 from game.app.window.children import end_children
 
-GRACE_S = 1.5  # for whoever tidies up
+GRACE_S = 1.5  # for threads that tidy up
 STOPPED_LINE = "carom: stopped"
 _said = threading.Event()
 
@@ -47,7 +47,7 @@ def deadline(signals: Collection[signal.Signals], to_the_end: bool) -> Iterator[
 
 
 def say_stopped(line: str = STOPPED_LINE) -> None:
-    """Say on standard error that the program was stopped; who ends the process later then says nothing."""
+    """Say on standard error that the program was stopped; what ends the process later then says nothing."""
     _said.set()
     print(line, file=sys.stderr)
 

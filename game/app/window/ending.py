@@ -1,8 +1,8 @@
 """Ctrl+C, and the system's wish that the program end (SIGTERM): both leave whole files or none.
 
 Either raises an exception in the main thread. One that is raised while a compiler calls back into Python
-never comes out of it (ctypes reports and drops it), so it is raised again until somebody deals with it;
-and what cannot be interrupted at all ends with the process (see deadline.py).
+never comes out of it: ctypes reports and drops it. So it is raised again until it is dealt with. What cannot
+be interrupted at all ends with the process (see deadline.py).
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ class Ended(KeyboardInterrupt):
 def ends_tidily(to_the_end: bool = False) -> Iterator[None]:
     """While this goes on SIGINT raises KeyboardInterrupt and SIGTERM raises Ended in the main thread.
 
-    Who has not left this `deadline.GRACE_S` later is ended, and with ``to_the_end`` also who has left this
-    and still lives: an interpreter that waits for its threads. After a signal the processes that were
-    started (see children.py) are ended too. A signal that somebody else listens to, or that is ignored, is
-    left to them.
+    A process that has not left this `deadline.GRACE_S` later is ended. With ``to_the_end`` so is one that has
+    left this and still lives: an interpreter that waits for its threads. After a signal the processes that
+    were started (see children.py) are ended too. A signal that somebody else listens to, or that is ignored,
+    is left to them.
     """
     usual: dict[signal.Signals, Any] = {
         signal.SIGINT: signal.default_int_handler,
@@ -92,7 +92,7 @@ class _Insistence:
         self._raise(Ended() if number == signal.SIGTERM else KeyboardInterrupt())
 
     def _insist(self, number: int, frame: Any) -> None:
-        """What the alarm clock does: somebody who is tidying up is not disturbed."""
+        """What the alarm clock does: a thread that is tidying up is not disturbed."""
         if self._raised is None:
             return
         if self._is_being_dealt_with():
@@ -115,7 +115,7 @@ class _Insistence:
 
 
 def _without_interrupts(report: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """The hook for exceptions that nobody can catch, but for interruptions."""
+    """The hook for exceptions that no caller can catch, but for interruptions."""
 
     def tell(unraisable: Any) -> None:
         if not issubclass(unraisable.exc_type, KeyboardInterrupt):

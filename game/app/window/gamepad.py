@@ -1,7 +1,7 @@
 """Gamepads in the words of keyboard and mouse, so that no screen needs to know of them.
 
-In menus and cards the stick and the cross are the arrow keys. In a scene the left stick moves a pointer
-and button A presses it, so a cue is aimed, pulled back and let go as with a mouse.
+In menus and cards the stick and the cross are the arrow keys. In a scene the left stick moves a pointer and
+button A presses it. So a cue is aimed, pulled back and let go as with a mouse.
 """
 
 from __future__ import annotations

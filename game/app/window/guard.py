@@ -1,8 +1,8 @@
 """Nothing that a scene, an overlay, a study or a card raises ends the program: here it is caught, and kept.
 
-Whoever calls such code does so within `Guard.over`. Who called it says in a line what was raised, and its
-traceback is written into a file in the user's folder, once for each place that fails. KeyboardInterrupt and
-SystemExit are no failures: they pass.
+Such code is called within `Guard.over`. The caller says in a line what was raised. The traceback is written
+into a file in the user's folder, once for each place that fails. KeyboardInterrupt and SystemExit are no
+failures: they pass.
 """
 
 from __future__ import annotations

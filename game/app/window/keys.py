@@ -1,8 +1,7 @@
 """Keys by their place on the keyboard: what each does, how the settings name it, what is printed on it.
 
-A command belongs to a scancode (the place), so that the keys lie alike on every layout; hints show the
-letter that the layout has there. Settings write the place by its name on a US keyboard: "space", "period",
-"ctrl+s".
+A command belongs to a scancode (the place), so that the keys lie alike on every layout. Hints show the letter
+that the layout has there. Settings write the place by its name on a US keyboard: "space", "period", "ctrl+s".
 """
 
 from __future__ import annotations

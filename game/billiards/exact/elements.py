@@ -1,8 +1,8 @@
 """What a ball will do next of its own: meet a rail, a jaw or a pocket, or end its phase.
 
-Within the rectangle that the straight rails leave free, no jaw, pocket or slanted cushion can be reached;
-one look at where the path leaves it then settles the matter. All elements are searched only for a ball
-outside of it, or one that leaves it where there is no nose.
+Within the rectangle that the straight rails leave free, no jaw, pocket or slanted cushion can be reached. One
+look at where the path leaves it then settles the matter. All elements are searched only for a ball outside of
+it, or one that leaves it where there is no nose.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """When which two balls meet: a table of contact times, renewed only for balls that changed.
 
-Plane MEET of pairs (s) holds for each two balls the time of their next contact, NEVER, or AT_REST for two
-in contact without closing. Each ball keeps the least of its row (PAIR_TIME, PARTNER) and the least
-of that and its own plan (NEXT_TIME), so the next event of the table is one look at each ball.
+Plane MEET of pairs (s) holds for each two balls the time of their next contact, NEVER, or AT_REST for two in
+contact without closing. Each ball keeps the least of its row (PAIR_TIME, PARTNER) and the least of that and
+its own plan (NEXT_TIME). So the next event of the table is one look at each ball.
 """
 
 from __future__ import annotations
@@ -24,12 +24,10 @@ def may_meet(state, modes, pairs, i, start, count):
     with which one was foreseen so far.
 
     With x + v t + a t^2 the position of ball j seen from i, and a horizon of h s in which both keep their
-    phases, there is no contact if
-    - the distance only grows, or the parabola that lies under its square (see `detection`) stays above; or
-    - the path keeps off: along and across v, both times |v|, it stays in a box that ends before the ball; or
-    - both lie still, apart.
-    One expression without branches, and an index that cannot be negative, so that the compiler takes several
-    balls at a time.
+    phases. There is no contact if - the distance only grows, or the parabola that lies under its square (see
+    `detection`) stays above; or - the path keeps off: along and across v, both times |v|, it stays in a box
+    that ends before the ball; or - both lie still, apart. One expression without branches, and an index that
+    cannot be negative, so that the compiler takes several balls at a time.
     """
     now = state[s.TIME, i]
     xi = state[s.X, i]

@@ -197,9 +197,9 @@ def play_shots(
 ):
     """Play shots from number `first` on until the log is full, each at most to the time `until` (s).
 
-    floats, integers: a `Workspace`. balls to ranges: a `Batch`. events to final: a `Log`. (One by one, as the
-    three tuples would take longer to pass than a short shot to play.) Returns the number of the first shot
-    that was not played.
+    floats, integers: a `Workspace`. balls to ranges: a `Batch`. events to final: a `Log`. They come one by
+    one, as three tuples would take longer to pass than a short shot to play. Returns the number of the first
+    shot that was not played.
     """
     shots = constants.shape[0]
     arrays = view_workspace(floats, integers, balls.shape[1])

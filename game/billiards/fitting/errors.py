@@ -1,8 +1,8 @@
 """How far a computed shot is from its track: the kernel that the fit asks.
 
-A stroke is five numbers: the direction in which the ball leaves (rad from the x axis), its speed (m/s), where
-the tip meets it, to the left and up (ball radii, cue level), and when it leaves on the track's clock (s).
-Velocity and spin are those of `game.billiards.shot.cue.strike` without squirt.
+A stroke is five numbers: the direction in which the ball leaves (rad from the x axis), and its speed (m/s).
+Then the offset of the tip to the left and up (ball radii, cue level). Last comes the time when it leaves on
+the track's clock (s). Velocity and spin are those of `game.billiards.shot.cue.strike` without squirt.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class Goal(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Room for one shot of n balls, and for a simplex."""
+    """Space for one shot of n balls, and for a simplex."""
 
     floats: Floats
     integers: NDArray[np.int64]

@@ -1,6 +1,6 @@
 """Tracks made by the program: shots on a table that is known, seen by a camera that is not perfect.
 
-For tests of the fit, and for the examples that are shipped: whoever opens them knows what is to be found.
+For tests of the fit, and for the examples that are shipped: it is known what is to be found in them.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The stroke that explains a track, on a table that is known.
 
 The first samples give direction and speed. A grid about them, over side and height of the tip too, is played
-for the first seconds; the best go downhill while the horizon grows, since the later a contact the more it
-depends on all before it; last, steps at random about what was found lead out of wrong valleys.
+for the first seconds. The best go downhill while the horizon grows, since the later a contact the more it
+depends on all before it. Last, steps at random about what was found lead out of wrong valleys.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Fit(NamedTuple):
 
 
 class Bench:
-    """One target, with room to play it; strokes go through here."""
+    """One target, with space to play it; strokes go through here."""
 
     def __init__(self, target: Target) -> None:
         self.target = target

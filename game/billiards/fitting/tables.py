@@ -1,8 +1,8 @@
 """The table that explains many tracks: friction, cushions and balls, found together with the strokes.
 
-In turn: the strokes on the table as it is known, from the beginning; then the table, each candidate with the
+In turn: the strokes on the table as it is known, from the beginning. Then the table, each candidate with the
 strokes let downhill from the best known. What is made least is the mean over the shots of the logarithm of
-how far off they are, so that one shot that goes wrong early does not outweigh those that can be explained.
+their error. So one shot that goes wrong early does not outweigh those that can be explained.
 """
 
 from __future__ import annotations

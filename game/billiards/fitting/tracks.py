@@ -7,8 +7,8 @@
     shots[].balls.N.t, .x, .y                       as many numbers each: time (s), place of the centre (m)
 
 x runs along the table's width, y along its length, from a corner between the noses of the cushions. Times
-begin at or after 0 and never fall. What else stands in a file is refused, and so is what no table can hold;
-the complaint names file, field and reason in one line.
+begin at or after 0 and never fall. What else stands in a file is refused, and so is what no table can hold.
+The complaint names file, field and reason in one line.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """A ball in the air against a cushion or a jaw, and what makes a ball hop off a cushion.
 
 Seen along it, a cushion is a wall as high as its nose, h, with a level top: a ball meets the wall while its
-centre is not above h, as on the slate, else the edge of the nose (a horizontal line; at a jaw a circle), else
-the top. At wall and nose the impulse acts along N, which points from the nose to the ball's centre. That is
-the law of Han 2005 (`contacts.cushion_han_2005`, th = asin((h - z)/R - 1)) with vertical speed and impulse:
-restitution along N, and across it the lesser of what stops the slip, 2/7 m |c|, and of mu times the normal
-impulse. So it is for all models of the cushion but `restitution` and `mirror`, which have a smooth upright
-wall below h.
+centre is not above h, as on the slate. Else it meets the edge of the nose (a horizontal line, at a jaw a
+circle), else the top. At wall and nose the impulse acts along N, which points from the nose to the ball's
+centre. That is the law of Han 2005 (`contacts.cushion_han_2005`, th = asin((h - z)/R - 1)) with vertical
+speed and impulse: restitution along N, and across it the lesser of what stops the slip, 2/7 m |c|, and of mu
+times the normal impulse. So it is for all models of the cushion but `restitution` and `mirror`, which have a
+smooth upright wall below h.
 
 A cushion presses a ball that lies on the slate down, for its nose is above the centre. It presses for
 milliseconds, which the slate's own impact does not take, so that most of the bounce is lost: CUSHION_HOP says

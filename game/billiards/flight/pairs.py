@@ -1,7 +1,7 @@
 """When which two balls meet if some of them are in the air: as `exact.pairs`, in three dimensions.
 
 The difference of two positions is quadratic in time, level or not, so the gap is a quartic whose fourth
-derivative is not negative, and its first root is found as on the slate (`detection.first_closing`).
+derivative is not negative. Its first root is found as on the slate (`detection.first_closing`).
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 """What a ball in the air will do next of its own: land, meet a nose, fall into a pocket, leave the table.
 
-All are first roots: of a quadratic for slate, rail tops, walls, pockets and the table's edge; of a quartic
-(`detection.first_contact_time`, in the plane across it) for the edge of a nose. The rim of a jaw, a circle,
-has an equation of eighth degree: its contact is approached by steps of distance over largest speed, which
-cannot jump over it (conservative advancement; Mirtich 1996, Impulse-based dynamic simulation, ch. 2), up to
-RIM_TOUCH.
+All are first roots: of a quadratic for slate, rail tops, walls, pockets and the table's edge. They are roots
+of a quartic (`detection.first_contact_time`, in the plane across it) for the edge of a nose. The rim of a
+jaw, a circle, has an equation of eighth degree: its contact is approached by steps of distance over largest
+speed, which cannot jump over it (conservative advancement; Mirtich 1996, Impulse-based dynamic simulation,
+ch. 2), up to RIM_TOUCH.
 
-A pocket takes a ball that comes down through the level of the slate over its hole, or that would leave the
-hole's circle towards the rails lower than their top.
+A pocket takes a ball that comes down through the level of the slate over its hole. So it does one that would
+leave the hole's circle towards the rails lower than their top.
 """
 
 from __future__ import annotations

@@ -1,12 +1,11 @@
 """The exact table with balls that leave the slate: `exact.play`, from event to event, a batch in one kernel.
 
-A kernel of its own, so that shots without a hop pay nothing: which of the two plays a shot is chosen at the
-door (`simulation`). What lies on the slate goes through the same functions as there, and a shot without a hop
-comes out the same to the last bit. Balls have two more columns (IN_Z, IN_VZ), segments two more (SEG_Z,
-SEG_VZ).
+A kernel of its own, so that shots without a hop pay nothing: which of the two plays a shot is chosen in
+`simulation`. What lies on the slate goes through the same functions as there. A shot without a hop comes out
+the same to the last bit. Balls have two more columns (IN_Z, IN_VZ), segments two more (SEG_Z, SEG_VZ).
 
-A ball that comes to rest on top of a rail, or wedged between balls and rails (MOST_CONTACTS without touching
-the slate), does not rest on the bed: it counts as off the table (WPA 2016, 6.5 and 8.5).
+A ball may come to rest on top of a rail, or wedged between balls and rails (MOST_CONTACTS without touching
+the slate). It does not rest on the bed: it counts as off the table (WPA 2016, 6.5 and 8.5).
 """
 
 from __future__ import annotations

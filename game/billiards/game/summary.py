@@ -1,8 +1,8 @@
 """From a played shot to what the referee sees of it: the summary that `rules` judges.
 
-Who sent a ball into its pocket is followed contact by contact. A moving ball that meets one at rest sends it
-on its way; where both move, each counts as sent on by the other. A ball that comes back to one that it owes
-its motion to does not send that one: a chain names no ball twice.
+The stroke that sent a ball into its pocket is followed contact by contact. A moving ball that meets one at
+rest sends it on its way; where both move, each counts as sent on by the other. A ball that comes back to one
+that it owes its motion to does not send that one: a chain names no ball twice.
 """
 
 from __future__ import annotations

@@ -75,9 +75,9 @@ def joint_scratch(balls: int, contacts: int) -> JointScratch:
 def _sum_impulses(count, graph, inverse_masses, scratch, ahead):
     """Change of velocity of each ball by the impulses (_AHEAD or _NOW), to `balls`; order-free.
 
-    Each addend is split into a coarse part, a multiple of 2^-32 of a power of two above all of them, and a
-    fine part, a multiple of 2^-80: sums of either are exact, so any order gives the same bits (two-fold
-    reproducible summation; Demmel and Nguyen 2015).
+    Each addend is split into a coarse and a fine part. The coarse one is a multiple of 2^-32 of a power of
+    two above all of them, the fine one, a multiple of 2^-80: sums of either are exact, so any order gives the
+    same bits (two-fold reproducible summation; Demmel and Nguyen 2015).
     """
     first, second, normals = graph
     contacts, balls = scratch
@@ -191,7 +191,7 @@ def solve_complementarity(count, graph, inverse_masses, targets, impulses, scrat
 
     Of the scratch contacts[:, DEMAND] d and contacts[:, STEP] > 0 for those involved are read. targets (n, 2
     or more): velocities, if a demand is a change of closing speed (m/s), or positions, if it is a distance by
-    which to separate what overlaps (m); columns 0 and 1 are changed. impulses (m,): added to. Accelerated
+    which to separate what overlaps (m). Columns 0 and 1 are changed. impulses (m,): added to. Accelerated
     projected gradient (Nesterov 1983; Mazhar, Heyn, Negrut, Tasora 2015) whose every sum and test is
     independent of the order of the contacts. Contradictory demands (a ball between walls too narrow for it)
     end as a compromise after `max_iterations`. Returns iterations.
@@ -262,7 +262,7 @@ def solve_joint_impulses(
     left with the closing speeds before the first round, m/s.
 
     If impacts go on without end (e < 1 between balls in contact), the last of 2 m + SPARE_ROUNDS rounds lets
-    every contact stop closing without rebound; that too conserves momentum and cannot raise the energy.
+    every contact stop closing without rebound. That too conserves momentum and cannot raise the energy.
     """
     contacts = scratch.contacts
     limit = 2 * count + SPARE_ROUNDS

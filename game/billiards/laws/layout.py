@@ -4,7 +4,7 @@ About the middle, a mirror-symmetric table and rack have coordinates that differ
 sum in a mirror-symmetric shot does: it stays symmetric to the last bit.
 
 The free rectangle is bounded by the straight rails along x and y. Inset by a ball's radius it is where the
-ball's centre can be without any contact, if all else (jaws, pockets, slanted cushions) keeps off it.
+ball's centre can be without any contact. Jaws, pockets and slanted cushions must keep off it.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """How balls turn between events, for drawing them.
 
-The rotation vector w(t) of a phase is known in closed form; where its axis stays (rolling without side spin,
+The rotation vector w(t) of a phase is known in closed form. Where its axis stays (rolling without side spin,
 a straight slide) so is the rotation. Else it is integrated in steps of at most STEP by the fourth-order
-Magnus expansion (Blanes, Casas, Oteo, Ros 2009, eq. 253): with w at the two Gauss points,
-theta = h/2 (w1 + w2) + sqrt(3) h^2/12 w2 x w1. Quaternions are scalar first.
+Magnus expansion (Blanes, Casas, Oteo, Ros 2009, eq. 253): with w at the two Gauss points, theta = h/2 (w1 +
+w2) + sqrt(3) h^2/12 w2 x w1. Quaternions are scalar first.
 """
 
 from __future__ import annotations

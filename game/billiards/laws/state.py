@@ -65,7 +65,7 @@ FLOAT_ROWS = 27
 
 # rows of the working array of integers, modes (rows, n)
 MOTION, OWN_EVENT, OWN_ELEMENT, PARTNER, RAIL_COUNT = range(5)
-MEMBER, MARK = range(5, 7)  # balls that an event changes; room for `cluster`
+MEMBER, MARK = range(5, 7)  # balls that an event changes; space for `cluster`
 AIR_COUNT = 7  # of `flight` only: contacts since the ball was on the slate last
 INTEGER_ROWS = 8
 

@@ -251,7 +251,7 @@ class Ball:
     # -- picture
 
     def draw(self, painter: BallPainter) -> None:
-        """Hand what there is to be drawn to whoever draws."""
+        """Hand over what there is to be drawn."""
         painter.ball(self.position, self.radius, self.colour)
 
 

@@ -55,8 +55,8 @@ def exchange_as_lectured(vx1, vy1, vx2, vy2, cosa, sina, loss, printed):
 def collide_pair(state, settings, journal, i, j, time):
     """The lecture's handlecollision for balls i and j that overlap: separate them, change their velocities.
 
-    By the conserving rule both moves and the impulse go by mass, with Newton's restitution on the normal
-    part; by the lecture's rules each moves by half of the overlap, as if masses were equal.
+    The conserving rule shares both moves and the impulse by mass, with Newton's restitution on the normal
+    part. By the lecture's rules each moves by half of the overlap, as if masses were equal.
     """
     offsets = state.offsets
     v = state.velocities

@@ -2,9 +2,9 @@
 
 What the lecture's table cannot hold is left out: spin, throw, what the cushion does to the spin. Loss at
 balls and cushions is the shot's. Friction there takes a share of the speed away each frame, where the cloth
-takes a constant deceleration; the two can agree at one speed only. The factor is chosen so that a rolling
-ball of REFERENCE_SPEED stops (falls below MINIMUM) after the time v/(mu_r g) that it takes
-on the cloth: faster balls then stop too soon, and slower ones roll on for too long.
+takes a constant deceleration. The two can agree at one speed only. The factor is chosen so that a rolling
+ball of REFERENCE_SPEED stops (falls below MINIMUM) after the time v/(mu_r g) that it takes on the cloth:
+faster balls then stop too soon, and slower ones roll on for too long.
 """
 
 from __future__ import annotations

@@ -114,9 +114,9 @@ def first_not_finite(offsets, velocities):
 def step_kernel(mask: int, order: int) -> Callable[..., Any]:
     """The step for the effects of a mask and an order of contacts; what is not in it is not compiled in.
 
-    Its arguments are the fields of LectureState, the settings as numbers, the half width and length with
-    cushions, jaws and pockets, the fields of LectureScratch, the number of steps and their length: plain
-    arrays, because handing over a NamedTuple from Python takes four times as long.
+    Its arguments are the fields of LectureState, the settings as numbers, and the half width and length with
+    cushions, jaws and pockets. Then come the fields of LectureScratch, the number of steps and their length:
+    plain arrays, because handing over a NamedTuple from Python takes four times as long.
     """
 
     @kernel

@@ -1,9 +1,9 @@
 """The lecture's billiard table: velocity added to position once a step, everything else repaired afterwards.
 
 One step, as in the lecture (Peters 2004, chapter 3 of "Flash MX 2004 Games Most Wanted"): every ball moves by
-v dt; a ball beyond a wall is put back and turned round; two balls that overlap are moved apart and exchange
-the normal parts of their velocities; speeds shrink by a friction factor and stop below a minimum. Added to
-it: substeps, so that a break does not tunnel (a ball moves at most half a radius in each); contacts solved
+v dt. A ball beyond a wall is put back and turned round. Two balls that overlap are moved apart and exchange
+the normal parts of their velocities. Speeds shrink by a friction factor and stop below a minimum. Added to
+it: substeps, so that a break does not tunnel (a ball moves at most half a radius in each). Contacts solved
 jointly, so that a symmetric break stays symmetric; pockets.
 
 What it needs: relative speed x substep below two radii, else balls pass through one another. What it gives:

@@ -1,6 +1,6 @@
 """Walls and pockets of the lecture's table.
 
-A ball that has gone too far is found by its overshoot, put back, and the normal part of its velocity turned
+A ball that has gone too far is found by its overshoot and put back. The normal part of its velocity is turned
 round and shortened by the bounce factor e. Where it is put:
 
     clamp     on the wall (the lecture's printed code)
@@ -46,8 +46,8 @@ def report(journal, kind, first, second, time, speed, impulse, x, y):
 def cushion_gap(cushions, k, x, y, radius):
     """Distance of a ball at x, y from cushion k, m, negative by the overshoot; 1e300 where none is possible.
 
-    A nose (along the table) catches a ball however far it went; a facing only one whose centre has not
-    passed it by more than a radius, as behind it there is wood.
+    A nose (along the table) catches a ball however far it went. A facing only one whose centre has not passed
+    it by more than a radius, as behind it there is wood.
     """
     normal_x = cushions[k, 4]
     normal_y = cushions[k, 5]
@@ -135,8 +135,8 @@ def bounce(state, geometry, settings, journal, i, clamp, time):
 def bounce_off_walls(state, geometry, settings, journal, clamp, time):
     """Put every ball that overshot back and turn it round; a corner, or a very fast ball, takes several.
 
-    With `clamp` balls are put on the wall, whatever the settings say. A ball that is still far out then (it
-    was too fast for what surrounds a pocket) is put on the edge of the bed, moving inwards.
+    With `clamp` balls are put on the wall, whatever the settings say. A ball that was too fast for what
+    surrounds a pocket is still far out then. It is put on the edge of the bed, moving inwards.
     """
     if geometry.cushions.shape[0] == 0:
         return

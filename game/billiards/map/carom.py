@@ -1,8 +1,8 @@
 """The map of a carom position: coarse over all strokes, then fine where they score.
 
-`draw_map` goes through aim, speed and tip on a grid, keeps what scores, puts strokes of one order of
-touches into a group, and looks round the best of each: how often a hand makes it, how far it may be off.
-What it finds depends on the position, what is wanted and the seed only.
+`draw_map` goes through aim, speed and tip on a grid, keeps what scores, and puts strokes of one order of
+touches into a group. It looks round the best of each: how often a hand makes it, how far it may be off. What
+it finds depends on the position, what is wanted and the seed only.
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ LARGEST_TIP = 0.6  # ball radii
 
 class Search(NamedTuple):
     """How hard a map looks. aims, speeds (every k-th), groups that are looked at closely, candidates of each,
-    draws for a first guess of their chance, moves from the best of them, draws for the chance that is
-    shown.
+    draws for a first guess of their chance. Then moves from the best of them, and draws for the chance that
+    is shown.
     """
 
     aims: int = AIMS

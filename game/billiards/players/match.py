@@ -1,8 +1,8 @@
 """A combination match that plays itself: fifteen rounds, in each one ball goes down by way of another.
 
 Fifteen numbered balls of different radius and mass, two cues that take turns. The last ball has no other to
-go by and is potted directly. Each round is written down as a shot file, and what counts is that file played
-again: so whoever reads the record finds exactly what took place.
+be potted by and is potted directly. Each round is written down as a shot file, and what counts is that file
+played again: so a reader of the record finds exactly what took place.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Finding the strokes of a combination match: one ball goes down, by way of another, and cleanly.
 
-A hand that does not shake plays them, so a stroke is looked for that works, that does so with a margin,
-and that leaves a table where the next one can be found.
+A hand that does not shake plays them. So a stroke is looked for that works, with a margin, and leaves a table
+where the next one can be found.
 """
 
 from __future__ import annotations
@@ -144,7 +144,7 @@ def is_clean(outcomes: Outcomes, chain: int, once: bool = True) -> NDArray[np.bo
 
 @lean_kernel
 def count_neighbours(good, fans, room):
-    """How far each good stroke is from the nearer end of its run, to room (m,): 1 there, by 2 more inside.
+    """How far each good stroke is from the nearer end of its run, to space (m,): 1 there, by 2 more inside.
 
     good (m,) 0 or 1; fans (m,): which fan a stroke is of.
     """

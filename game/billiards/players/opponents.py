@@ -263,7 +263,7 @@ class _Mind:
         return Decision("", None, Stroke(*looked.strokes[best].tolist()), call, considered, worth)
 
     def _score(self, looked: Looked) -> float:
-        """What a player goes by."""
+        """What a player weighs."""
         return float((looked.worth if self.grade.careful else looked.chance).max())
 
     def _call(self, frame: Frame, looked: Looked, best: int) -> Call:

@@ -26,8 +26,8 @@ ROUND = 360  # directions all around, for escapes
 
 
 class Idea(NamedTuple):
-    """Something to play for: the aims of the search, what is nominated, the points of a pot; what is on after
-    it, and for the other after a miss; the balls that the cue ball touches, which it must not be played into
+    """Something to play for: the aims of the search, what is nominated, the points of a pot. What is on after
+    it, and for the other after a miss. The balls that the cue ball touches, which it must not be played into
     (bits of rows).
     """
 

@@ -100,8 +100,8 @@ def are_apart(x: Floats, y: Floats, least: float) -> NDArray[np.bool_]:
 def rate_shots(events, ends, rows, beats, costs):
     """Write the cost (s) of shots ``rows`` (first, end) of a log: events (e, 4), ends (m, 6).
 
-    The root mean square of how far the nearest impact misses each beat (k,), and EXTRA for each impact more
-    than beats, those within TOGETHER taken as one. The first beat is the stroke.
+    The root mean square of how far the nearest impact misses each beat (k,). Added is EXTRA for each impact
+    more than beats, those within TOGETHER taken as one. The first beat is the stroke.
     """
     for shot in range(rows[0], rows[1]):
         if ends[shot, s.STATUS] != s.FINISHED and ends[shot, s.END_TIME] < beats[-1]:

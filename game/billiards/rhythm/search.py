@@ -1,11 +1,11 @@
 """A shot whose impacts meet a given beat, found by search over the stroke and where the balls lie.
 
 Motion that meets sound is found, not steered: every candidate is a shot of the exact table, played as any
-other. A ball that nobody has met yet may lie anywhere. So for the next beat one is laid where a ball that
+other. A ball that no other has met yet may lie anywhere. So for the next beat one is laid where a ball that
 moves then will just meet it, in any direction: the impact is on the beat to rounding, and what came before
 stays as it was. A beam search (Lowerre 1976) keeps the layouts that are heard least between the beats. What
 clicks off the beat at the end, at a cushion mostly, is then moved by an evolution strategy with plus
-selection (Rechenberg 1973), side by side for each layout, so that no early luck drives out the others. The
+selection (Rechenberg 1973). Layouts evolve side by side, so that no early luck drives out the others. The
 tip's click is the first beat. Cost: see `candidates.rate_shots`.
 """
 

@@ -1,6 +1,6 @@
 """Ways to pot a ball, from geometry alone: direct, cut, bank, kick, combination.
 
-Balls go straight and cushions are mirrors here; how far the truth may lie from it is a candidate's spread,
+Balls go straight and cushions are mirrors here. How far the truth may lie from it is a candidate's spread,
 which is then searched with exact strokes. Mirror images: Smith 2007, PickPocket.
 """
 

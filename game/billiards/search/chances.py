@@ -1,7 +1,7 @@
 """How often a hand pots a ball: one definition for the map of a position and for the stroke that is aimed.
 
-The chance of a pot is the share of DRAWS strokes of the hand, the same ones each time, that send the ball
-into that pocket and break no rule.
+The hand plays DRAWS strokes, the same ones each time. The chance of a pot is the share of them that send the
+ball into that pocket and break no rule.
 """
 
 from __future__ import annotations

@@ -26,8 +26,8 @@ def look_deeper(
 ) -> Looked:
     """The first strokes, sampled more closely and judged by the best stroke after each; the best first.
 
-    How often a stroke pots, and what it is worth by estimate, is known from many samples; how far the
-    estimate is off, from the few that are looked at deeply.
+    How often a stroke pots, and what it is worth by estimate, is known from many samples. The error of the
+    estimate is known from the few that are looked at deeply.
     """
     after = effort.after
     if after is None:

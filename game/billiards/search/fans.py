@@ -1,6 +1,6 @@
 """Fans of strokes: the same stroke at many azimuths, and the stretch of them that succeeds.
 
-Throw, squirt and real cushions turn a ball off the geometric path; a fan finds by how much, and the middle of
+Throw, squirt and real cushions turn a ball off the geometric path. A fan finds by how much, and the middle of
 its widest stretch of successes is where a hand may err most.
 """
 

@@ -2,10 +2,10 @@
 
 A ball goes down cleanly if its centre passes between its pocket's jaws, each grown by the ball's radius. Seen
 from the ball that is a window of angles. A ball may also brush a jaw, the far one deeper than the near one,
-and into a corner it may come along the rail; by how much that widens the window was measured with exact balls
-(see tests). A hand's unsteadiness turns the path of the object ball by about sigma d/(2 R cos cut), where d
-is the length of the cue ball's path (Leckie and Greenspan 2006, Monte-Carlo methods in pool strategy game
-trees; Smith 2007, PickPocket: a computer billiards shark). The chance of a pot is the share of a normal
+and into a corner it may come along the rail. How much that widens the window was measured with exact balls
+(see tests). A hand's unsteadiness turns the path of the object ball by about sigma d/(2 R cos cut). Here d is
+the length of the cue ball's path (Leckie and Greenspan 2006, Monte-Carlo methods in pool strategy game trees.
+Also Smith 2007, PickPocket: a computer billiards shark). The chance of a pot is the share of a normal
 distribution in the window.
 
 These are estimates for choosing what to play; what is chosen is played exactly.

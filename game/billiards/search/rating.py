@@ -34,8 +34,8 @@ class Aims(NamedTuple):
     first: may be touched first. score: keep the turn when they go down. needed: must go down for the rack to
     be won, now or later. win, lose: end the rack. other: what the opponent needs. called: only the ball and
     pocket that were meant count. rotation: the lowest ball must be played first, and a foul with a winning
-    ball is a foul only. solo: nobody else plays, so that a miss or a foul is worth nothing. chain: so many
-    balls, the cue ball and itself among them, must have sent a ball on for it to count.
+    ball is a foul only. solo: there is no other player, so that a miss or a foul is worth nothing. chain: so
+    many balls, the cue ball and itself among them, must have sent a ball on for it to count.
     """
 
     first: int

@@ -56,7 +56,7 @@ def look_for_safety(
 
 
 def look_for_push_out(view: View, aims: Aims, seed: int, pool: ThreadPoolExecutor | None = None) -> Floats:
-    """A stroke (5,) after which it matters least who plays: the other player will choose."""
+    """A stroke (5,) after which the turn matters least: the other player will choose."""
     rng = np.random.default_rng(seed)
     strokes = np.zeros((600, 5))
     strokes[:, 0] = linear.uniform(rng, 0.3, 2.0, len(strokes))

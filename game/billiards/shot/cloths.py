@@ -3,13 +3,13 @@
 Numbers lie within the ranges that Alciatore gives for billiard equipment ("Physical properties", billiards.
 colostate.edu): sliding friction 0.15 to 0.4, rolling resistance 0.005 to 0.015, a spin about the vertical
 that falls by 5 to 15 rad/s each second, cushions of restitution 0.6 to 0.9. A heated cloth is dry and fast,
-at the low end of friction; the cloth of a club is slower. The cushion is Han's (2005), who measured carom
-tables.
+at the low end of friction; the cloth of a club is slower. The cushion is that of Han (2005), measured on
+carom tables.
 
 Of snooker: restitution and friction of the cushion are those that Mathavan, Jackson and Parkin (2010) found
-on a snooker table, with their law of it; friction of cloth and balls, and the balls' restitution, those of
-their Numerical simulations of the frictional collisions of solid balls on a rough surface (2014), from
-memory.
+on a snooker table, with their law of it. Friction of cloth and balls, and the balls' restitution, are from
+memory those of their `Numerical simulations of the frictional collisions of solid balls on a rough surface`
+(2014).
 """
 
 from __future__ import annotations

@@ -82,7 +82,7 @@ class Shot:
     def struck(self, ball: int, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> Shot:
         """The same shot with the ball in row `ball` sliding at velocity (2 or 3,) m/s, spin (3,) rad/s.
 
-        A vertical velocity downwards presses the ball onto the slate, upwards lifts it; it is left out if the
+        A vertical velocity downwards presses the ball onto the slate, upwards lifts it. It is left out if the
         physics has no airborne balls, or if the ball would rise at no more than `state.LANDING_SPEED`.
         ShotError for a row that there is not, or other shapes.
         """

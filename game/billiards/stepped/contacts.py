@@ -3,11 +3,11 @@
 Balls are looked at where the step has put them, pair after pair by index, as most game engines do: each
 overlapping pair that closes collides by the table's model (`impacts`), and is moved apart by mass. A round
 ends with the rails. Several rounds let what one repair has spoilt be repaired in the next. So contacts are
-found up to a step late, a rack passes an impulse on in the order of its numbers, and balls that move more
-than they are wide in a step may pass through each other.
+found up to a step late, a rack passes an impulse on in the order of its numbers. Balls that move more than
+they are wide in a step may pass through each other.
 
 The table itself is not to be passed: a ball whose centre has crossed a cushion's line within this step is
-caught, however far it went, and a pocket takes a ball whose path has led over it.
+caught, however far it went. A pocket takes a ball whose path has led over it.
 
 Arrays: state, modes, pairs and the elements (cushions, jaws, pockets) as in `state`; old (2, n) m, places
 when the step began; physics (20,); events (e, 4); counters (6,).

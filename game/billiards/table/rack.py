@@ -32,8 +32,8 @@ def eight_ball_rack(
     """Positions (16, 2) m of an eight-ball rack: the 8 in the middle, a solid and a stripe at the back.
 
     Neighbours lie `gap` m apart (0: in contact). Without a seed the order is fixed and the rack exactly
-    mirror symmetric about the long axis; with one the balls are drawn at random under the same rules, and
-    each is moved within a disc of diameter `gap`, so that none overlap. ValueError for absurd measures.
+    mirror symmetric about the long axis. With one the balls are drawn at random under the same rules. Each is
+    moved within a disc of diameter `gap`, so that none overlap. ValueError for absurd measures.
     """
     order = list(EIGHT_BALL_ORDER)
     rng = None if seed is None else np.random.default_rng(seed)

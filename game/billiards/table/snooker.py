@@ -105,9 +105,9 @@ def is_occupied(places: dict[int, Point], spot: Point) -> bool:
 
 
 def respotted(places: dict[int, Point], colours: tuple[int, ...]) -> dict[int, Point]:
-    """Places by number with colours put back (3.7): each on its own spot; if that is occupied on the highest
-    free one, the higher value first; if all are, as near as can be to its own towards the top cushion, and
-    if there is no room, towards the bottom cushion.
+    """Places by number with colours put back (3.7): each on its own spot. If that is occupied, on the highest
+    free one, the higher value first. If all are, as near as can be to its own towards the top cushion, and if
+    there is no space, towards the bottom cushion.
     """
     places = {ball: at for ball, at in places.items() if ball not in colours}
     waiting = []

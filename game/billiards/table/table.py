@@ -1,9 +1,9 @@
 """The billiard table: rails, rounded jaws and pockets, as arrays.
 
 Frame: x along the width, y along the length, z up; the origin is the lower left corner of the playing
-surface. Lengths in metres. A ball meets a cushion when its centre is one radius from the cushion's line
-(the nose), on the side of the normal; it meets a jaw as it would meet a disc; a pocket takes it when its
-centre, and so its weight, has come over the edge of the hole.
+surface. Lengths in metres. A ball meets a cushion when its centre is one radius from the cushion's line (the
+nose), on the side of the normal. It meets a jaw as it would meet a disc. A pocket takes it when its centre,
+and so its weight, has come over the edge of the hole.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 """Large NamedTuples go from kernel to kernel as an address, and arrays in the parts that they came in.
 
 numba hands a tuple over member by member, an array as seven to ten numbers and addresses. A world of solids
-is a hundred arrays: each call of a kernel with it took a thousand arguments, put together anew at its
-beginning and taken apart at each call that it makes. That was most of the code that LLVM was given.
+is a hundred arrays: each call of a kernel with it took a thousand arguments. They were put together anew at
+its beginning and taken apart at each call that it makes. That was most of the code that LLVM was given.
 
 Here the caller lays such a tuple into memory, and hands on where that is. A kernel that has it from its own
-caller passes the address on. Nobody writes to it: a tuple never changes.
+caller passes the address on. It is never written to: a tuple never changes.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from llvmlite import ir
 from numba.core import cgutils
 from numba.core.datamodel import models
 
-MOST_BY_VALUE = 16  # numbers and addresses; a tuple of more goes by its address
+MOST_BY_VALUE = 16  # numbers and addresses; a tuple of more is passed by its address
 ADDRESS = ir.IntType(8).as_pointer()
 
 

@@ -23,7 +23,7 @@ from numba.core.target_extension import CPU, dispatcher_registry, target_overrid
 from numba.core.typing.context import Context
 
 from game.compiler.target.bundles import ArrayModel, NamedTupleModel, NamedUniTupleModel
-from game.compiler.target.doors import DoorAPI
+from game.compiler.target.entries import EntryAPI
 from game.compiler.target.short_cuts import Answers, count_rules
 
 NAME = "carom"
@@ -134,9 +134,9 @@ class KernelContext(CPUContext):
         """The code of a call."""
         return super().get_function(as_ours(fn), sig, _firstcall)
 
-    def get_python_api(self, builder: Any) -> DoorAPI:
+    def get_python_api(self, builder: Any) -> EntryAPI:
         """What is written to talk with Python."""
-        return DoorAPI(self, builder)
+        return EntryAPI(self, builder)
 
 
 @cache

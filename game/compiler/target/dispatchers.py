@@ -83,7 +83,7 @@ class KernelDispatcher(TargetDispatcher):
         return super().get_call_template(tuple(types.unliteral(kind) for kind in args), plain)
 
     def add_overload(self, cres: Any) -> None:
-        """Take compiled code; no call from Python reaches code that has no door for it."""
+        """Take compiled code; no call from Python reaches code that has no entry for it."""
         if self._is_shut:
             self.overloads[tuple(cres.signature.args)] = cres
         else:

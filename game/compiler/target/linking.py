@@ -2,10 +2,10 @@
 
 numba finishes each function by itself: it links in all that the function calls, optimises the whole, and
 makes machine code of it. An inner kernel five calls deep is optimised five times so, and its own machine code
-is never run. Here it stays as it was lowered; the kernel that Python calls links in all that it needs, from
+is never run. Here it stays as it was lowered. The kernel that Python calls links in all that it needs, from
 whatever depth, and is optimised with it once. A fifth of the time of compiling goes away.
 
-Each function's name in the code is its own in all processes (see contexts.py), so what two kept kernels hold
+Each function's name in the code is its own in all processes (see contexts.py). So what two kept kernels hold
 under one name is the same.
 """
 
@@ -63,7 +63,7 @@ class InnerLibrary(KernelLibrary):
         return _NoAddresses(self._codegen)
 
     def finalize(self) -> None:
-        """Nothing more is added. Variables leave the memory, and what nobody uses goes."""
+        """Nothing more is added. Variables leave the memory, and what is unused goes."""
         self._raise_if_finalized()
         manager, builder = _tidying(self._codegen)
         manager.run(self._final_module, builder)
@@ -109,8 +109,8 @@ class InnerLibrary(KernelLibrary):
 def _tidying(codegen: Any) -> tuple[Any, Any]:
     """Passes that take variables out of memory, and then drop what is not used any more.
 
-    The latter are, above all, the addresses of the kernels that are called, which numba mentions beside each
-    call and which are other ones in the next process: code that uses one cannot be kept.
+    The latter are, above all, the addresses of the kernels that are called. numba mentions them beside each
+    call, and the next process has others: code that uses one cannot be kept.
     """
     manager = llvm.create_new_module_pass_manager()
     manager.add_sroa_pass()
@@ -138,11 +138,11 @@ class _NoAddresses:
         return getattr(self._codegen, name)
 
     def set_env(self, _name: str, _environment: Any) -> None:
-        """There is nothing to point at it; whoever links the code in does."""
+        """There is nothing to point at it; that is done where the code is linked in."""
 
 
 def _with_all_inner(libraries: Iterable[Any]) -> list[Any]:
-    """These and what inner ones of them call, each once, whoever is called after who calls it."""
+    """These and what inner ones of them call, each once, the called after the caller."""
     found: dict[int, Any] = {}
     waiting = list(libraries)[::-1]
     while waiting:

@@ -1,7 +1,7 @@
 """What comes into a kernel, read where it lies: arguments, and members of those handed over by address.
 
-numba makes values of all arguments first, and copies of them in memory; here what a kernel asks for is read
-once, at its beginning, and what it only hands on to another kernel is not read at all.
+numba makes values of all arguments first, and copies of them in memory. Here what a kernel asks for is read
+once, at its beginning. What it only hands on to another kernel is not read at all.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from numba import types
 from numba.core import cgutils, ir, lowering
 
 from game.compiler.target.bundles import ADDRESS, is_by_address
-from game.compiler.target.doors import Door, fits_door
+from game.compiler.target.entries import Entry, fits_entry
 
 DATA, SHAPE, STRIDES = 4, 5, 6  # of the structure of an array
 
@@ -71,7 +71,7 @@ class MemberLower(lowering.Lower):
         packer = self.call_conv._get_arg_packer(self.fndesc.argtypes)
         self.fnargs = packer._unflattener.unflatten(self.call_conv.get_arguments(self.function))
         for k, kind in enumerate(self.fndesc.argtypes):
-            if is_by_address(self._model(kind)):  # nobody else writes there, and nobody keeps it
+            if is_by_address(self._model(kind)):  # no other code writes there or keeps it
                 self.fnargs[k].add_attribute("noalias")
                 self.fnargs[k].add_attribute("captures(none)")
             elif k not in self._arguments.values():
@@ -155,7 +155,7 @@ class MemberLower(lowering.Lower):
             *([self._part(name, k, axis) for axis in range(array.ndim)] for k in (SHAPE, STRIDES)),
         ]
 
-    # ------------------------------------------------------------------ calls and doors
+    # ------------------------------------------------------------------ calls, entries
 
     def fold_call_args(self, fnty: Any, signature: Any, pos_args: Any, vararg: Any, kw_args: Any) -> Any:
         """Arguments of a call; one of another kernel gets addresses and parts."""
@@ -172,18 +172,18 @@ class MemberLower(lowering.Lower):
         return super()._cast_var(var, ty)
 
     def create_cpython_wrapper(self, release_gil: bool = False) -> None:
-        """A door for Python."""
+        """An entry for Python."""
         context, described = self.context, self.fndesc
-        if self.genlower or not fits_door(context, described.argtypes):
+        if self.genlower or not fits_entry(context, described.argtypes):
             super().create_cpython_wrapper(release_gil)
             return
         module = context.create_module("wrapper")
         kind = self.call_conv.get_function_type(described.restype, described.argtypes)
         inner = llvm.Function(module, kind, described.llvm_func_name)
-        Door(context, module, inner, described, self.env, self.call_helper, release_gil).build()
+        Entry(context, module, inner, described, self.env, self.call_helper, release_gil).build()
         self.library.add_ir_module(module)
 
     def create_cfunc_wrapper(self) -> None:
-        """A door for C: of kernels of numbers only, which machine code calls by their address."""
+        """An entry for C: of kernels of numbers only, which machine code calls by their address."""
         if all(isinstance(kind, types.Number) for kind in self.fndesc.argtypes):
             super().create_cfunc_wrapper()

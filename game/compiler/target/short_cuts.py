@@ -1,12 +1,12 @@
 """Things that numba's compiler does ten thousands of times, done at once for Carom's kernels.
 
-To find the types of a kernel numba goes round its statements until nothing changes, and asks each time
-anew what, say, a float plus an integer gives: it tries some sixty rules for ``+``, most of them for texts,
-sets and dates, and for each looks up whether that rule has been compiled under the flags in force, which
-are compared option by option. It lists the variables of a statement by walking through all that hangs on it,
-and after each of nine passes finds out where every variable is needed last, which is used after one of them.
-And it tells of each time that LLVM is locked. Together that was a quarter of the time that a scene's kernels
-compile in.
+To find the types of a kernel numba goes round its statements until nothing changes. It asks each time anew
+what, say, a float plus an integer gives: it tries some sixty rules for ``+``, most of them for texts, sets
+and dates. For each it looks up whether that rule has been compiled under the flags in force, which are
+compared option by option. It lists the variables of a statement by walking through everything that hangs on
+it. After each of nine passes it finds out where every variable is needed last, which is used after one of
+them. And it tells of each time that LLVM is locked. Together that was a quarter of the time that a scene's
+kernels compile in.
 
 Carom's contexts remember what the operators on plain numbers and elements of arrays answered (`Answers`);
 their flags are compared as dictionaries (`QuickFlags`). What numba asks no context for is exchanged while one
@@ -121,7 +121,7 @@ short_cuts = _ShortCuts()
 
 def _lock_callbacks(change: Callable[..., None]) -> None:
     """numba times how long LLVM is locked, by two objects made at each of a hundred thousand calls of it."""
-    with llvm.ffi.lib._lock._lock:  # that nobody is between the two
+    with llvm.ffi.lib._lock._lock:  # that no thread is between the two
         for callbacks in _CALLBACKS:
             change(*callbacks)
 

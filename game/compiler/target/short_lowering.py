@@ -1,9 +1,9 @@
 """numba's last step before LLVM, in fewer words.
 
-For ``a[i, 0]`` numba copies the whole of a into memory, reads all its lengths and strides back, puts both
-indices into a tuple and takes them out again: fifty lines of LLVM's language, of which five are left in the
-end. Here only those five are written. Members of tuples that came in by their address (see bundles.py) are
-read where they lie, once in a kernel.
+For ``a[i, 0]`` numba copies the whole of a into memory, and reads all its lengths and strides back. It puts
+both indices into a tuple and takes them out again: fifty lines of LLVM's language, of which five are left in
+the end. Here only those five are written. Members of tuples that came in by their address (see bundles.py)
+are read where they lie, once in a kernel.
 
 What is not an element of an array of numbers, or a member of such a tuple, is left to numba.
 """
@@ -215,5 +215,5 @@ class ShortLowering(NativeLowering):
 
     @property
     def lowering_class(self) -> type[ShortLower]:
-        """Who writes it."""
+        """The function that writes it."""
         return ShortLower

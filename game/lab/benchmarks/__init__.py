@@ -6,7 +6,7 @@ __all__ = ["Measured", "Peer", "Scenario", "all_scenarios", "measure_scenario"]
 
 
 def all_scenarios() -> tuple[Scenario, ...]:
-    """Every scenario, room by room."""
+    """Every scenario, by room of physics."""
     from game.lab.benchmarks import (
         animation,
         billiards,

@@ -28,7 +28,7 @@ def swarm(count: int, effects: EffectSet, method: str = "verlet", capacity: int 
     y = np.maximum(y, 0.0)
     x = np.where(
         elementary.square(x - 0.2) + elementary.square(y - 2.4) < elementary.square(0.46), 5.0, x
-    )  # nobody begins in the stone
+    )  # none begins in the stone
     system.add(
         np.stack([x, y], 1),
         np.stack([9 * elementwise.sin(angle), 9 * elementwise.cos(angle) - 9.81 * age], 1),

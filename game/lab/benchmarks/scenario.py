@@ -25,7 +25,7 @@ class Scenario:
     """One workload.
 
     name: for the command line. title: for people. unit: what is timed. count: how many of these units one
-    call does. prepare: makes the call. peers: who else does it.
+    call does. prepare: makes the call. peers: other methods that do it.
     """
 
     name: str

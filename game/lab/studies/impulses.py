@@ -1,6 +1,6 @@
 """What accuracy costs for colliding spheres: time steps against the event-driven run, piles against overlap.
 
-Impacts: a step that finds a collision by overlap finds it late, by up to a step, so the error is of first
+Impacts: a step that finds a collision by overlap finds it late, by up to a step. So the error is of first
 order whatever the integrator. Divided at the impact times, and with flight along parabolas, a step of any
 length is exact. Piles: how deep discs overlap at rest, for each position correction and number of sweeps.
 """

@@ -1,8 +1,8 @@
 """What accuracy costs for a particle: integrators, and three ways to handle an impact.
 
 A shot with linear drag, free and against a stone, against its closed form. Free, each method shows its order.
-With an impact handled at the end of a step all are of first order, even Runge-Kutta 4; with the chord's
-crossing of second; with the root of the step of their own.
+With an impact handled at the end of a step all are of first order, even Runge-Kutta 4. With the chord's
+crossing all are of second order, with the root of the step of their own.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Grains in a sound field: their laws, and a step of all of them.
 
-A substep drifts half the way, kicks by the field at that moment with the drag before and after it, and
-drifts on: second order in its length (Strang 1968). The drag is Stokes' with Schiller and Naumann's (1933)
-factor 1 + 0.15 Re^0.687, its rate taken at the speed half the way and applied exactly, so that no step is too
-long for it.
+A substep drifts half the way, kicks by the field at that moment with the drag before and after it, and drifts
+on: second order in its length (Strang 1968). The drag is Stokes' with Schiller and Naumann's (1933) factor 1
++ 0.15 Re^0.687, with the rate taken at the speed halfway. It is applied exactly, so that no step is too long
+for it.
 """
 
 from __future__ import annotations

@@ -2,10 +2,9 @@
 
 The length of a cubic has no closed form. The speed is integrated by Gauss-Legendre with eight points, whole
 and in halves, and halved again where the two disagree. At a cusp the speed has a kink, which lies unseen
-between two of the points as easily as not: so a piece is divided where its speed is least. The way back, from
-length to parameter, is Newton's method on the integral, whose derivative is the speed itself, kept in a
-bracket by bisection where the speed vanishes (Guenter and Parent 1990, "Computing the arc length of
-parametric curves").
+between two of the points as easily as not: so a piece is divided where its speed is least. From length to
+parameter leads Newton's method on the integral, whose derivative is the speed itself. Bisection keeps it in a
+bracket where the speed vanishes (Guenter and Parent 1990, "Computing the arc length of parametric curves").
 
 Arrays: controls (n, 4, d) m, the pieces of a curve; breaks (n, 3), where each is divided; table
 (n PARTS + 1,) m, the way up to each part.

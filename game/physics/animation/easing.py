@@ -1,9 +1,9 @@
 """Easing: how far along a motion is at a part of its time, by a Bezier curve from (0, 0) to (1, 1).
 
-The curve is x(s), y(s) with two free control points (x1, y1), (x2, y2); y at a time x needs s with
-x(s) = x, by Newton's method in a bracket, as its slope vanishes for x1 = 0, for x2 = 1 and halfway for
-x1 = 1, x2 = 0. x1 and x2 must lie in [0, 1], else x(s) would turn back. The same family and names as in
-W3C 2023, "CSS Easing Functions Level 1".
+The curve is x(s), y(s) with two free control points (x1, y1), (x2, y2). At a time x the value y needs s with
+x(s) = x, by Newton's method in a bracket. Its slope vanishes for x1 = 0, for x2 = 1 and halfway for x1 = 1,
+x2 = 0. x1 and x2 must lie in [0, 1], else x(s) would turn back. The same family and names as in W3C 2023,
+"CSS Easing Functions Level 1".
 """
 
 from __future__ import annotations

@@ -3,9 +3,9 @@
 Evenly: n lines a piece with n = ceil(sqrt(3/4 max(|P0 - 2 P1 + P2|, |P1 - 2 P2 + P3|) / tolerance)) (Wang
 1984), which looks at the sharpest bend alone, and at the pace as well as at the shape. Adaptively: a piece is
 halved until it is flat, by one of two bounds. With both inner control points beside the chord, the curve is
-no farther from it than 3/4 of the farther of them. And it differs from an even pace along the chord by
-u (1 - u) ((1 - u) a + u b) with a = 3 P1 - 2 P0 - P3 and b = 3 P2 - P0 - 2 P3, so by no more than the longer
-of these, by components, over 4 (Fischer 2000, "Piecewise linear approximation of Bezier curves").
+no farther from it than 3/4 of the farther of them. And it differs from an even pace along the chord by u (1 -
+u) ((1 - u) a + u b) with a = 3 P1 - 2 P0 - P3 and b = 3 P2 - P0 - 2 P3. So it differs by no more than the
+longer of these, by components, over 4 (Fischer 2000, "Piecewise linear approximation of Bezier curves").
 
 Arrays: controls (n, 4, d) m, the pieces of a curve; out (k, d) m and parameters (k,) of the chain.
 """
@@ -80,9 +80,9 @@ def meets(controls, i):
 
 @kernel(_nrt=False)
 def flatten_piece(controls, i, tolerance, stack, ends, out, parameters, count):
-    """Append the ends of the lines of piece i; returns the new count, which may be beyond the room.
+    """Append the ends of the lines of piece i; returns the new count, which may be beyond the capacity.
 
-    stack: (DEEPEST + 2, 4, d) and ends: (DEEPEST + 2,) to work in. What has no room is counted, not written.
+    stack: (DEEPEST + 2, 4, d) and ends: (DEEPEST + 2,) to work in. What has no space is counted, not written.
     """
     for k in range(4):
         for j in range(controls.shape[2]):
@@ -109,7 +109,7 @@ def flatten_piece(controls, i, tolerance, stack, ends, out, parameters, count):
 
 @kernel(_nrt=False)
 def flatten_pieces(controls, tolerance, stack, ends, out, parameters):
-    """Write points (k, d) and parameters (k,) of the chain; returns k, which may be beyond the room."""
+    """Write points (k, d) and parameters (k,) of the chain; returns k, which may be beyond the capacity."""
     for j in range(controls.shape[2]):
         out[0, j] = controls[0, 0, j]
     parameters[0] = 0.0

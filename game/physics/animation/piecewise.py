@@ -91,7 +91,8 @@ class PiecewiseCubic:
         """Unit vectors (..., d) the way the curve goes on, also where its derivative vanishes.
 
         Where control points coincide or the curve has a cusp, the next derivative that is not zero says where
-        it goes; at the very end of a piece, where it came from. A piece that is a point has none: zeros.
+        it goes. At the very end of a piece it says where the curve came from. A piece that is a point has
+        none: zeros.
         """
         piece, u, _ = self._places(parameters)
         out = np.empty((piece.size, self.controls.shape[2]))

@@ -1,7 +1,7 @@
 """When to look at which key time: easing, and equal ways in equal times.
 
 A part of the whole duration (0 to 1) is eased, then either spread evenly over the key times or over the
-length of the path; what comes out is the time at which the key-frames are sampled. What is off is not
+length of the path. What comes out is the time at which the key-frames are sampled. What is off is not
 computed.
 """
 

@@ -1,6 +1,6 @@
 """A skeleton of straight bones in the plane: a tree whose bones carry their children with them.
 
-Each bone has a place in its parent's frame, an angle against its parent and a length; it lies along the first
+Each bone has a place in its parent's frame, an angle against its parent and a length. It lies along the first
 axis of its own frame, so its end is computed. The frame in the world is a 3 x 3 matrix on (x, y, 1):
 
     W_i = W_parent(i) T(offset_i) R(angle_i),   W_parent(root) = 1

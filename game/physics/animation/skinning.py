@@ -138,7 +138,7 @@ class Skinner:
 def blend_skin(
     binding: Binding, worlds: Floats, blend: str, palette: Floats, rotors: Floats, skinned: Floats
 ) -> None:
-    """Write the skin (f, v, 2) for frames (f, n, 3, 3); ``palette`` and ``rotors`` are room to work in.
+    """Write the skin (f, v, 2) for frames (f, n, 3, 3); ``palette`` and ``rotors`` are space to work in.
 
     WeightError for a blend that is none of BLENDS.
     """

@@ -5,8 +5,8 @@ With h_i the distances of knots and d_i the slopes of chords, the condition at a
     h_i m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_(i-1) m_(i+1) = 3 (h_i d_(i-1) + h_(i-1) d_i)
 
 (de Boor 1978, "A practical guide to splines", chapter IV). What happens at the ends closes the system:
-natural ends have no second derivative there, which costs two orders of accuracy near them; not-a-knot has the
-same cubic in the first two pieces and in the last two; a closed curve goes on as it began.
+natural ends have no second derivative there, which costs two orders of accuracy near them. Not-a-knot has the
+same cubic in the first two pieces and in the last two. A closed curve goes on as it began.
 """
 
 from __future__ import annotations

@@ -14,8 +14,8 @@ that are not evenly spaced the errors fall with the power of the spacing that st
     natural-spline   2   continuous curvature; straight at its ends, 4 away from them
     spline           4   continuous curvature, ends free
 
-Sources: Catmull and Rom 1974, "A class of local interpolating splines"; Yuksel, Schaefer and Keyser 2011,
-"Parameterization and applications of Catmull-Rom curves"; Fritsch and Butland 1984, "A method for
+Sources: Catmull and Rom 1974, "A class of local interpolating splines". Yuksel, Schaefer and Keyser 2011,
+"Parameterization and applications of Catmull-Rom curves". Fritsch and Butland 1984, "A method for
 constructing local monotone piecewise cubic interpolants"; de Boor 1978.
 """
 
@@ -42,10 +42,10 @@ def piece_slopes(
 ) -> tuple[Floats, Floats]:
     """Slopes at the beginning and at the end of each piece, (n - 1, m) each, by the piece's own parameter.
 
-    times: (n,) s, sorted; steps: (n - 1, m) from key to key. closed: the last key is the first, and slopes
-    go round. geometry: columns whose distances make the knots of centripetal and chordal curves, None for
-    all. Keys at the same time (a jump) or in the same place where that makes the knots end a smooth run, and
-    what lies between such keys is a straight line.
+    times: (n,) s, sorted; steps: (n - 1, m) from key to key. closed: the last key is the first, and slopes go
+    round. geometry: columns whose distances make the knots of centripetal and chordal curves, None for all.
+    Keys at the same time (a jump) end a smooth run. So do keys in the same place where that makes the knots.
+    What lies between such keys is a straight line.
     """
     lengths = _knot_lengths(rule, times, steps, geometry)
     begins, ends = steps.copy(), steps.copy()

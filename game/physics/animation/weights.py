@@ -2,10 +2,10 @@
 
     w_i = (d_min / d_i)^p - (d_min / r)^p   for d_i < r,  else 0,     then divided by their sum
 
-with the falloff p and the threshold r. It goes to 0 at the threshold without a jump. A point on a bone
-(d = 0) follows that bone alone, on a joint the bones that meet there by equal parts; a point beyond the
-threshold of every bone follows the nearest one. Weights belong to the pose in which the skin is bound and are
-never computed again while bones move, so nothing pops.
+with the falloff p and the threshold r. It goes to 0 at the threshold without a jump. A point on a bone (d =
+0) follows that bone alone, on a joint the bones that meet there by equal parts. A point beyond the threshold
+of every bone follows the nearest one. Weights belong to the pose in which the skin is bound and are never
+computed again while bones move, so nothing pops.
 """
 
 from __future__ import annotations

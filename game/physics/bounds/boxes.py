@@ -103,8 +103,8 @@ def search_box(hull, h, turns, supports):
 def calipers(hull, h, by_width):
     """Direction (c, s) of the hull side on which the box has the least area (or, ``by_width``, breadth).
 
-    The least box has a side flush with the hull (Freeman and Shapira 1975), and so has the least breadth;
-    three callipers walk once round the hull, which is counter-clockwise (Toussaint 1983). O(h).
+    The least box has a side flush with the hull (Freeman and Shapira 1975), and so has the least breadth.
+    Three callipers walk once round the hull, which is counter-clockwise (Toussaint 1983). O(h).
     """
     if h < 2:
         return 1.0, 0.0

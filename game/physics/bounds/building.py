@@ -275,10 +275,10 @@ def part(row, begin, end, sides, shift, others):
 def grow_tree(method, split, leaf_size, deepest, tree, points, sorted_ids, scratch, fitting):
     """Build all nodes, breadth first; returns their number.
 
-    tree: `Nodes` with room for 2 n volumes: ends given, order (n,) permuted, the rest written. points
-    (2 n, 2): the ends once more, as points 2 i and 2 i + 1; sorted_ids (2 n,): sorts them by x, permuted.
-    Nodes at depth ``deepest`` are halved by number. method: `Fit`, scratch: `GrowScratch`, fitting:
-    `FitScratch`, and tree as plain tuples.
+    tree: `Nodes` with space for 2 n volumes: ends given, order (n,) permuted, the rest written. points (2 n,
+    2): the ends once more, as points 2 i and 2 i + 1; sorted_ids (2 n,): sorts them by x, permuted. Nodes at
+    depth ``deepest`` are halved by number. method: `Fit`, scratch: `GrowScratch`, fitting: `FitScratch`, and
+    tree as plain tuples.
     """
     method, tree = Fit(*method), Nodes(*tree)
     scratch, fitting = GrowScratch(*scratch), FitScratch(*fitting)

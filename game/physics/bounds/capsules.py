@@ -1,8 +1,8 @@
 """Kernels that fit a capsule, the points within a radius of a core segment, to a convex hull.
 
 On a given axis the radius is half the breadth of the hull, so that the axis lies in the middle of the
-projection; the core is then as short as its two round ends allow. A capsule is a row (6,): core from x, y
-to x, y; radius; 0.
+projection. The core is then as short as its two round ends allow. A capsule is a row (6,): core from x, y to
+x, y; radius; 0.
 """
 
 from __future__ import annotations

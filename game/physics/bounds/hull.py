@@ -25,8 +25,8 @@ def sorted_hull(points, ids, begin, end, hull):
     ``hull`` (>= 2 (end - begin) + 2, 2): written, corners counter-clockwise about the first point, so that
     nothing is lost far from the origin. Returns their number: no corner twice, none between two others.
 
-    Turns are told by the points as they are: moved to the first one, two may come to stand above each
-    other, in whatever order, and the chain has to meet its points in order.
+    Turns are told by the points as they are: moved to the first one, two may come to stand above each other,
+    in whatever order. The chain has to meet its points in order.
     """
     h = 0
     base = 1

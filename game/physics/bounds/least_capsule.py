@@ -111,8 +111,8 @@ def least_in_cell(hull, h, cell, most, enough, diameter):
     off. Returns the bound, at most ``enough``, and the area and the radius of a capsule along the angle.
 
     A core is no longer than ``most`` allows for its radius. The shortest core is a convex function of the
-    radius, so below ``far`` it lies above the line through two greater radii, and the area on that line is
-    least at one of its ends.
+    radius. So below ``far`` it lies above the line through two greater radii. The area on that line is least
+    at one of its ends.
     """
     half, near, far = cell[1], cell[2], cell[3]
     c, s = elementary.cos(cell[0]), elementary.sin(cell[0])

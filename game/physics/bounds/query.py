@@ -79,7 +79,7 @@ class Query:
     """Two trees that are asked again and again; keeps its arrays, and the front if told to go on from it.
 
     After `run`: ``volume_tests``, ``segment_tests``, ``leaves_met``, ``crossing_count``; `answer` copies all.
-    most: pairs of volumes, and of segments that meet, that there is room for: two polylines that cross
+    most: pairs of volumes, and of segments that meet, that there is space for: two polylines that cross
     everywhere have as many as the product of their segments. ValueError unless both trees are of one kind.
     """
 

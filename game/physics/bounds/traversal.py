@@ -1,11 +1,11 @@
 """Two trees against each other: which of their leaves overlap, which segments meet.
 
-A pair of volumes that are apart ends its branch; of a pair that overlaps the larger volume is opened; where
+A pair of volumes that are apart ends its branch. Of a pair that overlaps the larger volume is opened. Where
 two leaves overlap their segments are tested, exactly. The pairs are written down in the order in which they
-come, which is a record to walk through, and from which the next query can begin: where shapes have moved
-little, the pairs at which a branch ended (the front) end it again, so those that were opened need no test.
-A pair whose two parts were apart is asked again after a while, and if it is apart the front draws back.
-(Gottschalk, Lin and Manocha 1996; fronts: Klosowski and others 1998, Li and Chen 1998.)
+come. That is a record to walk through, from which the next query can begin: where shapes have moved little,
+the pairs at which a branch ended (the front) end it again, so those that were opened need no test. A pair
+whose two parts were apart is asked again after a while, and if it is apart the front draws back. (Gottschalk,
+Lin and Manocha 1996; fronts: Klosowski and others 1998, Li and Chen 1998.)
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The door of the bounding volumes: what is no point and no line is refused here, in one line."""
+"""The checks of the bounding volumes: what is no point and no line is refused here, in one line."""
 
 from __future__ import annotations
 

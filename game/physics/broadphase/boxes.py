@@ -3,8 +3,8 @@
 A box is axis-aligned and closed, ``[x0, x1] x [y0, y1]``: boxes that only touch overlap. Corners may be
 infinite outwards (a floor without end) and a box may have no size; what is not a number is refused.
 
-Ids are small integers. A new box gets the smallest free one, so which ids a sequence of calls gives
-depends on nothing but the calls, and an id of a removed box is used again.
+Ids are small integers. A new box gets the smallest free one, so which ids a sequence of calls gives depends
+on nothing but the calls. An id of a removed box is used again.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class BroadPhase:
         return isinstance(box, (int, np.integer)) and bool(0 <= box < self.top and self.alive[box])
 
     def limit_pairs(self, most: int) -> None:
-        """Make no room for more pairs, lest an answer take all memory: LimitError near it or beyond it.
+        """Make no space for more pairs, lest an answer take all memory: LimitError near it or beyond it.
 
         Afterwards the structure is of no more use.
         """
@@ -203,7 +203,7 @@ class BroadPhase:
         return self.boxes, self.alive, self.top
 
     def _grow(self, capacity: int) -> None:
-        """Make room for so many ids; subclasses grow their own arrays too."""
+        """Make space for so many ids; subclasses grow their own arrays too."""
         self.boxes = grown(self.boxes, capacity)
         self.alive = grown(self.alive, capacity)
 
@@ -234,7 +234,7 @@ class BroadPhase:
     def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Longs:
         raise NotImplementedError
 
-    # -- the door -----------------------------------------------------------------------------------
+    # -- what comes in ------------------------------------------------------------------------------
 
     def _known(self, box: Any) -> None:
         if box not in self:

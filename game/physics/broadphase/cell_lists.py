@@ -70,7 +70,7 @@ class CellLists:
         self._previous: NDArray[np.int32] = np.full(capacity, -1, dtype=np.int32)
 
     def grow(self, capacity: int) -> None:
-        """Make room for so many ids."""
+        """Make space for so many ids."""
         self.cells = grown(self.cells, capacity, -1)
         self.nexts = grown(self.nexts, capacity, -1)
         self._previous = grown(self._previous, capacity, -1)

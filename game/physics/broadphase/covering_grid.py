@@ -26,9 +26,8 @@ from game.physics.broadphase.walks.grid import Visit
 def enter_cells(store, matrix, start, entries):
     """Enter every box into all cells that it covers, by a counting sort. Returns the number of entries.
 
-    ``store``, ``matrix``: plain tuples of a `Store` and a `Matrix`.
-    ``start``: (>= rows stride + 1,) written: first entry of each cell. ``entries``: (room,) ids, written
-    if there is room for all of them.
+    ``store``, ``matrix``: plain tuples of a `Store` and a `Matrix`. ``start``: (>= rows stride + 1,) written:
+    first entry of each cell. ``entries``: (capacity,) ids, written if there is space for all of them.
     """
     boxes, alive, top = store
     origin_x, origin_y, inverse, columns, rows = matrix

@@ -2,10 +2,10 @@
 
 An end point is its coordinate and a code, the box's id with one bit set if it is the upper end. End points
 are ordered by coordinate, then code: at equal coordinates lower ends come before upper ones (closed boxes
-that touch overlap), and no two end points are equal, so there is one sorted order and one count of swaps.
+that touch overlap). No two end points are equal, so there is one sorted order and one count of swaps.
 
-A swap is an inversion of the order before, so the swaps of a step are the inversions (Kendall's tau), and
-for isotropic motion at speed v in a unit square their mean is 4 n^2 (8 / pi^2) v dt over both axes.
+A swap is an inversion of the order before, so the swaps of a step are the inversions (Kendall's tau). For
+isotropic motion at speed v in a unit square their mean is 4 n^2 (8 / pi^2) v dt over both axes.
 """
 
 from __future__ import annotations
@@ -44,12 +44,12 @@ def pair_key(a, b):
 def insertion_sort(boxes, values, codes, count, start, limit, changes, changed):
     """Sort end points that are nearly in order, and note the pairs that begin and end on the way.
 
-    A lower end that passes an upper one begins an overlap on this axis: the pair begins if the boxes
-    overlap on both. An upper end that passes a lower one ends it; whether there was a pair is for the
-    pair manager to know. ``values``: (>= count,) m, ``codes``: both sorted in place from ``start`` on.
-    ``changes``: (room,) written from ``changed`` on: pair keys, complemented where a pair ends.
-    Stops when ``changes`` is full, or after ``limit`` swaps; calling again from where it stopped goes on.
-    Returns (how it ended, where to go on, swaps, changes noted).
+    A lower end that passes an upper one begins an overlap on this axis: the pair begins if the boxes overlap
+    on both. An upper end that passes a lower one ends it; whether there was a pair is for the pair manager to
+    know. ``values``: (>= count,) m, ``codes``: both sorted in place from ``start`` on. ``changes``:
+    (capacity,) written from ``changed`` on: pair keys, complemented where a pair ends. Stops when ``changes``
+    is full, or after ``limit`` swaps; calling again from where it stopped goes on. Returns (how it ended,
+    where to go on, swaps, changes noted).
     """
     swaps = 0
     last = len(changes) - 1
@@ -171,7 +171,7 @@ def shift_end_point(boxes, values, codes, count, i, value, changes, changed):
     """Give the end point at ``i`` another coordinate, m, and move it to its place.
 
     Notes pairs as ``insertion_sort`` does. The new coordinate must not lie beyond the box's other end as that
-    stands now. ``changes`` has room for ``count`` more. Returns (swaps, changes noted).
+    stands now. ``changes`` has space for ``count`` more. Returns (swaps, changes noted).
     """
     code = codes[i]
     box = code & ID
@@ -252,10 +252,10 @@ def overlaps_on_axis(codes, count):
 def sweep(boxes, axis, codes, count, active, places, extents, keys):
     """All pairs by one sweep along sorted end points of ``axis`` (Shamos and Hoey 1976; Baraff 1992).
 
-    Boxes that the sweep is within overlap on this axis, so the other one alone is tested; their extents on
-    it lie side by side, which is what the sweep's time hangs on. ``active``: (boxes,), ``places``:
-    (capacity,) and ``extents``: (boxes, 2) m, overwritten. ``keys``: written, ``a << 32 | b``. Returns the
-    number of pairs, or -1 if ``keys`` is too short.
+    Boxes that the sweep is within overlap on this axis, so the other one alone is tested. Their extents on it
+    lie side by side, which is what the sweep's time hangs on. ``active``: (boxes,), ``places``: (capacity,)
+    and ``extents``: (boxes, 2) m, overwritten. ``keys``: written, ``a << 32 | b``. Returns the number of
+    pairs, or -1 if ``keys`` is too short.
     """
     within = 0
     found = 0

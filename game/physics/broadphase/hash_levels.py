@@ -1,9 +1,9 @@
 """Levels of a hierarchical grid: which level a box stands on, and the hash tables that hold the cells.
 
 Cells of level k are 2^(k - 32) m wide. A box stands on the finest level whose cells are not smaller than
-itself (so one of size 2^k exactly stands on the level of that cell size), in the cell of its lower corner,
-and reaches no further than into the next cell. What is larger than 2^30 m, floors without end among it,
-stands on a last level that is one cell.
+itself, in the cell of its lower corner. One of size 2^k exactly stands on the level of that cell size. A box
+reaches no further than into the next cell. What is larger than 2^30 m, floors without end among it, stands on
+a last level that is one cell.
 
 The hash ``(column + P row) mod size`` keeps a row's neighbours neighbours: three cells side by side are
 three buckets in a run, read like a row of a dense grid. P is next to the golden section of the size, so
@@ -155,7 +155,7 @@ def place_boxes(store, ladder, placed):
 
     ``store``, ``ladder``, ``placed``: a `Store`, a `Ladder` and a `Placed`, or plain tuples of the same form.
     Of the last, levels are read as a first guess, for few boxes change size, and written, -1 for ids not in
-    use; written are the layout's counts, buckets, ranks, and boxes per bucket. Returns False if a level has
+    use. Written are the layout's counts, buckets, ranks, and boxes per bucket. Returns False if a level has
     no table, or one that is much too small or large now: then only levels and counts are right.
 
     Cells are powers of two wide. So corners in cells are exact, and a box whose rounded size is below a cell
@@ -209,9 +209,9 @@ def place_boxes(store, ladder, placed):
 def sort_by_bucket(store, placed, ordered):
     """Counting sort of the boxes by level and bucket; within a bucket by id.
 
-    The boxes per bucket become the first place of each, and with a box's rank there that is its own place:
-    so nothing is counted twice. ``ordered``: `Sorted` with twice the room, written.
-    After a level's boxes come copies of those in its first two buckets.
+    The boxes per bucket become the first place of each, and with a box's rank there that is its own place: so
+    nothing is counted twice. ``ordered``: `Sorted` with twice the capacity, written. After a level's boxes
+    come copies of those in its first two buckets.
     """
     boxes, _, top = store
     levels, layout, buckets, ranks, start = placed

@@ -1,8 +1,8 @@
 """Search for pairs in the sorted boxes of hashed levels: within a level, and between two.
 
-Within a level a box looks at half of its neighbourhood, as in a uniform grid. Between two levels, either
-each finer box looks up the few coarse cells around it, or, where that is cheaper, each coarse box runs over
-the fine rows that it covers. Each pair is found once.
+Within a level a box looks at half of its neighbourhood, as in a uniform grid. Between two levels, either each
+finer box looks up the few coarse cells around it. Or, where that is cheaper, each coarse box runs over the
+fine rows that it covers. Each pair is found once.
 """
 
 from __future__ import annotations
@@ -166,7 +166,7 @@ def run_over(ordered, start, fine, coarse, keys, found, tests):
 def of_row(boxes, keys, found, hits, row, scale):
     """Of the hits from ``found`` on, keep those whose lower corner lies in a row of cells.
 
-    Their end, or -1 if there was no room for the hits.
+    Their end, or -1 if there was no space for the hits.
     """
     if hits < 0:
         return -1
@@ -178,8 +178,8 @@ def of_row(boxes, keys, found, hits, row, scale):
 
 @kernel(_nrt=False)
 def runs_over(layout, fine, coarse):
-    """Whether the boxes of a coarse level run over the cells of a fine one, as that is cheaper than that the
-    fine boxes look up the coarse cells. ``layout``: of the tables, with counts and masks.
+    """Whether the boxes of a coarse level run over the cells of a fine one. Else the fine boxes look up the
+    coarse cells, where that is cheaper. ``layout``: of the tables, with counts and masks.
     """
     across = math.ldexp(1.0, coarse - fine) + 2.0
     looking = LOOK_COST * float(layout[fine, hash_levels.COUNT])

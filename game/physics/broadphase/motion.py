@@ -17,12 +17,12 @@ def move_boxes_kernel(mask: int) -> Callable[..., Any]:
     """The kernel that moves boxes, for the effects of ``mask``; what is off is not in it.
 
     ``move_boxes(lowers, uppers, velocities, growth, alive, lower, upper, dt)``: x + v dt for both corners,
-    which also part by ``growth`` dt on each side; then v = -v on an axis where a box is beyond the boundary
-    and its velocity leads on outwards. One that leads back already is not negated again, so a box comes
-    back by itself however far out it is. A growing box shrinks again once it is larger than the world on
-    both axes, and a shrinking one grows before it vanishes on either.
-    ``lowers``, ``uppers``, ``velocities``: (n, 2) m, m/s, written.
-    ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world, m.
+    which also part by ``growth`` dt on each side. Then v = -v on an axis where a box is beyond the boundary
+    and its velocity leads on outwards. One that leads back already is not negated again, so a box comes back
+    by itself however far out it is. A growing box shrinks again once it is larger than the world on both
+    axes, and a shrinking one grows before it vanishes on either. ``lowers``, ``uppers``, ``velocities``: (n,
+    2) m, m/s, written. ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world,
+    m.
     """
 
     @kernel(_nrt=False)

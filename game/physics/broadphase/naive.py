@@ -39,7 +39,7 @@ def pack_boxes(boxes, alive, top, packed, ids):
 def find_all_pairs(packed, ids, count, pairs):
     """Test every box against all later ones; returns the number of pairs, or -1 if ``pairs`` is too short.
 
-    ``packed``: (4, >= count) m. ``ids``: (>= count,), ascending. ``pairs``: (room, 2), written, sorted.
+    ``packed``: (4, >= count) m. ``ids``: (>= count,), ascending. ``pairs``: (capacity, 2), written, sorted.
     Blocks of boxes are tested at once, by vector instructions; only where one hit is there a second look.
     """
     low_x, low_y, high_x, high_y = packed[0], packed[1], packed[2], packed[3]

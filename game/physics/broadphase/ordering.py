@@ -5,7 +5,7 @@ sorted by their first id alone, in one pass (distribution counting: Knuth, The A
 5.2, algorithm D), and then each by straight insertion (5.2.1), which has only the few pairs of one box to put
 right. A pass of exchanges of neighbours before it, which takes no branch, leaves it hardly any.
 
-Where that would be long, as some boxes have many partners or ids are sparse, keys are sorted digit by digit
+That would be long where some boxes have many partners or ids are sparse. There keys are sorted digit by digit
 from the least one up (radix sort: 5.2.5), which does not care how many partners one box has.
 """
 
@@ -119,7 +119,7 @@ def sort_by_first(keys, count, spare, places, pairs):
 
 
 class PairSorter:
-    """Sorts keys of pairs, keeping its buffers from one time to the next. ``most``: pairs it has room for.
+    """Sorts keys of pairs, keeping its buffers from one time to the next. ``most``: pairs it has space for.
 
     The sorted pairs are one of these buffers: memory that is fresh in every step comes page by page from the
     system, which takes half as long as to sort.
@@ -140,7 +140,7 @@ class PairSorter:
             raise LimitError(f"too many pairs: there is room for {self.most:,}".replace(",", "\u202f"))
 
     def reserve(self, count: int) -> None:
-        """Make room for so many keys in ``keys``; what it held is lost. LimitError beyond ``most``."""
+        """Make space for so many keys in ``keys``; what it held is lost. LimitError beyond ``most``."""
         self.check(count)
         if count > len(self.keys):
             size = min(max(count, 2 * len(self.keys)), self.most)
@@ -148,7 +148,7 @@ class PairSorter:
             self._spare = np.empty(size, dtype=np.int64)
 
     def grow(self, least: int) -> None:
-        """Make at least twice the room, as far as there may be any; LimitError if there may be no more."""
+        """At least twice the capacity, as far as there may be any; LimitError if there may be no more."""
         self.reserve(max(len(self.keys) + 1, min(max(2 * len(self.keys), least), self.most)))
 
     def sorted(self, count: int, top: int) -> NDArray[np.int64]:

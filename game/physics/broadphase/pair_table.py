@@ -1,8 +1,8 @@
 """The table of a pair manager: pairs in a dense list, and an index that tells their places there.
 
-The index is either a full triangular matrix over all ids (one look, but memory n^2 / 2) or an open-addressed
-hash table (a few looks, memory in proportion to the pairs). Because of the list neither is ever scanned:
-listing, events and clearing cost the number of pairs.
+The index is either a full triangular matrix over all ids, with one look, but memory n^2 / 2. Or it is an
+open-addressed hash table (a few looks, memory in proportion to the pairs). Because of the list neither is
+ever scanned: listing, events and clearing cost the number of pairs.
 
 Kernels call each other for every single pair, so they count no references to their arrays (``_nrt``): an
 array that is counted in and out costs ten times what the look-up does. They must not make arrays, then.
@@ -34,7 +34,7 @@ MIX_A, MIX_B, MIX_C = 0x1E3779B97F4A7C15, 0x3F58476D1CE4E5B9, 0x14D049BB133111EB
 class PairTable(NamedTuple):
     """Arrays of a pair manager.
 
-    ``where``: index, 0 for none or 1 + slot. ``slots``: (room, 4) first and second id of a pair, first <
+    ``where``: index, 0 for none or 1 + slot. ``slots``: (capacity, 4) first and second id of a pair, first <
     second, its flags, and its hash (0 in a matrix). ``numbers``: rows of the matrix (0: hashed), hash mask,
     slots in use, pairs that overlap now, and the least and greatest id that ``list_pairs`` met.
     """
@@ -78,7 +78,7 @@ def find_place(where, slots, numbers, a, b):
 
 @kernel(_nrt=False)
 def enter_pair(where, slots, numbers, place, a, b):
-    """Put the pair a < b, which is not there, into a free place. Returns its slot, or -1 without room."""
+    """Put the pair a < b, which is not there, into a free place. Returns its slot, or -1 without space."""
     slot = numbers[SLOTS]
     if slot == len(slots) or (numbers[ROWS] == 0 and 2 * (slot + 1) > len(where)):
         return -1
@@ -133,7 +133,7 @@ def end_slot(where, slots, numbers, slot):
 
 @kernel(_nrt=False)
 def put_pair(where, slots, numbers, a, b):
-    """Add the pair a < b if it is not there. Returns 1 if it is new, 0 if not, -1 if there is no room."""
+    """Add the pair a < b if it is not there. Returns 1 if it is new, 0 if not, -1 if there is no space."""
     place = find_place(where, slots, numbers, a, b)
     slot = where[place] - 1
     if slot < 0:
@@ -178,7 +178,7 @@ def first_bad_pair(pairs, least, greatest):
 def put_pairs(where, slots, numbers, pairs, start, mark):
     """Add pairs, (m, 2), from ``start`` on, with a further flag ``mark`` (0: none).
 
-    Returns the index of the first for which there is no room, or their number.
+    Returns the index of the first for which there is no space, or their number.
     """
     for i in range(start, len(pairs)):
         a, b = min(pairs[i, 0], pairs[i, 1]), max(pairs[i, 0], pairs[i, 1])
@@ -198,8 +198,8 @@ def put_pairs(where, slots, numbers, pairs, start, mark):
 def change_pairs(where, slots, numbers, changes, count, start):
     """Add or remove pairs from ``start`` on: a key ``a << 32 | b`` adds, its bitwise complement removes.
 
-    ``changes``: (>= count,), ids below 2^31, a < b. Returns the index of the first pair for which there is
-    no room, or ``count``.
+    ``changes``: (>= count,), ids below 2^31, a < b. Returns the index of the first pair for which there is no
+    space, or ``count``.
     """
     for i in range(start, count):
         adds = changes[i] >= 0

@@ -155,7 +155,7 @@ class PairManager:
             assert hashed == (0 if numbers[pair_table.ROWS] else hash_pair(a, b)), "each pair keeps its hash"
 
     def limit_pairs(self, most: int) -> None:
-        """Make no room for more pairs, those that just ended included: LimitError beyond it."""
+        """Make no space for more pairs, those that just ended included: LimitError beyond it."""
         self._sorter.most = most
 
     def make_room(self) -> None:

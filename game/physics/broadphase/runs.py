@@ -1,10 +1,10 @@
 """Runs of boxes side by side: how sorted boxes that may overlap become pairs.
 
 In sorted boxes a box's candidates stand in a few runs of consecutive places, most of them short or empty. A
-loop over each run ends at a turn that a processor cannot foresee, which costs it as much as several tests.
-So the first SHORT places of a run are noted without asking how many there are, the next run is noted over
-those that there were not, and one loop tests all that is noted. Only what is left of a longer run is tested
-by a loop of its own. No test branches either: a pair is kept by adding 0 or 1 to their number.
+loop over each run ends at a turn that a processor cannot foresee, which costs it as much as several tests. So
+the first SHORT places of a run are noted without asking how many there are. The next run is noted over those
+that there were not, and one loop tests everything noted. Only what is left of a longer run is tested by a
+loop of its own. No test branches either: a pair is kept by adding 0 or 1 to their number.
 
 Places and numbers are unsigned here, as for signed ones numba asks at each access whether they count from
 the end.
@@ -32,8 +32,8 @@ NONE, ONE, FOUR = np.uint64(0), np.uint64(1), np.uint64(4)
 class Sorted(NamedTuple):
     """Boxes sorted by cell (or bucket): where each came from, and the boxes themselves.
 
-    ``order``: (places,) ``cell << 32 | id``. ``boxes``: (places, 4) m. In a hash table both have
-    room for copies. ``noted``: (ROOM,) pairs of places that are to be tested.
+    ``order``: (places,) ``cell << 32 | id``. ``boxes``: (places, 4) m. In a hash table both have space for
+    copies. ``noted``: (ROOM,) pairs of places that are to be tested.
     """
 
     order: NDArray[np.int64]

@@ -46,9 +46,9 @@ SWAP_COST, MERGE_COST, TEST_COST = 8.0, 3.0, 1.0
 def sort_axes(boxes, values, codes, count, progress, limit, changes):
     """Read the boxes' new coordinates and sort both axes by insertion, noting the pairs that change.
 
-    ``values``: (2, room) m, ``codes``: (2, room), both written. ``progress``: (4,) axis, where on it, swaps
-    so far, changes noted in ``changes``; written, zeros to begin with. Returns SORTED, or FULL or TOO_MANY:
-    calling again goes on.
+    ``values``: (2, capacity) m, ``codes``: (2, capacity), both written. ``progress``: (4,) axis, where on it,
+    swaps so far, changes noted in ``changes``; written, zeros to begin with. Returns SORTED, or FULL or
+    TOO_MANY: calling again goes on.
     """
     while progress[0] < 2:
         axis = progress[0]
@@ -76,10 +76,9 @@ class SweepAndPrune(BroadPhase):
     """Keeps the boxes' end points sorted on both axes, and the pairs in a pair manager.
 
     ``manager``: where pairs are kept and events are taken from; a new ``HashedPairs`` if none is given.
-    ValueError unless it is empty.
-    ``resort``: whether a step is finished by sorting again where that is cheaper; without it that is done
-    after MOST_SWAPS only, as n boxes that leap stand for n² swaps. ``swaps`` counts all swaps so far (those
-    that sorting again spared, too), ``resorts`` how often that was done.
+    ValueError unless it is empty. ``resort``: whether a step is finished by sorting again where that is
+    cheaper. Without it that is done after MOST_SWAPS only, as n boxes that leap stand for n² swaps. ``swaps``
+    counts all swaps so far (those that sorting again spared, too), ``resorts`` how often that was done.
     """
 
     def __init__(self, manager: PairManager | None = None, resort: bool = True):
@@ -232,7 +231,7 @@ class SweepAndPrune(BroadPhase):
         return int((merging + TEST_COST * max(tests, 0)) / SWAP_COST)
 
     def _reserve(self, room: int) -> None:
-        """Make room to note changes; beyond MOST_CHANGES they are rather handed on more often."""
+        """Make space to note changes; beyond MOST_CHANGES they are rather handed on more often."""
         if len(self._changes) < min(room, MOST_CHANGES):
             self._changes = np.empty(room, dtype=np.int64)
 

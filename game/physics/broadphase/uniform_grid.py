@@ -1,9 +1,9 @@
 """A uniform grid in a dense matrix: every box stands in the cell of its lower corner.
 
-Two boxes that overlap have their lower corners at most one box apart, so a box looks for partners among
-the cells up to its own upper corner, and back by the widest box of all (its ``reach``, in cells). Cells
-are numbered row by row and the boxes sorted by cell (counting sort), so the cells of one row that a box
-looks at are one run of consecutive boxes: no lists are walked, and no pair is met twice.
+Two boxes that overlap have their lower corners at most one box apart. So a box looks for partners in the
+cells up to its own upper corner, and back by the widest of all (its ``reach``, in cells). Cells are numbered
+row by row and the boxes sorted by cell (counting sort). So the cells of one row that a box looks at are one
+run of consecutive boxes: no lists are walked, and no pair is met twice.
 
 Cells come from ``floor((x - x_lower) * (1 / cell))``, clamped to the matrix. That is a monotone function
 of x, rounding and all, so it may put a border into the wrong cell but can never lose a pair: of two
@@ -71,8 +71,8 @@ class UniformGrid(BroadPhase):
     """Boxes in the cells of a dense matrix, each in the cell of its lower corner.
 
     ``lower``, ``upper``: the corners of the matrix, m. ``cell``: edge of a cell, m; best is 1 to 1.5 times
-    the size of most boxes. Boxes may be larger than a cell, and may lie outside: border cells stand for all
-    that is beyond them. ValueError if the matrix is no rectangle or has more than 2^24 cells.
+    the size of most boxes. Boxes may be larger than a cell, and may lie outside: border cells stand for
+    everything beyond them. ValueError if the matrix is no rectangle or has more than 2^24 cells.
     """
 
     def __init__(self, lower: ArrayLike, upper: ArrayLike, cell: float):
@@ -111,7 +111,7 @@ class UniformGrid(BroadPhase):
         self._lists.grow(capacity)
 
     def cell_of(self, x: float, y: float) -> tuple[int, int]:
-        """Column and row of the cell of a point, m; border cells stand for all that is beyond them."""
+        """Column and row of the cell of a point, m; border cells stand for everything beyond them."""
         origin_x, origin_y, inverse, columns, rows = self._matrix
         return (
             cell_coordinate(x, origin_x, inverse, columns - 1.0),
@@ -119,7 +119,7 @@ class UniformGrid(BroadPhase):
         )
 
     def visits(self, box: int) -> list[Visit]:
-        """Where a box looks for partners, and whom it is tested against; ValueError for another id."""
+        """Where a box looks for partners, and what it is tested against; ValueError for another id."""
         self._known(box)
         if self._found is None:
             self._found = self._find_pairs()

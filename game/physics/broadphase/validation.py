@@ -1,4 +1,4 @@
-"""The door of all broad phases: what is no box, no corner and no id is refused here, in one line.
+"""The checks of all broad phases: what is no box, no corner and no id is refused here, in one line.
 
 A box is axis-aligned and closed, ``[x0, x1] x [y0, y1]``. Corners may be infinite outwards and a box may have
 no size; what is not a number is refused.

@@ -45,13 +45,13 @@ def make_boxes(
 ) -> MovingBoxes:
     """Random square boxes within 0 .. ``extent``, m, of one of the kinds in ``WORKLOADS``.
 
-    ``fill``: a quarter of the mean number of boxes that a box overlaps when centres are uniform; for equal
+    ``fill``: a quarter of the mean number of boxes that a box overlaps when centres are uniform. For equal
     boxes, that is the area of all boxes over that of the world. ``speed``: m/s, the same for all, in random
     directions. ``ratio``, ``share``: of heavy-tail, which has two sizes, how many times larger the large
     boxes are, and which part of all boxes they are. The sizes of power-law have a true heavy tail: boxes
-    larger than s are in proportion to 1 / s (Pareto's law), up to ``ratio`` times the least size.
-    Teleporting boxes are equal ones; that they jump is up to the caller.
-    ValueError for another kind or numbers that make no boxes.
+    larger than s are in proportion to 1 / s (Pareto's law), up to ``ratio`` times the least size. Teleporting
+    boxes are equal ones; that they jump is up to the caller. ValueError for another kind or numbers that make
+    no boxes.
     """
     if kind not in WORKLOADS:
         raise ValueError(f"kind = {kind!r}: expected one of {', '.join(WORKLOADS)}")

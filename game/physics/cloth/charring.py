@@ -10,7 +10,7 @@ capacity of the dry cloth (which stays that of the whole thread until the mesh f
     df/dt = -R f,   R = r (T >= T_i), or of Fisher's kind R = r (T - T_a) / rise
 
 Of what goes a share leaves as vapour, which burns in the gas, some of it as it leaves a patch that glows;
-char stays; the rest burns in the cloth, and a part of its heat stays there. Water keeps a patch at 373.15 K
+char stays. The rest burns in the cloth, and a part of its heat stays there. Water keeps a patch at 373.15 K
 until it is gone. Everything that leaves a patch enters the cell of gas before it, so that
 
     cloth + gas + radiated + steam = burnt in the cloth + burnt in the gas + match

@@ -36,7 +36,7 @@ STABLE = 0.45  # of the share of a patch's heat that may flow in a substep, over
 LEAST_LEFT = 0.14  # of its mass: a mesh with less holds nothing
 NOBODY = -1
 WAVES = 4  # in which a cloth that is wider than its hooks are apart lies at first
-FASTEST, LEAST_KNOWN = 0.2, 4  # m/s: faster is no front, but what was heated all at once; patches to go by
+FASTEST, LEAST_KNOWN = 0.2, 4  # m/s: faster is no front, but what was heated all at once; patches to count
 NO_FLAME = Flame(0.0, 0.0, 1.0, 293.15, 0.0, 0.0)
 
 

@@ -1,11 +1,11 @@
 """A cloth that hangs and is blown about, in space: position based dynamics in short substeps.
 
-Threads keep their length, meshes their angles (softly), and folds are not flat (a link over four meshes
-that only pushes). Each substep makes one sweep (Macklin and others 2019, "Small steps in physics
-simulation"), with compliance as α / h² (XPBD; Macklin, Müller and Chentanez 2016). Threads are swept row
-against row, so that no node comes twice in an inner loop. One sweep lets a long cloth stretch under its
-weight; nobody is farther from a hook than the way along the cloth, which makes up for it (Kim, Chentanez
-and Müller-Fischer 2012, "Long range attachments").
+Threads keep their length, meshes their angles (softly), and folds are not flat (a link over four meshes that
+only pushes). Each substep makes one sweep (Macklin and others 2019, "Small steps in physics simulation"),
+with compliance as α / h² (XPBD; Macklin, Müller and Chentanez 2016). Threads are swept row against row, so
+that no node comes twice in an inner loop. One sweep lets a long cloth stretch under its weight. To make up
+for it no node is farther from a hook than along the cloth (Kim, Chentanez and Müller-Fischer 2012, "Long
+range attachments").
 
 Air drags by the part of its velocity that is normal to the cloth, and less along it.
 """
@@ -144,7 +144,7 @@ def _sweep(nodes, ties, motion):
 
 @inner_kernel
 def _hold_back(nodes, reach):
-    """Nobody farther from a hook, which is an upper corner, than along the cloth."""
+    """No node farther from a hook, which is an upper corner, than along the cloth."""
     last = nodes.shape[2] - 1
     for k in range(2):
         column = last * k
@@ -237,8 +237,8 @@ def normal_at(nodes, j, i):
 def blow_on(nodes, u, v, breeze, area, dt):
     """The air pushes each node for dt (s); u (gy, gx + 1), v (gy + 1, gx) m/s on faces; area m² of a node.
 
-    The change of velocity is that of a step of backward Euler with the drag of its beginning, so that
-    however light a node is it does not overtake the air.
+    The change of velocity is that of a step of backward Euler with the drag of its beginning. So however
+    light a node is, it does not overtake the air.
     """
     gy, gx = u.shape[0], v.shape[1]
     for j in range(nodes.shape[1]):

@@ -13,10 +13,10 @@ def creeping_speed(diffusivity: float, rate: float, ignition: float, loss: float
     """Speed (m/s) of the front of u_t = D u_xx - h u + r f, f_t = -r f, where u >= ignition; else f stays 1.
 
     u: temperature above the surroundings over what the fuel's heat makes without losses. D m²/s, r and h 1/s.
-    In the frame of the front, u = a exp(-m x) before it and B exp(s x) + P exp(r x / c) behind, with
-    m, s = (sqrt(c² + 4 D h) ± c) / 2 D and P = -r / (D r² / c² + r - h); value and slope are the same on both
-    sides where u is the ignition, which gives a = P (s - r / c) / (m + s). Without losses
-    c = sqrt(D r (1 - ignition) / ignition): at 1/5 it is Fisher's 2 sqrt(D r). 0: it goes out. ValueError.
+    In the frame of the front, u = a exp(-m x) before it. Behind it, u is B exp(s x) + P exp(r x / c), with m,
+    s = (sqrt(c² + 4 D h) ± c) / 2 D and P = -r / (D r² / c² + r - h). The value and slope are the same on
+    both sides where u is the ignition, which gives a = P (s - r / c) / (m + s). Without losses c = sqrt(D r
+    (1 - ignition) / ignition): at 1/5 it is Fisher's 2 sqrt(D r). 0: it goes out. ValueError.
     """
     if not (0.0 < diffusivity < math.inf and 0.0 < rate < math.inf and 0.0 <= loss < math.inf):
         raise ValueError(

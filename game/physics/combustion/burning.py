@@ -5,7 +5,7 @@ oxygen / s), s the oxygen that a kilogram of fuel needs, the share 1 - exp(-rate
 reactant of which there is less, so neither falls below nothing however long the step. The heat goes into the
 cell's capacity (J/(m³ K), the same everywhere: of a gas at constant pressure density times temperature is).
 Hot gas radiates as T⁴, exactly, in proportion to the soot in it and to what glows of itself. A cell whose
-temperature rises from T to T' wants (T' - T) / (T dt) more room in a second: a source of the divergence, for
+temperature rises from T to T' wants (T' - T) / (T dt) more space in a second: a source of the divergence, for
 the gas to be projected to.
 
 Cells (ny, nx, fields): the carried scalars of a gas; columns (4,) says where temperature (K), fuel, oxygen

@@ -126,7 +126,7 @@ class Flames:
         return self.made_of.capacity * warmth, sums[burning.FUEL], sums[burning.OXYGEN], sums[burning.SOOT]
 
     def pressure_ratio(self, cells: Floats) -> float:
-        """Of a room that was shut at the ambient temperature: the mean temperature over it (ideal gas)."""
+        """Of a vessel that was shut at the ambient temperature: the mean temperature over it (ideal gas)."""
         return float(np.mean(cells[..., int(self.columns[burning.TEMPERATURE])])) / self.made_of.ambient
 
 

@@ -1,4 +1,4 @@
-"""Long-range attachments: nobody is farther from a pin than the links between them are long.
+"""Long-range attachments: no particle is farther from a pin than the links between them are long.
 
 One inequality for each free particle, so a hanging rope or cloth cannot stretch as a whole however few sweeps
 the links get (Kim, Chentanez, Müller 2012, "Long range attachments", with geodesic distances).

@@ -1,7 +1,7 @@
 """Bodies that keep apart: whatever links and outlines hold together is one, and its particles keep a distance
 from those of all others, as a constraint of position (Müller and others 2007, section 4.3, with discs for the
-surfaces). A disc of half the distance stands around each particle, so surfaces keep apart as long as their
-particles are nearer to each other than the discs are wide, and nobody passes a disc within a substep.
+surfaces). A disc of half the distance stands around each particle. So surfaces keep apart as long as their
+particles are nearer to each other than the discs are wide. No body may pass a disc within a substep.
 
 Arrays: x, y (n,) m; w (n,) 1/kg; members (n,): particles, body by body; starts (b + 1,): where each begins.
 """

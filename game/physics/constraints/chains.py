@@ -1,10 +1,10 @@
 """All links of a chain at once: one linear solve in place of many sweeps.
 
-For a chain the matrix of the constraint forces, J M⁻¹ Jᵀ + α̃, couples a link to its two neighbours only, so
-a solve costs about as much as two sweeps (Thomas algorithm), and heavy ends or long chains make it no
-slower. One solve is a Newton step for the lengths; with masses that differ by more than 10^4 it wants
-substeps of a millisecond while the chain is thrown about. Compare Deul, Kugelstadt, Weiler, Bender 2018,
-"Direct position-based solver for stiff rods".
+For a chain the matrix of the constraint forces, J M⁻¹ Jᵀ + α̃, couples a link to its two neighbours only. So
+a solve costs about as much as two sweeps (Thomas algorithm). Heavy ends or long chains make it no slower. One
+solve is a Newton step for the lengths. With masses that differ by more than 10^4 it wants substeps of a
+millisecond while the chain is thrown about. Compare Deul, Kugelstadt, Weiler, Bender 2018, "Direct
+position-based solver for stiff rods".
 
 Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; net: a `motion.Network`.
 """

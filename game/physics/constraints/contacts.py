@@ -1,8 +1,9 @@
 """Pairs of balls that bounce off each other: what a Newton's cradle needs.
 
-Before a substep, pairs that would touch within it exchange impulses one after the other until none approaches
-(sequential impacts by Newton's law, as shocks run through a row of balls); were they let overlap first, the
-projection would take their speed away. What still overlaps is pushed apart as a constraint.
+Before a substep, pairs that would touch within it exchange impulses one after the other until none
+approaches. These are sequential impacts by Newton's law, as shocks run through a row of balls. Were they let
+overlap first, the projection would take their speed away. What still overlaps is pushed apart as a
+constraint.
 
 Arrays: x, y (n,) m; vx, vy (n,) m/s; w (n,) 1/kg; fresh (n,); pairs (c, 2); distances (c,) m.
 """

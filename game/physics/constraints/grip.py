@@ -1,14 +1,13 @@
 """The grip of the hand: the patch of particles around the held one that is led along with it.
 
 One of ten thousand particles is no hold on a cloth: it comes out as a spike, and its own links tear first. So
-whoever is nearer than R to the particle that is taken, at a distance d, is led along by the weight
-w = (1 - d²/R²)² (the biweight of Beaton and Tukey 1974): 1 at the held one, falling off smoothly to 0 at R.
-Where a substep leads it is that share of where the hand goes, and links move it by (1 - w) of its inverse
-mass.
+a particle nearer than R to the one that is taken, at a distance d, is led along by the weight w = (1 -
+d²/R²)² (the biweight of Beaton and Tukey 1974): 1 at the held one, falling off smoothly to 0 at R. Where a
+substep leads it is that share of where the hand goes, and links move it by (1 - w) of its inverse mass.
 
 The hand of a system is one array: particle held or NOBODY, its own inverse mass (1/kg), target x, y (m),
-substep prepared for and its length in compliance (s), and then (index, own inverse mass, weight) for each of
-the patch.
+substep prepared for and its length in compliance (s). Then (index, own inverse mass, weight) for each of the
+patch.
 """
 
 from __future__ import annotations
@@ -23,19 +22,19 @@ HEAD = 6  # numbers of the hand before its patch
 
 
 def empty_hand(before: Floats | None = None) -> Floats:
-    """A hand that holds nobody; what another held, and where, stays in it unread."""
+    """A hand that holds nothing; what another held, and where, stays in it unread."""
     hand = np.zeros(HEAD) if before is None else before[:HEAD].copy()
     hand[0], hand[4] = NOBODY, 0.0
     return hand
 
 
 def patch_of(hand: Floats) -> Floats:
-    """Who is led along, (k, 3): index, own inverse mass (1/kg), weight. A view."""
+    """The particles that are led along, (k, 3): index, own inverse mass (1/kg), weight. A view."""
     return hand[HEAD:].reshape(-1, 3)
 
 
 def hand_on(index: int, positions: Floats, inverse_masses: Floats, radius: float) -> Floats:
-    """A hand that takes a particle, and those around it within ``radius`` (m; 0: nobody).
+    """A hand that takes a particle, and those around it within ``radius`` (m; 0: none).
 
     positions (n, 2) m, inverse_masses (n,) 1/kg; the fixed ones stay where they are.
     """

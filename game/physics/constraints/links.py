@@ -7,7 +7,7 @@
     with compliance   s = (C - α̃ λ) / (w_a + w_b + α̃),  λ += s,  α̃ = α / h²   Macklin and others 2016, eq. 18
 
 (λ is minus the paper's: the tension of the link times h².) A link whose ends coincide has no direction and is
-left alone, as is one with both ends fixed or one that is torn.
+left alone. So is one with both ends fixed or one that is torn.
 
 Arrays: x, y (n,) m, and w (n,) 1/kg; links (m, 2); rows (LINK_ROWS, m), of which a sweep gets the part that
 belongs to its run: rest, weight, softness, multiplier.

@@ -48,8 +48,8 @@ def measure_momentum(fields, count):
 def measure_links(fields, links, rows, order, torn, compliance, strains):
     """Write each link's strain (excess / length at rest, or m if that is 0; 0 if torn) to ``strains`` (m,).
 
-    Returns (greatest strain by magnitude, root of the mean square of the excess in m, elastic energy in J by
-    the compliance, sum of lengths / sum of lengths at rest).
+    Returns (greatest strain by magnitude, root of the mean square of the excess in m, elastic energy in J,
+    stretch). The energy is by the compliance, the stretch the sum of lengths over that at rest.
     """
     worst = 0.0
     squares = 0.0

@@ -90,10 +90,10 @@ class Network(NamedTuple):
 
 @lean_kernel
 def limit_speeds(vx, vy, fresh, limit):
-    """Slow down whoever is faster than ``limit`` (m/s), each particle by itself.
+    """Slow down what is faster than ``limit`` (m/s), each particle by itself.
 
-    A safety net, no physics: what a particle loses here nobody gets, so linear and angular momentum and
-    energy of a free network do not stay as they were in a substep in which the limit is met.
+    A safety net, no physics: what a particle loses here no other gets. So in a substep in which the limit is
+    met, momentum and energy of a free network change.
     """
     for i in range(vx.shape[0]):
         square = vx[i] * vx[i] + vy[i] * vy[i]
@@ -192,7 +192,7 @@ def advance(fields, count, motion, net, held, target, patch):
     """One step of all substeps. fields (FIELD_ROWS, >= count) is written.
 
     held: index of the particle that the hand holds, or -1; target (2,) m: where it is to be; patch (k, 3):
-    who is led along with it.
+    particles led along with it.
     """
     x = fields[X][:count]
     y = fields[Y][:count]

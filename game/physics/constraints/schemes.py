@@ -6,8 +6,8 @@
             v⁺ = (3 p - 4 x + x₋) / (2 h)
             English and Bridson 2008; both halves are needed: with v* of Euler nothing converges
 
-Damping acts on what there was of velocity, not on the pull of gravity, so that it moves no resting point; and
-it never reverses a motion: BDF2 takes it as Euler does where h k_d w is above STRONG.
+Damping acts on what there was of velocity, not on the pull of gravity, so that it moves no resting point. It
+never reverses a motion: BDF2 takes it as Euler does where h k_d w is above STRONG.
 
 Arrays and tuples of them as in `motion`.
 """

@@ -1,4 +1,4 @@
-"""How linked particles are to be moved: a frozen record, each number checked at the door."""
+"""How linked particles are to be moved: a frozen record, each number checked where it comes in."""
 
 from __future__ import annotations
 

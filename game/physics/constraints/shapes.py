@@ -80,10 +80,9 @@ def cloth(
 ) -> Shape:
     """A net of columns x rows hanging from its top left corner (m), each particle of ``mass`` (kg).
 
-    pins: "row" fixes the whole top row, "corners" its ends, "fourths" and
-    "eighths" every fourth or eighth of it, "none" nothing.
-    shear: with diagonals. In a row of particles those of even columns are numbered before those of odd ones,
-    so all links of a colour lie in long runs; `cloth_index` says who is where.
+    pins: "row" fixes the whole top row, "corners" its ends, "fourths" and "eighths" every fourth or eighth of
+    it, "none" nothing. shear: with diagonals. In a row of particles those of even columns are numbered before
+    those of odd ones. So all links of a colour lie in long runs. `cloth_index` says which is where.
     """
     index = cloth_index(_side("columns", columns), _side("rows", rows))
     positions = np.empty((columns * rows, 2))

@@ -3,7 +3,7 @@
 Heidelberger and others 2004, in the plane.
 
 Where an edge leaves the mesh that its end p lies in, at x with the rim's normal n, the way out is (x - p)·n
-long along n; a border vertex takes the mean of its edges' by the weights 1/|x - p|². From there it spreads
+long along n. A border vertex takes the mean of its edges' by the weights 1/|x - p|². From there it spreads
 inwards along edges, ring by ring:
 
     d(p) = Σ μ ((q - p)·r(q) + d(q)) / Σ μ,   r(p) = Σ μ r(q) / |...|,   μ = 1 / |q - p|²

@@ -112,7 +112,7 @@ def write_box(points, store, e, box):
 
 @lean_kernel
 def note(keys, hits, e, f):
-    """One more crossing, if there is room; the number of them."""
+    """One more crossing, if there is space; the number of them."""
     if hits < keys.shape[0]:
         keys[hits] = (e << 32) | f
     return hits + 1

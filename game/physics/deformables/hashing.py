@@ -3,8 +3,8 @@
     slot = (i p₁ xor j p₂) mod m,   i = floor(x / l), j = floor(y / l)
 
 with the large primes of the paper. The table is never cleared: a slot counts as empty unless it has the stamp
-of the present pass. A first look over all things counts how many each slot gets; a second one gives each slot
-a stretch of one list, in the order in which slots are met, so that what hangs in a slot lies side by side.
+of the present pass. A first look over all things counts how many each slot gets. A second one gives each slot
+a stretch of one list, in the order in which slots are met. So what hangs in a slot lies side by side.
 
 About the origin the print has a weakness: -a xor -b is a xor b where a and b end in as many zero bits, as a
 third of all pairs do. Cells (i, j) and (-i, -j) then share slots however long the table is. That costs tests,

@@ -11,7 +11,7 @@ from game.physics.deformables.vertices import is_contact
 
 @lean_kernel
 def all_vertices(mask, points, store, keys):
-    """All vertices in all triangles: writes keys as long as there is room; returns how many there are."""
+    """All vertices in all triangles: writes keys as long as there is space; returns how many there are."""
     hits = 0
     for t in range(store.triangles.shape[0]):
         for v in range(points.shape[0]):

@@ -5,8 +5,8 @@ negative: edges and corners belong to it. A triangle whose area is 0 in floating
 Two edges cross if their closed boxes meet and each has its ends strictly on two sides of the other: edges
 that only meet do not cross. Naming the box makes the answer one and the same for all ways of looking.
 
-All products are of differences to one of the points, so that a place far from the origin costs nothing more
-than the digits which the coordinates have lost already.
+All products are of differences to one of the points. So a place far from the origin costs only the digits
+which the coordinates have lost already.
 """
 
 from __future__ import annotations

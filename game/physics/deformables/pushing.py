@@ -4,7 +4,7 @@
 
 with depth d and way out r of the vertex, β its barycentric coordinates, w inverse masses (a constraint of
 position as Müller and others 2006 solve it). Momentum stays. Speeds get no more than an inelastic impact with
-Coulomb friction asks for, so that who began deep inside is not shot out.
+Coulomb friction asks for, so that a vertex that began deep inside is not shot out.
 """
 
 from __future__ import annotations

@@ -45,7 +45,8 @@ def _ring_start(ring: int) -> int:
 
 def of_cells(cells: NDArray[np.bool_], width: float, height: float) -> Mesh:
     """The squares of a pattern (rows, columns; the lowest row first) within width x height (m) about the
-    origin, each cut in two, every other one the other way. ValueError for nonsense."""
+    origin, each cut in two. Every other one is cut the other way. ValueError for nonsense.
+    """
     if cells.ndim != 2 or not cells.any() or max(cells.shape) > MOST_CELLS:
         raise ValueError(f"cells: expected rows and columns, 1 to {MOST_CELLS}, one or more of them full")
     for name, value in (("width", width), ("height", height)):

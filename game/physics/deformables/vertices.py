@@ -81,7 +81,7 @@ def look_through(points, corners, box, scale, table, stamp, candidates):
     """The vertices in a triangle's cells that lie in it, corners apart: writes them, returns their number.
 
     corners: a, b, c; box: `box_of` them. First all that lie in the box are listed, without a branch that the
-    processor would have to guess; what other cells have left in the same slot is told apart by its cell.
+    processor would have to guess. What other cells have left in the same slot is told apart by its cell.
     """
     a, b, c = corners
     left, bottom, right, top = box
@@ -117,9 +117,9 @@ def look_through(points, corners, box, scale, table, stamp, candidates):
 def find_vertices(mask, points, store, table, scale, stamp, keys):
     """Both passes. Writes keys of contacts, triangle << 32 | vertex, unsorted within a triangle.
 
-    Returns how many there are; if keys is too short, those that found no room are missing. A triangle with
-    more cells than there are vertices looks at all vertices instead: never worse than testing all pairs.
-    The last n + 1 of keys are scratch.
+    Returns how many there are; if keys is too short, those that found no space are missing. A triangle with
+    more cells than there are vertices looks at all vertices instead: never worse than testing all pairs. The
+    last n + 1 of keys are scratch.
     """
     place_vertices(points, table, scale, stamp)
     n = points.shape[0]

@@ -1,4 +1,4 @@
-"""The arrays of a gas: what it is, and room for a step."""
+"""The arrays of a gas: what it is, and space for a step."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class GasState(NamedTuple):
 
 
 class Room(NamedTuple):
-    """Room for a step."""
+    """Space for a step."""
 
     shift: Floats  # (ny, nx, 2) cells
     back: Floats  # the same forward, for MacCormack
@@ -72,7 +72,7 @@ def make_state(grid: Grid, fields: int, pressure: Floats) -> GasState:
 
 
 def make_room(grid: Grid, fields: int) -> Room:
-    """Room for a step of so many fields."""
+    """Space for a step of so many fields."""
     ny, nx = grid.shape
     return Room(
         np.zeros((ny, nx, 2)), np.zeros((ny, nx, 2)), np.zeros((ny, nx, 2)),

@@ -56,7 +56,7 @@ class Gas:
     - ``u`` (ny, nx + 1), ``v`` (ny + 1, nx) m/s on faces; ``scalars`` (ny, nx, fields), interleaved;
       ``field(name)`` a view (ny, nx) of one. ``pressure`` (ny, nx) m²/s²: over the density of air.
     - Sources, which stay until they are changed: ``expansion`` (ny, nx) 1/s, volume that a cell produces for
-      each volume (its mean over a closed room is taken out: ``report.squeezed``); ``force`` (ny, nx, 2) m/s²;
+      each volume (less its mean over a closed region: ``report.squeezed``); ``force`` (ny, nx, 2) m/s²;
       ``rates`` (ny, nx, fields) change of the scalars, per s (heat as K/s into "temperature").
     - ``faces`` (`SolidFaces`): open parts ``ax``, ``ay`` of faces, ``volume`` of cells, ``body`` ids.
 
@@ -65,10 +65,10 @@ class Gas:
     `loads()` is the force on them.
 
     A step: everything is carried (with `rates`), diffuses, forces push, viscosity drags, the pressure makes
-    the flow free of divergence but for `expansion`. After an explosion or any jump by hand call `jolt()`:
-    the next step is then fully implicit in the pressure. ``report`` tells what the solver did.
-    After a step with a number that is not finite `step` raises ValueError, naming array and index; velocity
-    and scalars are then what they were before the step.
+    the flow free of divergence but for `expansion`. After an explosion or any jump by hand call `jolt()`: the
+    next step is then fully implicit in the pressure. ``report`` tells what the solver did. After a step with
+    a number that is not finite `step` raises ValueError, naming array and index. Velocity and scalars are
+    then what they were before the step.
     """
 
     def __init__(

@@ -28,7 +28,7 @@ MOMENTUM_ROWS = 7
 # rows of fields: sources, through the sides with the gas, and by spreading, the scheme's own
 SOURCES, CARRIED_THROUGH, SPREAD_THROUGH, SCHEME = range(4)
 FIELD_ROWS = 4
-# moments of a step at which sums are taken
+# moments of a step at which sums are taken; LADEN: with what comes before it is carried
 START, LADEN, CARRIED, PUSHED, DRAGGED, STOPPED, END = range(7)
 _STAGES = 7
 
@@ -291,7 +291,7 @@ class Ledger:
         between = at[START] - before[0] if known else np.zeros(2)
         self.momentum = Book(rows.copy(), change, between, change - rows.sum(axis=0))
         held, rows = self._contents, self._field_rows
-        rows[SCHEME] = held[CARRIED] - held[START] - rows[SOURCES] - rows[CARRIED_THROUGH]
+        rows[SCHEME] = held[CARRIED] - held[LADEN] - rows[SOURCES] - rows[CARRIED_THROUGH]
         change = held[END] - held[START]
         between = held[START] - before[1] if known else np.zeros(self.count)
         self.fields = Book(rows.copy(), change, between, change - rows.sum(axis=0))

@@ -23,9 +23,9 @@ class Load(NamedTuple):
 def sum_loads(p, u, v, solids, places, numbers, out):
     """Add force x, y and torque of each body to out (bodies, 3), over the density of the gas.
 
-    p: padded by one. places (4,): x, y of the first cell's centre, x, y of the point of the torque.
-    numbers (2,): cell m, viscosity m²/s (0 if the gas slips). The pressure acts on the part of a cell's
-    outline that the open parts of its faces leave; the drag on closed faces beside open ones.
+    p: padded by one. places (4,): x, y of the first cell's centre, x, y of the point of the torque. numbers
+    (2,): cell m, viscosity m²/s (0 if the gas slips). The pressure acts on the part of a cell's outline that
+    the open parts of its faces leave. The drag on closed faces beside open ones.
     """
     ny, nx = solids.volume.shape
     h, nu = numbers[0], numbers[1]

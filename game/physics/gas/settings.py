@@ -23,13 +23,13 @@ _OF_QUALITY = {
 class GasSettings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
-    effects: of `GAS`. advection: of ADVECTIONS; "stam-1999" goes back straight, by the velocity where it ends
-    (his order of steps, linear); "linear", "cubic", "maccormack" (Selle et al. 2008, limited) by the midpoint
-    rule; "time-centred" is cubic and takes only a part ``centring`` (q, 0.5 to 1) of the pressure from the
+    effects: of `GAS`. advection: of ADVECTIONS. "stam-1999" goes back straight, by the velocity where it ends
+    (his order of steps, linear). "linear", "cubic", "maccormack" (Selle et al. 2008, limited) by the midpoint
+    rule. "time-centred" is cubic. It takes only a part ``centring`` (q, 0.5 to 1) of the pressure from the
     end of the step, the rest is carried: second order at 0.5. In a step in which gas goes more than 8 cells q
-    grows, to 1 at 16 cells: the pressure of before, carried so far along a straight way, would be wrong
-    where the gas turns (`report.centring` says what q was). prime: a first projection, thrown away, so that
-    the first step knows its pressure. pressure: of SOLVERS, in at most ``turns`` (0: as usual) until no cell
+    grows, to 1 at 16 cells: the pressure of before, carried so far along a straight way, would be wrong where
+    the gas turns (`report.centring` says what q was). prime: a first projection, thrown away, so that the
+    first step knows its pressure. pressure: of SOLVERS, in at most ``turns`` (0: as usual) until no cell
     changes its volume by more than ``tolerance`` in a step. viscosity, and diffusivity of scalars (one
     number, or by field): m²/s. gravity (x, y) m/s²; ambient: K, of what surrounds the gas; smoke_weight: how
     much heavier than air smoke of 1 is; confinement: epsilon of vorticity confinement. slip: the gas slides

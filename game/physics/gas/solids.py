@@ -23,7 +23,7 @@ def move_covered(scalars, old_x, old_y, ax, ay, around, kept):
 
     A cell that opens takes the mean of its open neighbours; one that closes goes back to what is around
     (fields,). Of fields that are kept (fields,) in flux form the neighbours give or get what it takes or
-    loses, so that the sum over open cells stays, if there are any.
+    loses. So the sum over open cells stays, if there are any.
     """
     ny, nx, fields = scalars.shape
     for turn in range(2):  # first what opens, so that it can take what is pushed out

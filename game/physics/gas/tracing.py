@@ -1,6 +1,6 @@
 """Where the gas in each cell was a step ago: the displacement of every cell's centre, in cells.
 
-Faces take the mean displacement of their two cells, which is of second order as everything else here, and
+Faces take the mean displacement of their two cells. That is of second order as everything else here, and
 costs one trace a cell instead of three.
 """
 

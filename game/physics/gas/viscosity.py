@@ -63,8 +63,8 @@ def _turn(x, goal, way, right, gain, free, strength, memory, step):
 def diffuse_velocity(field, x, other, way, gain, free, axis, edges, numbers):
     """Solve (1 - strength h² laplace) field = field for free faces. numbers: (strength, turns).
 
-    x, other: two padded rooms; way (rows, columns) room. Chebyshev's iteration (Saad 2003, algorithm 12.1) on
-    the spectrum from 1 to 1 + 8 strength.
+    x, other: two padded arrays to work in; way (rows, columns) to work in. Chebyshev's iteration (Saad 2003,
+    algorithm 12.1) on the spectrum from 1 to 1 + 8 strength.
     """
     strength, turns = numbers[0], int(numbers[1])
     rows, columns = field.shape

@@ -39,8 +39,8 @@ class Birth:
     first at the parent's own birth). kind: name of what is born. count: how many at once. pattern: of their
     velocities about the parent's: "sphere" and "disc" (seen from the side), "ring" (tilted by ``angle_deg``,
     flattened by ``spread_deg``), "cone" (about ``angle_deg`` from the vertical, to each side by
-    ``spread_deg``), "arms" (even, the first at ``angle_deg``), "shape" (``points``, the longest of unit
-    length). speed_m_s: with ``speed_spread`` (share) to each side. inherited: share of the parent's velocity.
+    ``spread_deg``). "arms" are even, the first at ``angle_deg``. "shape" has ``points``, the longest of unit
+    length. speed_m_s: with ``speed_spread`` (share) to each side. inherited: share of the parent's velocity.
     scatter_m_s: a further random velocity. In all patterns but cone, arms and shape stars come in opposite
     pairs, so that a burst keeps the momentum; count must then be even.
     """

@@ -1,6 +1,6 @@
-"""One step of all stars: who is special flies by itself, the others in one sweep a kind.
+"""One step of all stars: a special one flies by itself, the others in one sweep a kind.
 
-Special is who dies, may meet the ground, leaves a trail or is driven within the step. For such a star all
+Special is what dies, may meet the ground, leaves a trail or is driven within the step. For such a star all
 that happens stands in the order of time: it flies from the beginning of the step to each instant by itself,
 so births have their own instant and place, whatever the step. What is born waits in a queue and flies the
 rest of the step the same way; its own children join the queue.
@@ -177,7 +177,7 @@ def fly_special(rules, table, air, pool, which, instants):
     kind, found = which
     now, end, limit = instants
     begin = table.begin[kind]
-    for k in range(found - 1, -1, -1):  # from the last: whoever takes a place has been flown already
+    for k in range(found - 1, -1, -1):  # from the last: what takes a place has been flown already
         i = pool.special[k]
         pool.queue[0] = pool.fields[:, i]
         for row in range(4):

@@ -22,12 +22,12 @@ LEFT, RIGHT, BOTTOM, TOP = range(4)
 class Border:
     """One side.
 
-    kind: "wall" (nothing passes, it slips), "no-slip" (a wall that the fluid sticks to; velocity is the
+    kind: "wall" (nothing passes, it slips), "no-slip" (a wall that the fluid sticks to: velocity is the
     wall's own along itself, as of a lid), "open" (pressure 0: fluid leaves and comes in freely), "inflow"
-    (the velocity is given), "periodic" (joined to the opposite side, which must be too).
-    velocity: (2,) m/s, or (n, 2) for the n cells along the side, from left or from below.
-    scalars: values, by the name of a field, of what flows in, or that a wall keeps (a hot wall); a field that
-    is not named has its surroundings' value in inflow and open sides, and does not pass walls.
+    (the velocity is given), "periodic" (joined to the opposite side, which must be too). velocity: (2,) m/s,
+    or (n, 2) for the n cells along the side, from left or from below. scalars: values, by the name of a
+    field, of what flows in, or that a wall keeps (a hot wall). A field that is not named has its
+    surroundings' value in inflow and open sides, and does not pass walls.
     """
 
     kind: str = "wall"

@@ -1,8 +1,8 @@
 """Open parts of faces and cells from signed distances of a solid.
 
 Each face is sampled at both corners and in its middle; on either half the distance runs linearly. So walls
-and gaps of one cell are kept, wherever they lie on the grid, where two corners alone would not see a wall
-between them.
+and gaps of one cell are kept, wherever they lie on the grid. Two corners alone would not see a wall between
+them.
 """
 
 from __future__ import annotations
@@ -43,8 +43,8 @@ def _tidy(d, h):
 
 @kernel
 def open_faces(nodes, mid_x, mid_y, centres, h, ax, ay):
-    """Write ax (ny, nx + 1) and ay (ny + 1, nx) from distances m at nodes (ny + 1, nx + 1), in the middle of
-    faces (as ax, ay) and at centres (ny, nx).
+    """Write ax (ny, nx + 1) and ay (ny + 1, nx) from distances, m. They are given at nodes (ny + 1, nx + 1),
+    in the middle of faces (as ax, ay) and at centres (ny, nx).
     """
     ny, nx = centres.shape
     for j in range(ny):

@@ -122,7 +122,7 @@ def fill_scalar_ghosts(padded, kinds, held, values):
     """Ghosts of scalars, padded (ny + 2 PAD, nx + 2 PAD, fields).
 
     held (4, fields) bool: whether the side holds the value (4, fields): beyond an inflow or open side it is
-    that value, behind a wall such that the wall itself has it; not held, a wall lets nothing pass.
+    that value, behind a wall such that the wall itself has it. Not held, a wall lets nothing pass.
     """
     ny, nx = padded.shape[0] - 2 * PAD, padded.shape[1] - 2 * PAD
     low, high = PAD, PAD + nx - 1

@@ -61,8 +61,8 @@ def all_open(grid: Grid) -> SolidFaces:
 class GridObstacles:
     """Samples solids onto a grid, into the same arrays each time.
 
-    First blocks of 8 x 8 cells are asked at their centres; only those that a surface may cross are sampled in
-    full, so the cost goes by the length of the outlines.
+    First blocks of 8 x 8 cells are asked at their centres. Only those that a surface may cross are sampled in
+    full, so the cost grows with the length of the outlines.
     """
 
     def __init__(self, grid: Grid):

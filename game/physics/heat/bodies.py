@@ -24,9 +24,8 @@ class Fuel:
     """What burns. ValueError, naming the field, for nonsense.
 
     ignition K; rate 1/s of its fuel in fresh air; heat J/kg; kept: share of it that stays; vapour: share of
-    the fuel that leaves unburnt; fuel_heat J/(kg K); exchange W/(m² K) with the gas where nothing else is
-    said; emissivity; ambient
-    K, of gas and surroundings where nothing else is said.
+    the fuel that leaves unburnt. fuel_heat J/(kg K). exchange W/(m² K) with the gas where nothing else is
+    said; emissivity; ambient K, of gas and surroundings where nothing else is said.
     """
 
     ignition: float = 570.0

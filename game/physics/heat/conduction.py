@@ -7,7 +7,7 @@ on both sides of a jump of any size (Patankar 1980, 4.2-3). At an edge that is h
 zeros.
 
 Explicit Euler is stable up to dt = cell² C / 4 k. Crank and Nicolson (1947) solve (C - dt/2 A) T' = (C + dt/2
-A) T by conjugate gradients, as does backward Euler with the whole of A on the left; what is left of the
+A) T by conjugate gradients, as does backward Euler with the whole of A on the left. What is left of the
 residual becomes a flux like any other, so no heat is lost by an unfinished solution. Peaceman and Rachford
 (1955) go half a step implicitly along rows and half along columns; each is a set of tridiagonal systems.
 """

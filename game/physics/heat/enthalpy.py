@@ -2,7 +2,7 @@
 
 A solid warms with capacity C_s up to T_m, takes the latent heat L_m there, warms on as a liquid with C_l up
 to T_b, takes L_b, and warms with C_g beyond (Voller and Cross 1981). Heat moves by fluxes between the
-temperatures of cells, so the sum of heat is kept whatever melts, and no temperature passes a plateau before
+temperatures of cells. So the sum of heat is kept whatever melts, and no temperature passes a plateau before
 its heat is paid.
 """
 

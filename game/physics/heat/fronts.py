@@ -1,8 +1,8 @@
 """Fronts that burn their way on: u_t = D lap u + R(u) on a grid of square cells, insulated at its edges.
 
-Reactions: FISHER k u (1 - u), pulled by its tip (Fisher 1937; Kolmogorov, Petrovsky and Piskunov 1937);
+Reactions: FISHER k u (1 - u), pulled by its tip (Fisher 1937; Kolmogorov, Petrovsky and Piskunov 1937).
 IGNITION k u (1 - u)(u - a), which only spreads above a threshold a and has an exact speed (Nagumo and others
-1962); SELF_HEATING k exp u, which has a steady state or none (Frank-Kamenetskii 1939), with u = 0 at the
+1962). SELF_HEATING k exp u, which has a steady state or none (Frank-Kamenetskii 1939), with u = 0 at the
 edges.
 """
 

@@ -1,10 +1,10 @@
 """Heat in things made of nodes and threads: cloth, logs, sticks. One step of all nodes.
 
 A node has a temperature, a dry rest that does not burn (J/K), fuel and water (kg). In a step heat flows along
-threads that are not torn, comes from the gas at the node, and goes by radiation as T⁴ (exactly). Water keeps
-a node at 373.15 K until it is gone. A node at its ignition temperature burns fuel at a rate, as fast as there
-is oxygen: a share of the heat stays, the rest goes to the gas, and a share of the fuel leaves unburnt, as
-vapour. What leaves (steam, vapour, smoke) takes its own heat along, so that
+threads that are not torn, comes from the gas at the node, and leaves by radiation as T⁴ (exactly). Water
+keeps a node at 373.15 K until it is gone. A node at its ignition temperature burns fuel at a rate, as fast as
+there is oxygen: a share of the heat stays, the rest goes to the gas, and a share of the fuel leaves unburnt,
+as vapour. What leaves (steam, vapour, smoke) takes its own heat along, so that
 
     sum (C + c fuel + c_w water) T + burnt Q + taken from gas = the same before + given to gas + radiated +
     steam.

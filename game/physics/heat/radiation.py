@@ -1,7 +1,7 @@
 """Cooling by radiation, exactly: dT/dt = -b (T⁴ - Ta⁴), with b = ε σ A / C (1/(K³ s)).
 
 With x = T / Ta and s = ln(|x - 1| / (x + 1)) the solution is, for x > 1, s - 2 atan x = s0 - 2 atan x0 - 4
-Ta³ b t, and for x < 1 s - 2 atan x with the signs of both sides turned; both sides are monotone in s and bend
+Ta³ b t, and for x < 1 s - 2 atan x with the signs of both sides turned. Both sides are monotone in s and bend
 one way only, so Newton's steps come to it from one side. However long the step, T never passes Ta.
 """
 

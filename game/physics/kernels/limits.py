@@ -1,4 +1,4 @@
-"""What a method has no room for, said before memory or patience is gone."""
+"""What a method has no space for, said before memory or patience is gone."""
 
 from __future__ import annotations
 

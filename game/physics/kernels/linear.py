@@ -1,7 +1,7 @@
 """Products of matrices, linear systems, eigenvectors and draws by plain sums in a fixed order.
 
 numpy hands these to a BLAS that picks other code for each processor, with fused multiply-adds and sums in
-another order, so that two machines come to other bits. Meant for the few and small matrices of Python code;
+another order. So two machines come to other bits. Meant for the few and small matrices of Python code;
 kernels write their sums out.
 """
 

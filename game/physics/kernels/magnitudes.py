@@ -1,6 +1,6 @@
 """The largest of the sizes of many numbers, found on their bits.
 
-Of numbers without a sign the order is that of their bits, and the largest of integers is found in vector
+Of numbers without a sign the order is that of their bits. The largest of integers is found in vector
 instructions, which the compiler may not do with floats for the sake of nan.
 """
 

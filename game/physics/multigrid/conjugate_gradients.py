@@ -55,7 +55,7 @@ def _precondition(e, factor, out):
 
 @lean_kernel
 def solve_gradients(e, factor, room, most, goal):
-    """Improve e.p; room: (ny + 2, nx + 2), 0 at its rim. (turns, largest residual before, after)."""
+    """Improve e.p; space: (ny + 2, nx + 2), 0 at its rim. (turns, largest residual before, after)."""
     before = residual_of(e)
     now, turns, old = before, 0, 0.0
     while turns < most and now > goal:

@@ -50,7 +50,7 @@ class Hierarchy(NamedTuple):
     cy: Floats
     x: Axis
     y: Axis
-    row: Floats  # room for a row
+    row: Floats  # space for a row
     plain: Longs  # (rows of all levels, 2) of each row, a run of cells whose faces all conduct 1
     stands: Longs  # as the cells: whether a coarse cell stands for it
     ways: Longs  # of irregular cells, from where each level's cells begin

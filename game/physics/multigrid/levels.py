@@ -20,11 +20,11 @@ class Axis(NamedTuple):
     """Tables of one axis, those of all levels one after the other.
 
     From a fine cell i to coarse ones: near (n,), far (n,) their places (-1 and the count are ghosts) and the
-    weights share (n, 2). From coarse cell I: members (m, 3) the first, last and middle fine cell, gather
-    (m, 5) the weights of the first, last, the ones before and behind, and the middle one. mid (m + 1,) the
-    fine face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one. even
-    (levels, 2): the first and the last (not included) of a run of coarse cells, each made of two fine ones,
-    2 I and 2 I + 1, with the weights 3/4 and 1/4 of equal widths.
+    weights share (n, 2). From coarse cell I: members (m, 3) the first, last and middle fine cell, gather (m,
+    5) the weights of the first, last, the ones before and behind, and the middle one. mid (m + 1,) the fine
+    face that lies in a coarse face, ratio (m + 1,) the fine distance across it over the coarse one. even
+    (levels, 2): the first and the last (not included) of a run of coarse cells, each made of two fine ones, 2
+    I and 2 I + 1. They have the weights 3/4 and 1/4 of equal widths.
     """
 
     near: Longs

@@ -1,7 +1,7 @@
 """The pressure by V-cycles, each with a step of conjugate gradients (Tatebe 1993; McAdams et al. 2010).
 
-The cycle alone leaves errors of wave lengths between the levels; conjugate gradients take what it leaves,
-and make walls harmless that the coarser levels cannot show.
+The cycle alone leaves errors of wave lengths between the levels. Conjugate gradients take what it leaves, and
+make walls harmless that the coarser levels cannot show.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Residual and smoothing of the pressure equation, row by row.
 
 The unknown p is padded by one ghost each way (ny + 2, nx + 2); faces conduct cx (ny, nx + 1), cy (ny + 1,
-nx): the sum over the four faces of c (p - p_neighbour) is b (ny, nx). A face of conductance 0 is closed;
-beyond an open side the ghost is 0; inverse (ny, nx) is one over the sum of the four, 0 where
-nothing conducts.
+nx): the sum over the four faces of c (p - p_neighbour) is b (ny, nx). A face of conductance 0 is closed.
+Beyond an open side the ghost is 0; inverse (ny, nx) is one over the sum of the four, 0 where nothing
+conducts.
 
 Smoothing is Jacobi's with the factors of Chebyshev's polynomial on the upper part of the spectrum (Adams,
 Brezina, Hu and Tuminaro 2003): any order of the cells gives the same bits, a mirrored field a mirrored one.

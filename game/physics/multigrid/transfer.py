@@ -11,8 +11,8 @@ NEAR, FAR = 0.75, 0.25  # weights where two cells of one width become one
 def restrict(fine, row, coarse, x, y):
     """The transpose of bilinear interpolation: fine (padded by one) into coarse (m_y, m_x).
 
-    row: room for one padded fine row. x, y: (members, gather) of the axes, of x also even: between those
-    two coarse cells every one has the same weights.
+    row: space for one padded fine row. x, y: (members, gather) of the axes, of x also even: between those two
+    coarse cells every one has the same weights.
     """
     my, mx = coarse.shape
     width = fine.shape[1]
@@ -44,7 +44,7 @@ def restrict(fine, row, coarse, x, y):
 def prolong(coarse, row, fine, norm, x, y):
     """Add norm times the bilinear interpolation of coarse (padded by one) to fine (padded by one).
 
-    row: room for one padded coarse row. x, y: (near, far, share) of the axes, of x also even, as above.
+    row: space for one padded coarse row. x, y: (near, far, share) of the axes, of x also even, as above.
     """
     ny, nx = norm.shape
     width = coarse.shape[1]

@@ -225,8 +225,8 @@ def vclip_batch(
 ) -> Proximities:
     """V-Clip for many pairs of convex polygons; arguments as for `gjk_batch`.
 
-    A walk that begins afresh goes by coarse outlines of large polygons; its iterations count the steps on
-    them too.
+    A walk that begins afresh takes coarse outlines of large polygons; its iterations count the steps on them
+    too.
     """
     query = _Query(a, b, pairs, poses_a, poses_b, features)
     vclip_many(*query.sides, query.pairs, deep, NO_VCLIP_TRACE, query.written)

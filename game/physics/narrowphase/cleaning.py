@@ -1,8 +1,8 @@
 """Outlines made fit for a walk: duplicates merged, flat corners dropped, turned counterclockwise, or refused.
 
 Hill climbing and Voronoi walks are right only on outlines that turn left at every corner. One vertex given
-twice makes an edge of no length, both of whose Voronoi planes hold for every point, and a clockwise outline
-turns every test round. So the cure stands at the door, and the walks need no tolerances of their own.
+twice makes an edge of no length, both of whose Voronoi planes hold for every point. A clockwise outline turns
+every test round. So the cure stands where polygons come in, and the walks need no tolerances of their own.
 """
 
 from __future__ import annotations

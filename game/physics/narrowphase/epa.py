@@ -1,10 +1,10 @@
 """EPA: the depth of an overlap, by expanding a polygon within A - B to the border of A - B.
 
-The origin lies inside, from the triangle on that GJK ends with. Of the polygon's edges the one nearest to
-the origin is taken; if A - B has a corner farther out along its normal, the edge is broken there, else it
-lies on the border and is the shortest way out. Where GJK began with given features, its triangle may have
-corners within A - B: those that the new corner leaves within the polygon are dropped. So each polygon is
-convex, holds the one before it, and the origin. Source: van den Bergen 2001.
+The origin lies inside, from the triangle on that GJK ends with. Of the polygon's edges the one nearest to the
+origin is taken. If A - B has a corner farther out along its normal, the edge is broken there. Else it lies on
+the border and is the shortest way out. Where GJK began with given features, its triangle may have corners
+within A - B: those that the new corner leaves within the polygon are dropped. So each polygon is convex,
+holds the one before it, and the origin. Source: van den Bergen 2001.
 """
 
 from __future__ import annotations
@@ -74,8 +74,8 @@ def first_polygon(pair, simplex, corners):
     """Write one to three corners (i, j) of A - B to begin with, counterclockwise; return how many.
 
     They are GJK's last simplex (i0, j0, i1, j1, i2, j2), which holds the origin. Of three on a line the two
-    farthest apart are taken, to be gone round there and back; a single one, which is the origin, is joined
-    by a support vertex.
+    farthest apart are taken, to be gone round there and back. A single one, which is the origin, is joined by
+    a support vertex.
     """
     i0, j0, i1, j1, i2, j2 = simplex
     corners[0, 0], corners[0, 1] = i0, j0

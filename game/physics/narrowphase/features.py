@@ -210,7 +210,7 @@ def measure(pair, feature_a, feature_b):
     """What two closest features say: (distance, x, y of A's point, of B's, normal, feature_a, feature_b).
 
     In the frame of A; the unit normal leads from A to B. A vertex before an edge that is parallel to one of
-    its own becomes two edges, so that the answer does not depend on the path by which it was found.
+    its own becomes two edges. So the answer does not depend on the path by which it was found.
     """
     a, b, frame = pair
     i, j = feature_a >> 1, feature_b >> 1

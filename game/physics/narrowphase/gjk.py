@@ -1,8 +1,8 @@
 """GJK: the distance of two convex polygons by walking towards the origin in their Minkowski difference.
 
-The closest point v of a simplex of A - B to the origin gives a direction; the support vertices of A and B
-along it give a new corner w. If w is no nearer to the origin than v, seen along v, then v is the answer.
-Else the best simplex with w is the next one. In the plane at most two corners are kept.
+The closest point v of a simplex of A - B to the origin gives a direction. The support vertices of A and B
+along it give a new corner w. If w is no nearer to the origin than v, seen along v, then v is the answer. Else
+the best simplex with w is the next one. In the plane at most two corners are kept.
 
 Directions of edges are taken from the polygons, not from v, which keeps digits where v is short: that is what
 slivers and near contacts need. Sources: Gilbert, Johnson and Keerthi 1988; van den Bergen 1999 (stopping).

@@ -4,11 +4,11 @@ The plane around a polygon is divided into the Voronoi regions of its vertices a
 the closest ones when each has the point of the other that is nearest to it in its own region. If that is not
 so, the region's border that is crossed names the neighbour to go to, and the distance has become less.
 
-`clip_vertex` says where to go for a vertex against a vertex or an edge, `clip_edge` for an edge. Where
-the walk can be caught behind an edge, Mirtich's repair goes to the edge that the vertex is farthest in
-front of; inside all of them there is overlap. Ties can send the rounded walk in a circle: Brent's test
-finds it after at most three turns, and then all features are looked at. So it always ends, without any
-tolerance. Sources: Mirtich 1998; Ericson 2005, 9.2.1; Brent 1980.
+`clip_vertex` says where to go for a vertex against a vertex or an edge, `clip_edge` for an edge. Where the
+walk can be caught behind an edge, Mirtich's repair goes to the edge that the vertex is farthest in front of.
+Inside all of them there is overlap. Ties can send the rounded walk in a circle: Brent's test finds it after
+at most three turns, and then all features are looked at. So it always ends, without any tolerance. Sources:
+Mirtich 1998; Ericson 2005, 9.2.1; Brent 1980.
 """
 
 from __future__ import annotations
@@ -78,13 +78,13 @@ def clip_edge(polygon, feature, px, py, qx, qy):
 
     The other polygon is on the left of the direction from p to q.
 
-    Of a vertex: the edge is clipped by the region's two borders; if the distance to the vertex still
-    falls where it leaves the region, the answer is the edge on that side, else the vertex itself. The
-    distance falls beyond a border exactly if the foot on the line p q is beyond it, which the two
-    directions alone decide.
+    Of a vertex: the edge is clipped by the region's two borders. If the distance to the vertex still falls
+    where it leaves the region, the answer is the edge on that side, else the vertex itself. The distance
+    falls beyond a border exactly if the foot on the line p q is beyond it, which the two directions alone
+    decide.
 
-    Of an edge: the answer is the vertex whose border the part beside the edge must cross to come nearer, the
-    edge itself if an end of p q is nearest (or both are parallel), CROSSING, or BEHIND.
+    Of an edge: the answer is the vertex whose border the part beside the edge must cross to come nearer. Or
+    the edge itself if an end of p q is nearest (or both are parallel), CROSSING, or BEHIND.
     """
     count = polygon.size
     if count == 1:

@@ -52,7 +52,7 @@ def mark_near_ground(y, vy, marks, lying, floor, slack, h):
 
 @lean_kernel(forceinline=True)
 def lie_on(lying, y, vy, floor):
-    """Height and vertical velocity after a flight: who lay on the floor lies on unless lifted."""
+    """Height and vertical velocity after a flight: what lay on the floor lies on unless lifted."""
     stays = (lying != 0) & (y <= floor)
     return floor if stays else y, 0.0 if stays else vy
 
@@ -76,7 +76,7 @@ def note_marked(x, y, vx, vy, marks, begin, listed, found):
 def make_advance(method: int, mask: int) -> Callable[..., Any]:
     """The kernel ``advance(fields, low, high, world, h, marks, listed, found)``.
 
-    It flies particles ``low`` to ``high`` of ``fields`` (rows x, y, vx, vy, ...) over h (s); those that may
+    It flies particles ``low`` to ``high`` of ``fields`` (rows x, y, vx, vy, ...) over h (s). Those that may
     meet a solid on the way are written with their state before it to the list (hits, who) from place
     ``found`` on. Returns the next free place. ``world``: forces, rows of `Discs`, height of the floor (m),
     and slack, m that a particle may be carried beyond h |v|; ``marks`` (2, BLOCK) is scratch.

@@ -4,10 +4,9 @@ The n-th particle of an emitter of constant rate is born at n / rate: so after a
 floor(rate T) have been born, whatever the step. A change of rate keeps the fraction of the particle that was
 under way. The pool is a ring in the order of birth: those that die of age are always at its head.
 
-Tuples of arrays:
-pool       fields (>= 5, n), x, y, vx, vy, birth; tags (2, n), see `encounters`; tallies (TALLIES,); capacity
-sources    emitters (m, EMITTER_COLUMNS), counts (m, 2), due (m,) scratch, seed
-listed     hits (LIST_ROWS, k) and who (k,), the list of those to be resolved
+Tuples of arrays: pool fields (>= 5, n), x, y, vx, vy, birth. tags (2, n), see `encounters`. tallies
+(TALLIES,); capacity sources emitters (m, EMITTER_COLUMNS), counts (m, 2), due (m,) scratch, seed listed hits
+(LIST_ROWS, k) and who (k,), the list of those to be resolved
 """
 
 from __future__ import annotations
@@ -42,8 +41,8 @@ def births_until(rate, carry, since, now):
 def retire(mask, pool, listed, found, life, now, h):
     """Take those whose life (s) ends in this step from the ring's head; the next free place of the list.
 
-    For reports, each goes to the list to be flown to the instant of its death; if the list is full,
-    the rest waits for another call.
+    For reports, each goes to the list to be flown to the instant of its death. If the list is full, the rest
+    waits for another call.
     """
     fields, tags, tallies, capacity = pool
     hits, who = listed
@@ -107,7 +106,7 @@ def emit(mask, pool, sources, listed, found, life, now, h):
     """Give birth to all particles due in this step, in the order of their instants; the list's next place.
 
     Written: counts (m, 2), tallies, and for each survivor its instant of birth, tags and a line of the list.
-    Without room in the ring one is dropped and counted. One whose life is over within the step is born and
+    Without space in the ring one is dropped and counted. One whose life is over within the step is born and
     dies in it. If the list is full, the rest waits for another call.
     """
     fields, tags, tallies, capacity = pool

@@ -49,7 +49,7 @@ class Rules(NamedTuple):
 def rest_speed(rules, restitution, push):
     """Speed (m/s) of approach below which there is no rebound, for an acceleration ``push`` into the surface.
 
-    Where steps feed energy to bounces, a little more than the speed at which gain and loss balance; else the
+    Where steps feed energy to bounces, a little more than the speed at which gain and loss balance. Else the
     speed of a bounce that four steps would not resolve. A perfectly elastic surface has no such speed.
     """
     if restitution >= 1.0:
@@ -97,9 +97,9 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
 
     Returns (x, y, vx, vy, impulse, last, stuck).
 
-    They rebound with mode END only: with the others, who is inside was born there or run over. Solids may
-    overlap: up to MAX_CONTACTS rounds, and after ENOUGH of them no more once one finds it as deep inside as
-    the one before: such a place has no way out by pushing. ``last``: the solid last met, or -1. ``stuck``:
+    They rebound with mode END only: with the others, one that is inside was born there or run over. Solids
+    may overlap: up to MAX_CONTACTS rounds, and after ENOUGH of them no more once one finds it as deep inside
+    as the one before: such a place has no way out by pushing. ``last``: the solid last met, or -1. ``stuck``:
     still inside one.
     """
     spring = 1.0 if rules.mode == END else 0.0
@@ -246,7 +246,7 @@ def first_contact(rules, law, solids, particle, x1, y1, t, left):
 def fly_among_solids(rules, law, solids, particle, t, left, impulses):
     """Flight of ``left`` (s), begun t (s) into the step, with what it meets on its path.
 
-    Returns (x, y, vx, vy, greatest impulse, solid last met or -1, time dropped in s). One who cannot be
+    Returns (x, y, vx, vy, greatest impulse, solid last met or -1, time dropped in s). One that cannot be
     pushed out of solids that overlap stays there for the rest of its time, which is dropped: more rounds of
     the same would cost a heap of stones the square of its number, and lead nowhere.
     """
@@ -271,7 +271,7 @@ def fly_among_solids(rules, law, solids, particle, t, left, impulses):
         if rules.mode == ROOT:
             x, y, vx, vy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, when)
         else:
-            part = when / left if left > 0.0 else 0.0  # who is born at the very end has no time to fly
+            part = when / left if left > 0.0 else 0.0  # one born at the very end has no time to fly
             x += part * (x1 - x)
             y += part * (y1 - y)
             vx += part * (ux - vx)

@@ -4,8 +4,8 @@ Every method keeps position and velocity at the same instant, so that it may be 
 contact and begun in mid-step. Sources: Hairer, Lubich, Wanner 2006, "Geometric numerical integration", ch. I
 (one-step form of Störmer and Verlet); Swope and others 1982 (velocity Verlet); Strang 1968 (splitting).
 
-The method of Störmer as lectures print it, started with x₋₁ = x₀ - v₀ h and with drag from the difference
-(xₙ - xₙ₋₁)/h, is the semi-implicit Euler method letter for letter, and of first order like it.
+The method of Störmer as lectures print it, started with x₋₁ = x₀ - v₀ h and with drag from the difference (xₙ
+- xₙ₋₁)/h, is the semi-implicit Euler method letter for letter. It is of first order like it.
 """
 
 from __future__ import annotations

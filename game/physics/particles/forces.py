@@ -2,8 +2,8 @@
 
     a = g - (k + q |v - w|) (v - w) - s² (x - c)
 
-with w the velocity of the air. Which terms there are is a mask that is known when a kernel is compiled, so
-a term that is not asked for leaves no instruction behind.
+with w the velocity of the air. The mask of terms is known when a kernel is compiled. So a term that is not
+asked for leaves no instruction behind.
 """
 
 from __future__ import annotations

@@ -40,9 +40,9 @@ class Instant(NamedTuple):
 def place_between(swarm, before, low, high, instant, trail, shown, first):
     """Write places at an instant, and velocities, of particles low to high of a `Swarm`.
 
-    before: the same swarm a step earlier. Who was not there then comes from the nozzle, backwards along its
-    velocity, and waits there to be born. trail: s, what a trail lasts. ``shown`` is written from row
-    ``first`` on; the next free row is returned.
+    before: the same swarm a step earlier. A particle that was not there then comes from the nozzle, backwards
+    along its velocity, and waits there to be born. trail: s, what a trail lasts. ``shown`` is written from
+    row ``first`` on; the next free row is returned.
     """
     fields, tags = swarm
     alpha, dt, now = instant

@@ -5,8 +5,8 @@ Without quadratic drag the particles of one nozzle and one age lie on a circle, 
     centre   c(t) = x₀ + w (t - r) - g d,   radius   R(t) = v r,   r = (1 - exp(-k t)) / k,  d = (t - r) / k
 
 (from the closed form of the flight with linear drag k and wind w; r = t and d = t²/2 for k = 0). The distance
-of a particle from its circle is an error that needs no twin to be measured, and the envelope of all circles
-is a curve that no particle can pass (Torricelli 1644 for k = 0: the parabola of safety).
+of a particle from its circle is an error that needs no twin to be measured. The envelope of all circles is a
+curve that no particle can pass (Torricelli 1644 for k = 0: the parabola of safety).
 
 Arrays: fields (>= 5, n), x, y, vx, vy, birth; tags (2, n); emitters (m, EMITTER_COLUMNS).
 """

@@ -1,4 +1,4 @@
-"""Random numbers that are a function of a key and a counter, so a particle's fate hangs on nobody else's.
+"""Random numbers that are a function of a key and a counter, so a particle's fate hangs on no other's.
 
 Threefry-2x32 with 20 rounds (Salmon, Moraes, Dror, Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3";
 the authors' Random123 test vectors are among the tests). Only sums, rotations and exclusive-ors of 32-bit

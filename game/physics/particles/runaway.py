@@ -1,6 +1,7 @@
 """Particles that drag has thrown away: an explicit method makes drag speed up what it should slow down once
-(k + 2 q |v|) h is beyond its limit, and quadratic drag then squares the speed in every step. They are kept
-at a great speed, far out, so that all numbers stay numbers."""
+(k + 2 q |v|) h is beyond its limit. Quadratic drag then squares the speed in every step. They are kept at a
+great speed, far out, so that all numbers stay numbers.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How particles are to be moved: effects, method, forces, solids, each checked at the door."""
+"""How particles are to be moved: effects, method, forces, solids, each checked where it comes in."""
 
 from __future__ import annotations
 

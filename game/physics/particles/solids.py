@@ -114,7 +114,7 @@ class Discs:
     def add(self, centre: ArrayLike, radius: float, restitution: float = 0.5) -> int:
         """Put one more, its centre (2,) m, its radius m; returns its index.
 
-        ValueError if there is no room or a number is absurd.
+        ValueError if there is no space or a number is absurd.
         """
         if self.count == self.capacity:
             raise ValueError(f"solids: there is room for {self.capacity}")

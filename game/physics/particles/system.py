@@ -1,7 +1,7 @@
 """A system of particles: emitters, a pool, forces, solids, and one step of all of it.
 
-A step, in order: those too old die at their instant; all others fly; those born in the step begin at their
-instant; whoever comes near a solid is flown among the solids.
+A step, in order: those too old die at their instant. All others fly. Those born in the step begin at their
+instant; what comes near a solid is flown among the solids.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class ParticleSystem(Pool, Settings):
     """Particles of unit mass that meet solids but not one another.
 
     capacity: places in the pool; births beyond it are dropped and counted. emitters: of `Emitter`. solids:
-    `Discs`. seed: of the random numbers, 0 or more. report_lines: room for the reports of a step. The rest:
+    `Discs`. seed: of the random numbers, 0 or more. report_lines: space for the reports of a step. The rest:
     see `Settings`. ValueError, naming the argument, for what makes no sense.
     """
 

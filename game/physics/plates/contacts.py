@@ -4,7 +4,8 @@ A plate is three points (its left end, its middle, its right end) and the two st
 rounded by its half thickness. Points of one are tested against the halves of the other and the other way
 round, those near enough to meet within the step. Each contact lets its points come together no faster than
 their gap allows, so that nothing passes (speculative contacts: Catto 2013). Impulses act on what is moved in
-truth, the plate with the air that it takes along, other along the chord than across it, and on its bend.
+truth: the plate with the air that it takes along, and its bend. Its mass along the chord is another than
+across it.
 """
 
 from __future__ import annotations

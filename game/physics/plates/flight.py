@@ -1,7 +1,7 @@
 """A step of many plates in the air: Runge-Kutta of fourth order, LANES of them at a time.
 
-The kernel copies LANES plates into a small buffer whose rows lie LANES numbers apart, so that the compiler
-can prove them apart and computes as many lanes at once as the machine has; it calls nothing in there.
+The kernel copies LANES plates into a small buffer whose rows lie LANES numbers apart. So the compiler can
+prove them apart and computes as many lanes at once as the machine has. It calls nothing in there.
 
 Each plate has as many substeps as its own rates ask for, so a light, fast or spinning one takes no other's
 time. In still air what a substep has added to the energy is taken back from its motion: the law only takes,

@@ -1,7 +1,7 @@
 """The law of a plate in air: added mass, circulation, drag, and a bend about its middle.
 
-Andersen, Pesavento and Wang (2005, J. Fluid Mech. 541, 65 and 91), in body axes (x along the chord), for
-the velocity u through the air, all divided by the mass pi rho a² of the air that the plate takes along
+Andersen, Pesavento and Wang (2005, J. Fluid Mech. 541, 65 and 91), in body axes (x along the chord), for the
+velocity u through the air. All is divided by the mass pi rho a² of the air that the plate takes along
 broadside:
 
     (I + beta²) u_x' = (I + 1) w u_y - G u_y + (I - beta) g_x - F_x
@@ -12,22 +12,21 @@ broadside:
 with I = rho_s b/(rho a), beta = b/a. The lift G is at right angles to u and does no work; drag only takes.
 
 Wind. In a wind w(t) that is the same everywhere the air is at rest in a frame that falls with it, where
-gravity is g - w'. So the law holds exactly for u = v - w with that gravity: the air's own acceleration
-pushes with (I - beta) less than the added mass takes along. In a wind that varies in space w' is taken
-along the plate's path (Maxey and Riley 1983); along the air's own path (Auton, Hunt and Prud'homme 1988) it
-differs by (u grad) w, which is nothing for a gust that is large beside a plate. A jump of the wind from one
-step to the next is that law's impulse: what moves with the air changes by (1 + beta)/(I + 1) of it
-broadside.
+gravity is g - w'. So the law holds exactly for u = v - w with that gravity: the air's own acceleration pushes
+with (I - beta) less than the added mass takes along. In a wind that varies in space w' is taken along the
+plate's path (Maxey and Riley 1983). Along the air's own path (Auton, Hunt and Prud'homme 1988) it differs by
+(u grad) w, which is nothing for a gust that is large beside a plate. A jump of the wind from one step to the
+next is that law's impulse: what moves with the air changes by (1 + beta)/(I + 1) of it broadside.
 
-Bend (of this program, not of the paper). A leaf's halves are turned up by q each, and give way like a
-spring; each half is dragged by its own inclination and the speed of its own middle,
+Bend (of this program, not of the paper). A leaf's halves are turned up by q each, and give way like a spring.
+Each half is dragged by its own inclination and the speed of its own middle,
 
     U_i = u + s w x r_i + q' dr_i/dq,   s = q²/(q² + q_h²),
 
-and the drag on it pushes, turns and bends through the same lever as made its speed; so its power is -F_i
-U_i <= 0 for each half, and a plate with q = q' = 0 is the paper's to the last bit. A bend adds the
-circulation of a wing with a kink at half its chord (Glauert 1926: C_L = -4 q at no incidence), scaled as
-C_T is to thin wings. Inertia does not change with the bend. HEAVY of the mass lies in the midrib.
+and the drag on it pushes, turns and bends through the same lever as made its speed. So its power is -F_i U_i
+<= 0 for each half, and a plate with q = q' = 0 is the paper's to the last bit. A bend adds the circulation of
+a wing with a kink at half its chord (Glauert 1926: C_L = -4 q at no incidence), scaled as C_T is to thin
+wings. Inertia does not change with the bend. HEAVY of the mass lies in the midrib.
 
 Balance (of this program). A plate whose mass lies off its middle by e a is pushed in its middle, by the
 velocity there, u + w x r with r = (-e a, 0): it turns by e a times that push, and still no energy comes of

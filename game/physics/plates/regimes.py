@@ -1,11 +1,10 @@
 """What a falling plate does in the long run: its regime, period, spin and speed of descent.
 
-Lengths here are in half chords a, times in a/U, speeds in U = sqrt((rho_s/rho - 1) g b), as in the paper,
-so that a plate is its inertia I, its thickness beta and its coefficients.
+Lengths here are in half chords a, times in a/U, speeds in U = sqrt((rho_s/rho - 1) g b), as in the paper. So
+a plate is its inertia I, its thickness beta and its coefficients.
 
 BORDERS: of I for the default coefficients at beta = 1/14, found by this program's own runs, the first by
-bisection; published regimes are those of Andersen, Pesavento and Wang 2005 (flutter at 1.1, tumbling at
-1.4).
+bisection. Published regimes are those of Andersen, Pesavento and Wang 2005 (flutter at 1.1, tumbling at 1.4).
 
 They hold up to a thickness THICKEST: there and at 0 the first two lie within 3 % of these, the last
 within 4 %. From the second to about 1.55 plates flutter once more before they are irregular. A thicker plate
@@ -35,9 +34,9 @@ UNSTEADY = 0.1  # spread of swings beside their mean, from which on they are irr
 
 
 class Course(NamedTuple):
-    """What a plate did: a word of REGIMES; period between two swings (or turns), half amplitude of the angle
-    (deg), mean spin, descent, half width of the swing between turning points of the angle, angle of the
-    descent below the horizontal (deg).
+    """What a plate did: a word of REGIMES. Then period between two swings (or turns), half amplitude of the
+    angle (deg), mean spin and descent. Last half width of the swing between turning points of the angle,
+    angle of the descent below the horizontal (deg).
     """
 
     regime: str

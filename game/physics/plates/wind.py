@@ -156,7 +156,7 @@ class GustyWind:
         self.wind, self.layer = float(wind), float(layer)
 
     def add(self, gust: Gust) -> None:
-        """One more gust; without a place the one that began first makes room."""
+        """One more gust; without a place the one that began first makes way."""
         row = gust.row()
         if self.count == MOST_GUSTS:
             self._drop(int(np.argmin(self.gusts[: self.count, BEGINS])))

@@ -11,7 +11,7 @@ Landau and Lifshitz, Mechanics, 37), while L² > 2 E I2:
 and else the same with axes 1 and 3 in each other's place. Differences are written out as sums of squares,
 which cancel nothing, and the phase u0 comes in by the addition theorem.
 
-The turn itself: the direction l of L in the body's frame is known; about L the body has turned by an angle ψ
+The turn itself: the direction l of L in the body's frame is known. About L the body has turned by an angle ψ
 with ψ' = |L| (l2²/I2 + l3²/I3) / (l2² + l3²), the azimuth of axis 1, which here never points along L. That is
 smooth and periodic, and summed by Gauss's rule to the last digits (Celledoni, Fassò, Säfström, Zanna 2008).
 """

@@ -41,8 +41,8 @@ def mass_properties(
 
     positions: (n, 3) m, or (n, 2) in the plane z = 0. radii: (n,) m. density: kg/m³, one number or (n,).
     ValueError if there is no sphere, if a number is not finite, or if a radius or density is not above 0.
-    Offsets are taken from the first sphere before anything is summed, and sums are rounded once (fsum), so
-    that neither a far origin nor unequal masses cost digits.
+    Offsets are taken from the first sphere before anything is summed, and sums are rounded once (fsum). So a
+    far origin or unequal masses cost no digits.
     """
     places = sphere_positions(positions)
     _, masses = sphere_masses(radii, density)

@@ -1,7 +1,7 @@
 """A body of spheres kept inside a box.
 
 "mirror", as the course has it: where a sphere is beyond a wall the body is moved back, and if it moved
-outwards the velocity of its centre is mirrored; its spin stays. "impulse": the wall strikes the point that is
+outwards the velocity of its centre is mirrored. Its spin stays. "impulse": the wall strikes the point that is
 farthest out, so that the spin changes as well, by j = -(1 + e) v·n / (1/m + (r x n)·J⁻¹ (r x n)), r from the
 centre of mass to that point (Baraff 1997). Points equally far out are struck in their middle.
 

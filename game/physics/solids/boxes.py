@@ -1,4 +1,4 @@
-"""Boxes about shapes, with room to move, so that pairs serve for several steps (Verlet 1967)."""
+"""Boxes about shapes, with a margin to move, so that pairs serve for several steps (Verlet 1967)."""
 
 from __future__ import annotations
 

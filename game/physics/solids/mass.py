@@ -1,7 +1,7 @@
 """Mass, centre and inertia of shapes of even density, by Green's theorem; rounding counts exactly.
 
-A convex polygon with a rounding radius is its core, a rectangle on each edge, and a sector at each corner
-(all sectors together are one disc, moved apart).
+A convex polygon with a rounding radius is its core, a rectangle on each edge, and a sector at each corner.
+All sectors together are one disc, moved apart.
 """
 
 from __future__ import annotations

@@ -74,7 +74,7 @@ def joint_table() -> Table[Joints]:
 
 
 def contacts_of(capacity: int) -> Contacts:
-    """Room for so many pairs, none there."""
+    """Space for so many pairs, none there."""
     return Contacts(
         np.zeros(2, dtype=np.int64),
         np.zeros(capacity, dtype=_INT),
@@ -86,7 +86,7 @@ def contacts_of(capacity: int) -> Contacts:
 
 
 def rows_of(capacity: int) -> Rows:
-    """Room for so many rows, none there."""
+    """Space for so many rows, none there."""
     return Rows(
         np.zeros(2, dtype=np.int64),
         np.zeros((capacity, 4), dtype=_INT),
@@ -103,7 +103,7 @@ def aligned_zeros(rows: int, columns: int) -> NDArray[np.float64]:
 
 
 def batches_of(bodies: int, pairs: int) -> Batches:
-    """Room for batches of one row each, none there: memory that is not touched costs nothing."""
+    """Space for batches of one row each, none there: memory that is not touched costs nothing."""
     return Batches(
         np.zeros(1, dtype=np.int64),
         aligned_zeros(pairs, state.BATCH_WIDTH * LANES).reshape(pairs, state.BATCH_WIDTH, LANES),

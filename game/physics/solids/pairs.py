@@ -2,7 +2,7 @@
 
 A shape lies in one cell, that of its box's middle, on the level whose cells are at least as large as its box
 (Ericson 2005, "Real-Time Collision Detection", 7.2). It looks for others on its own level and on those of
-larger cells; boxes have some room, so that pairs serve for several steps.
+larger cells; boxes have some margin, so that pairs serve for several steps.
 """
 
 from __future__ import annotations
@@ -156,9 +156,7 @@ def sort_by(column, pairs, target, count, tallies):
 
 @inner_kernel
 def find_pairs(bodies, shapes, excluded, scratch):
-    """All pairs (a, b), sorted, in scratch.pair_keys; returns how many there are, even if there is no
-    room.
-    """
+    """All pairs (a, b), sorted, in scratch.pair_keys; returns their number, even if there is no space."""
     used = sort_into_cells(shapes, scratch.heads, scratch.members, scratch.cells, scratch.tallies)
     found = 0
     for s in range(shapes.kinds.shape[0]):

@@ -52,7 +52,7 @@ def start_batches(batches):
 @inner_kernel(inline="always")
 def add_row(bodies, shapes, contacts, p, rows, batches, motion, numbers):
     """Give a pair that has points the next row."""
-    # inline: a call with so many arrays would take longer than all that is done here; numbers without a sign
+    # inline: a call with so many arrays would take longer than what is done here; numbers without a sign
     # need no look at whether they count from the end
     i, j = np.uint64(contacts.bodies[p, 0]), np.uint64(contacts.bodies[p, 1])
     a, b = np.uint64(contacts.shapes[p, 0]), np.uint64(contacts.shapes[p, 1])

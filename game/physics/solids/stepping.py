@@ -34,7 +34,7 @@ RUNAWAY = 1e7  # m/s, rad/s, ten times what a body can be given: only a solver t
 
 @lean_kernel
 def renew_pairs(bodies, shapes, pool, contacts, spare, excluded, scratch, numbers):
-    """Pairs anew, whatever moved; returns how many there are: if more than there is room for, none is
+    """Pairs anew, whatever moved; returns how many there are: if more than there is space for, none is
     changed.
     """
     make_room(bodies, numbers)

@@ -277,7 +277,7 @@ class SolidWorld(SolidBodies):
         self._scratch.air[rows, :2] = speeds
 
     def _renew(self) -> None:
-        """Find pairs again; room for them doubles where it is too small."""
+        """Find pairs again; space for them doubles where it is too small."""
         while True:
             found = renew_pairs(
                 self._bodies.rows, self._shapes.rows, self._pool.rows, self._contacts, self._spare,

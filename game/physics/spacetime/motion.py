@@ -1,13 +1,13 @@
 """Bodies that move within a bound of their acceleration, the time at which two may next touch, and bounces.
 
-From place x and velocity v, and whatever it is accelerated by up to A, a body of radius R lies at time t
-within the circle about x + v t of radius R + A t² / 2: in space and time a parabolic horn (Hubbard 1993). Two
-of them do not touch before
+From place x and velocity v, and an acceleration of at most A, a body of radius R lies at time t within the
+circle about x + v t of radius R + A t² / 2: in space and time a parabolic horn (Hubbard 1993). Two of them do
+not touch before
 
     |d + v t| = R_1 + R_2 + A t²,   d and v relative place and velocity.
 
-If their outlines are known to be L apart, they do not touch either before (|v| + |w_1| R_1 + |w_2| R_2) t +
-A t² = L, with w the rates of turning, which stay as they are between impacts.
+If their outlines are known to be L apart, they do not touch either before (|v| + |w_1| R_1 + |w_2| R_2) t + A
+t² = L. The rates of turning w stay as they are between impacts.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Grip(NamedTuple):
 def horn_time(dx, dy, vx, vy, reach, bound):
     """No earlier than this (s, at most HORIZON) is |d + v t| = reach + bound t².
 
-    The distance is convex in t and so lies above its tangent; each step goes to where the tangent meets the
+    The distance is convex in t and so lies above its tangent. Each step goes to where the tangent meets the
     bound, and never past the root.
     """
     t = 0.0

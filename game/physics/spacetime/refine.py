@@ -1,9 +1,9 @@
 """Trees of circles against each other, level by level, for as many tests as there are (Hubbard 1993).
 
 All pairs of bodies are refined breadth first together: first the roots of all of them, then the children of
-what is left, and so on, until nothing is left or the budget of tests is used up. At any moment each pair of
-bodies has a lower and an upper bound of its distance. Of two nodes the larger is replaced by its children;
-two leaves are compared exactly, edge by edge, each pair of edges counted as a test.
+what is left, and so on. It ends when nothing is left or the budget of tests is used up. At any moment each
+pair of bodies has a lower and an upper bound of its distance. Of two nodes the larger is replaced by its
+children. Two leaves are compared exactly, edge by edge, each pair of edges counted as a test.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """The circle tree of a body: each level covers it, with ever smaller circles.
 
-After Hubbard (1996), in the plane, built by splitting: the body is cut into convex pieces, a part of it is a
-set of them with the least circle about it, and a part is split in four by a cut across its longer side and
-one across each half. Every node also has a disc that lies within the body, so that two nodes bound the
-distance of two bodies from both sides:
+After Hubbard (1996), in the plane, built by splitting: the body is cut into convex pieces. A part of it is a
+set of them with the least circle about it. A part is split in four by a cut across its longer side and one
+across each half. Every node also has a disc that lies within the body, so that two nodes bound the distance
+of two bodies from both sides:
 
     |c_a - c_b| - R_a - R_b  <=  distance of the parts,   distance of the bodies  <=  |w_a - w_b| - s_a - s_b
 

@@ -33,7 +33,7 @@ class Candidates:
         self.skin = SKIN * float(composition.radii.min())
         self.pairs: Longs = np.zeros((0, 2), dtype=np.int64)
         self.found_at = np.full((s, 3), NOWHERE)
-        self.tests = 0  # of pairs, since whoever counts them set this to 0
+        self.tests = 0  # of pairs, since the caller has set this to 0
         self._buffer: Longs = np.zeros((max(64, 4 * s), 2), dtype=np.int64)
         self._boxes: Any = None
 

@@ -42,7 +42,7 @@ class ContactBuffers:
 
     @property
     def capacity(self) -> int:
-        """Contacts that there is room for."""
+        """Contacts that there is space for."""
         return len(self.contacts.keys)
 
     def general_rows(self) -> Floats:

@@ -28,7 +28,7 @@ FIRST, SECOND = range(2)  # columns of spheres and bodies
 
 
 class Contacts(NamedTuple):
-    """The contacts of a step, by ascending key, in arrays with room for so many; their number goes along."""
+    """The contacts of a step, by ascending key, in arrays with space for so many; their number goes along."""
 
     normals: NDArray[np.float64]  # (capacity, 4) unit normal from the first body to the second, gap m
     spheres: NDArray[np.int32]  # (capacity, 2), the second one -1 for walls and -2 for strings

@@ -52,7 +52,7 @@ def collide_at_once(work, positions, radii, contacts, count, rows, fastest, numb
 
 @inner_kernel
 def measure_round(work, radii, contacts, count, rows, fastest, numbers):
-    """Who takes part in a round, and the separating speed that each is to have at least.
+    """Contacts that take part in a round, and the separating speed that each is to have at least.
 
     Returns the largest restitution of a contact that approaches; -1 if none does.
     """

@@ -1,9 +1,8 @@
 """A ledger of collisions: what each one did to momentum, angular momentum and energy, and what it should do.
 
-Nothing may be lost of momentum and angular momentum (walls and fixed bodies take what they are given); the
+Nothing may be lost of momentum and angular momentum (walls and fixed bodies take what they are given). The
 energy must change by J · (u + u') / 2, the impulse times the mean of the contact points' relative velocities
-before and after.
-For smooth spheres that is -(1 - e²) m_eff v_n² / 2.
+before and after. For smooth spheres that is -(1 - e²) m_eff v_n² / 2.
 """
 
 from __future__ import annotations

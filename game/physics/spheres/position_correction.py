@@ -1,10 +1,10 @@
 """Overlap taken away from positions alone, so that no energy comes of it.
 
 `split` finds, for all contacts together, displacements along the normals that leave no more overlap than the
-slop, as accumulated impulses do it for velocities (split impulses: Bullet; Tonge and others 2012).
-`projection` moves one pair after the other, with its normal as it is by then (nonlinear Gauss-Seidel:
-Catto, Box2D). Both take into account how far bodies move in this step. ``shifts`` (n + 1, 4) m holds that,
-and what is added to it: x, y, z, inverse mass.
+slop. It does so as accumulated impulses do it for velocities (split impulses: Bullet; Tonge and others 2012).
+`projection` moves one pair after the other, with its normal as it is by then (nonlinear Gauss-Seidel: Catto,
+Box2D). Both take into account how far bodies move in this step. ``shifts`` (n + 1, 4) m holds that, and what
+is added to it: x, y, z, inverse mass.
 
 Arrays: shifts (n + 1, 4); places (s, 3) m; radii (s,) m. contacts: `Contacts`; numbers: `Numbers`.
 """

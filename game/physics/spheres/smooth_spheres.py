@@ -1,6 +1,6 @@
 """Smooth spheres from impact to impact, without a time step: what steps are measured against.
 
-Between impacts all fly freely, along lines or parabolas; the next impact is the least root of quadratics, and
+Between impacts all fly freely, along lines or parabolas. The next impact is the least root of quadratics, and
 there the impulse along the line of centres acts. All pairs are looked at for each impact, so it is for some
 dozens of spheres. Impacts at one time come in the order of the spheres.
 """

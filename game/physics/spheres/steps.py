@@ -4,7 +4,7 @@
     Guendelman, Bridson, Fedkiw 2003, "Nonconvex rigid bodies with stacking"
 
 Collisions come before forces: so what rests is not thrown by a step's worth of gravity. Explicit Euler moves
-first, by the velocities of before; the semi-implicit scheme moves last, by the new ones; exact flight by
+first, by the velocities of before. The semi-implicit scheme moves last, by the new ones; exact flight by
 their mean, which is a parabola.
 
 Arrays: work (n + 1, WORK_COLUMNS), velocities; shifts (n + 1, 4), by how much positions are corrected; pulls
@@ -110,7 +110,7 @@ def move_by_velocity(state, composition, work, numbers):
 
 @inner_kernel
 def start_shifts(work, shifts, h, scheme):
-    """How far bodies go by the velocities before forces act: none, none, or half of h."""
+    """Displacement of bodies by the velocities before forces act: none, none, or half of h."""
     part = 0.5 * h if scheme == EXACT else 0.0
     for i in range(shifts.shape[0]):
         shifts[i, 0] = part * work[i, spheres.VX]
@@ -121,7 +121,7 @@ def start_shifts(work, shifts, h, scheme):
 
 @inner_kernel
 def add_shifts(work, shifts, h, scheme):
-    """How far they go by the new velocities: not at all, for h, or for half of it."""
+    """Their displacement by the new velocities: not at all, for h, or for half of it."""
     part = 0.0 if scheme == EXPLICIT else 0.5 * h if scheme == EXACT else h
     for i in range(shifts.shape[0]):
         shifts[i, 0] += part * work[i, spheres.VX]

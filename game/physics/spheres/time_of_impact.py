@@ -1,10 +1,10 @@
 """When the next spheres come into contact: exactly, for flight under constant gravity.
 
-Two spheres fall alike, so they approach along a straight line and |d + v t| = r_a + r_b is a quadratic; its
+Two spheres fall alike, so they approach along a straight line and |d + v t| = r_a + r_b is a quadratic. Its
 constant term is taken as (d - R)(d + R), which loses no digits for spheres nearly in contact. A wall is met
-where v t - c g t² uses up the gap; c says how the scheme falls: 0 explicit, 1 semi-implicit, 1/2 exact.
-What is too slow to bounce is not waited for: a heap at rest would divide each step by all of its contacts.
-Source: Ericson, Real-Time Collision Detection (2005), 5.5.
+where v t - c g t² uses up the gap; c says how the scheme falls: 0 explicit, 1 semi-implicit, 1/2 exact. What
+is too slow to bounce is not waited for: a heap at rest would divide each step by all of its contacts. Source:
+Ericson, Real-Time Collision Detection (2005), 5.5.
 
 Arrays: places (s, 3) m; work (n + 1, WORK_COLUMNS), velocities; pairs (p, 2).
 """
@@ -177,9 +177,9 @@ def divide_at_impacts(
 ) -> Iterator[float]:
     """Lengths (s) of the parts of a substep of ``nominal`` length, one after another, each to be stepped.
 
-    time_to_impact: seconds until the first impact from where the spheres are now, at most those given.
-    pause: after a part that ends at an impact comes one of a moment, in which what has met collides before
-    anybody looks where it goes; for schemes that move last.
+    time_to_impact: seconds until the first impact from where the spheres are now, at most those given. pause:
+    after a part that ends at an impact comes one of a moment, in which what has met collides before
+    displacements are computed. For schemes that move last.
     """
     left = nominal
     most = min(IMPACTS_PER_SPHERE * spheres, MOST_IMPACTS)

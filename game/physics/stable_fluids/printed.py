@@ -1,8 +1,8 @@
 """Stable fluids as its author printed it: velocity in the middles of cells, in a box of walls.
 
 Stam 1999, "Stable Fluids", SIGGRAPH: forces, then the velocity carried along by tracing back from each cell
-through the velocity field in two stages, then viscosity implicitly, then the projection on what has no
-divergence; both linear systems solved to the end. Stam 2003, "Real-Time Fluid Dynamics for Games", GDC:
+through the velocity field in two stages. Then come viscosity implicitly, and the projection on what has no
+divergence. Both linear systems solved to the end. Stam 2003, "Real-Time Fluid Dynamics for Games", GDC:
 viscosity, projection, one straight trace back, projection again, each system by 20 sweeps of Gauss and Seidel
 from a start of nothing (of the diffusion: from the old values).
 

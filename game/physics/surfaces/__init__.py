@@ -1,5 +1,5 @@
-"""The surface by which rooms meet: points are sampled, impulses and heat are taken; no room knows
-another's classes.
+"""The surface by which rooms meet: points are sampled, impulses and heat are taken; none knows another's
+classes.
 """
 
 from game.physics.surfaces.adapters import BallSurface, DiscSurface, SphereSurface

@@ -2,7 +2,7 @@
 velocity.
 
 In each step the body's velocity is what brings it from where it is to where the curve is at the end of the
-step, so what it touches feels a velocity that agrees with its motion, and places never drift from the curve.
+step. So what it touches feels a velocity that agrees with its motion, and places never drift from the curve.
 """
 
 from __future__ import annotations

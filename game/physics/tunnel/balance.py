@@ -1,6 +1,6 @@
 """The book of momentum of a box of gas around a solid: what goes in less what is kept is the force on it.
 
-Over a rectangle of whole cells that no solid cuts: momentum and its moment that the gas holds, and what
+Over a rectangle of whole cells that no solid cuts: momentum and its moment that the gas holds. Also what
 leaves through the four sides by flow, pressure and viscosity, at the middles of faces and at nodes (second
 order). Force on the solid = -(what leaves) - (change of what is held).
 """

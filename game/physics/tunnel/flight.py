@@ -1,11 +1,11 @@
 """Flight by measured coefficients: the plates' law with drag, lift and moment from a series.
 
-Added mass, the lift of a spin (C_R) and the drag on a spin (mu_1, mu_2) are those of the plates' law for the
-ellipse of the same chord and area; no tunnel with an outline at rest can measure them. Drag, lift and moment
-of an outline that moves through air at rest are the series at its angle of attack, as Martin, Umetani and
-Bickel (2015) take them, and nothing remembers what was before. The law's own torque, -(1 - beta²) u_x u_y, is
-the moment pi/4 (1 - beta²) sin 2 alpha, and the measured one takes its place. A drag below 0, which a series
-may come to between its angles, counts as 0.
+Added mass, lift and drag of a spin (C_R, mu_1, mu_2) are those of the plates' law for the ellipse of the same
+chord and area. No tunnel with an outline at rest can measure them. An outline moves through air at rest. Its
+drag, lift and moment are the series at its angle of attack, as Martin, Umetani and Bickel (2015) take them.
+Nothing remembers what was before. The law's own torque, -(1 - beta²) u_x u_y, is the moment pi/4 (1 - beta²)
+sin 2 alpha, and the measured one takes its place. A drag below 0, which a series may come to between its
+angles, counts as 0.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """Gas that sticks to an outline where the outline is, and not at the next face of the grid inside it.
 
-The gas room lets a face that is partly open move as if all of it were open, so its gas would come to rest
+The gas room lets a face that is partly open move as if all of it were open. So its gas would come to rest
 some way, one cell on average, inside the solid. Here, after each step, faces nearer than a cell to the
-outline take the velocity on a parabola from the wall, where it is 0, through what the gas has one and two
-cells farther out (Fadlun, Verzicco, Orlandi and Mohd-Yusof 2000, with a straight line); faces inside stand
-still. Within a step, viscosity takes all these faces as given. Measured on Schäfer and Turek's cylinder
-with 20 cells across, drag by the book of momentum: 0.0 % off; with a straight line, and faces that
-viscosity moves, -1.8 %; without any of it -9.6 %.
+outline take the velocity on a parabola. It leads from the wall, where it is 0, through what the gas has one
+and two cells farther out (Fadlun, Verzicco, Orlandi and Mohd-Yusof 2000, with a straight line). Faces inside
+stand still. Within a step, viscosity takes all these faces as given. Measured on Schäfer and Turek's cylinder
+with 20 cells across, drag by the book of momentum: 0.0 % off; with a straight line, and faces that viscosity
+moves, -1.8 %; without any of it -9.6 %.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ NEAR_X, NEAR_Y, NEAR_FACTOR, FAR_X, FAR_Y, FAR_FACTOR = range(6)
 
 class NearFaces(NamedTuple):
     """Faces that are led. faces (n, 3): component, row, column; rows (n, 6): two places that are asked, in
-    points of its own field, each with the factor of what is found there; room (n,).
+    points of its own field, each with the factor of what is found there; space (n,).
     """
 
     faces: Longs

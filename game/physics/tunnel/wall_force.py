@@ -1,9 +1,9 @@
 """Pressure and friction along an outline, summed to a force and a moment.
 
 At points of the outline half a cell apart, pressure and velocity are read on the normal at 1.5 and at 3 cells
-from the wall, so that no cell that the outline cuts is asked: the pressure goes on in a straight line to the
-wall, the velocity is a parabola that is 0 on it. Where another part of the outline stands in the way, in a
-notch, both distances shrink.
+from the wall. So no cell that the outline cuts is asked: the pressure goes on in a straight line to the wall,
+the velocity is a parabola that is 0 on it. Where another part of the outline stands in the way, in a notch,
+both distances shrink.
 """
 
 from __future__ import annotations

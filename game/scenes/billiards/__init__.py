@@ -1,6 +1,6 @@
 """The billiard game on the exact table."""
 
-from game.stage.catalogue import Entry
+from game.stage.catalogue import Entry, StoryCard
 
 BILLIARDS = Entry(
     name="billiards",
@@ -15,5 +15,6 @@ BILLIARDS = Entry(
     card="draw_billiards",
     level_card="draw_level",
     start="START",
+    story=StoryCard("A02", "A billiard match", "fifteen rounds, 8 : 7"),
 )
 ENTRIES = (BILLIARDS,)

@@ -70,6 +70,7 @@ class BestPlayed(LevelEntry, frozen=True, kw_only=True):
 class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a billiards level.
 
+    alternating: in a combination match players take turns also after a stroke that counted.
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
     the second and third star. in_hand: the cue ball may be moved before each try. tries, needed: a drill is
     met if so many of so many tries meet its goal (0: there are no sets); of a run-drill, `needed` are balls.
@@ -83,6 +84,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     ] = "eight-ball"  # fmt: skip
     players: tuple[Name, Name] = ("Ada", "Ben")
     calling: Literal["all", "eight", "none"] = "none"
+    alternating: bool = False
     balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=16)] = []
     goal: Goal | None = None
     more: Annotated[list[Goal], msgspec.Meta(max_length=2)] = []
@@ -139,6 +141,8 @@ def game_of(content: BilliardsContent) -> AnyGame:
         game = msgspec.structs.replace(game, players=(content.players[0], game.players[GHOST]))
     elif content.game != "practice":
         game = msgspec.structs.replace(game, players=tuple(content.players))
+    if content.game == "combination":
+        game = msgspec.structs.replace(game, alternating=content.alternating)
     if content.game == "eight-ball":
         game = msgspec.structs.replace(game, calling=content.calling)
     if placed:

@@ -13,6 +13,7 @@ from game.billiards.laws.state import BALL_POCKET
 from game.scenes.shared.tables.outcome import Outcome
 
 SETS = ("tries", "needed")  # fields of drills
+TURNS = "alternating"  # of a combination match
 OWN = ("set_up", "hand")  # fields of practice
 
 
@@ -55,8 +56,8 @@ def decided_by(played: Played | None) -> Decided | None:
 def _said(frame: Frame) -> object:
     """What a frame says, but for the frames before it."""
     last, game = frame.last, msgspec.to_builtins(frame.game)
-    # the word of a game without sets, or a position of one's own, stays what it was before there were any
-    for name in (*SETS, *(OWN if isinstance(frame.game, Practice) else ())):
+    # the word of a game without sets, turns or a position of one's own stays what it was before these
+    for name in (*SETS, TURNS, *(OWN if isinstance(frame.game, Practice) else ())):
         if not game.get(name, True):
             del game[name]
     return (

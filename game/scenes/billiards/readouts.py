@@ -9,11 +9,16 @@ import numpy as np
 from game.billiards.game.rules import CUE_BALL
 from game.physics.kernels import linear
 from game.scenes.billiards.play import PHASE_S, REPLAY, REPLAY_S, ROLLING, Play
+from game.scenes.billiards.story.targets import StrokeSeen
+from game.scenes.billiards.story.throw import Contact, throw_by_law
 from game.stage import Readout
 
 
-def readouts(play: Play) -> tuple[Readout, ...]:
-    """Balls, energy (of motion, without spin), speed of the cue ball, events so far, strokes, time."""
+def readouts(play: Play, seen: StrokeSeen) -> tuple[Readout, ...]:
+    """Balls, energy (of motion, without spin), speed of the cue ball, events so far, strokes, time.
+
+    Then how far the first contact cuts and throws, beside the law, and what is down and scored.
+    """
     frame = play.model.frame
     energy, speed, count = _measured(play)
     return (
@@ -23,6 +28,34 @@ def readouts(play: Play) -> tuple[Readout, ...]:
         Readout("events", count),
         Readout("strokes", frame.strokes),
         Readout("shot", float(play.clock[PHASE_S]) if play.phase == ROLLING else 0.0, "s"),
+        *_of_contact(seen.contact),
+        Readout("down", len(seen.fallen) if play.phase == ROLLING else 0),
+        *_scored(play),
+    )
+
+
+def _scored(play: Play) -> tuple[Readout, ...]:
+    """Points of both players in a game that counts them, and whether it is over."""
+    game = play.model.frame.game
+    points = [*getattr(game, "points", ()), 0, 0][:2]
+    names = ("points of the first", "points of the second")
+    return (
+        *(Readout(name, int(value)) for name, value in zip(names, points, strict=True)),
+        Readout("over", int(game.over)),
+    )
+
+
+def _of_contact(contact: Contact | None) -> tuple[Readout, ...]:
+    """Cut and throw of the first contact, degrees, what the law says, and how far both are apart."""
+    cut = throw = law = math.nan
+    if contact is not None:
+        cut, throw = math.degrees(contact.cut), math.degrees(contact.throw)
+        law = math.degrees(throw_by_law(contact.cut, contact.speed, contact.roll, contact.side))
+    return (
+        Readout("cut", cut, "°"),
+        Readout("throw", throw, "°"),
+        Readout("throw by law", law, "°"),
+        Readout("throw error", abs(throw - law), "°"),
     )
 
 

@@ -41,7 +41,7 @@ def content_of(play: Play, maker: DrillMaker) -> BilliardsContent:
         return model.content
     return BilliardsContent(
         game=model.content.game, players=model.content.players, calling=model.content.calling,
-        balls=_placed(frame.layout), solution=model.content.solution,
+        alternating=model.content.alternating, balls=_placed(frame.layout), solution=model.content.solution,
         saved=msgspec.to_builtins(game), tallies=frame.tallies,
         rack_tallies=frame.rack_tallies, log=text_of_log(play.log),
         best=_told(best) if best is not None else None,

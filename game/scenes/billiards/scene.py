@@ -33,6 +33,8 @@ from game.scenes.billiards.practice.sets import drill_title, standing_set
 from game.scenes.billiards.practice.side import DECISIONS, Side
 from game.scenes.billiards.readouts import readouts
 from game.scenes.billiards.sounds import StrokeSounds
+from game.scenes.billiards.story.targets import StrokeSeen
+from game.scenes.billiards.story.throw import throw_chart
 from game.scenes.billiards.stroke.aiming import Aiming
 from game.scenes.billiards.stroke.motion import warm_ups as cue_warm_ups
 from game.scenes.billiards.view.beside.column import ColumnView
@@ -43,6 +45,7 @@ from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.stage import (
     Action,
+    Comparison,
     Decision,
     Equation,
     Frame,
@@ -122,6 +125,7 @@ class Billiards(CueGameScene):
         self.hand = BilliardsHand(self.play, self.replay, self.set_up, self.buttons)
         self.opponents = Opponents(self.play, self.seed)
         self.sounds = StrokeSounds(self.play, self.replay)
+        self.seen = StrokeSeen(self.play)
         on_cloth = OnCloth(self.play, self.advisor, self.maker)
         self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, on_cloth, level)
         self.column = ColumnView(self.play, self.side, self.advisor, level)
@@ -173,7 +177,16 @@ class Billiards(CueGameScene):
         self.column.draw(canvas)
 
     def readouts(self) -> tuple[Readout, ...]:
-        return readouts(self.play)
+        return readouts(self.play, self.seen)
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return self.seen.targets()
+
+    def story_names(self) -> list[tuple[tuple[float, float], str]]:
+        return self.seen.names()
+
+    def story_charts(self) -> dict[str, Comparison]:
+        return {"throw": throw_chart(self.seen.contact)}
 
     # -- what is kept -------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 """Which field later steps depend on although neither ``state`` nor the stage's memory brings it back.
 
 A scene steps, is put back and steps again. If it comes to another state than the first time, whatever is not
-what it was after being put back may be the cause; a field is named if giving it back by hand mends that.
+what it was after being put back may be the cause. A field is named if giving it back by hand mends that.
 """
 
 from __future__ import annotations

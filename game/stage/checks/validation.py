@@ -1,4 +1,4 @@
-"""The door by which every event comes in: only what the scene can know, in plain numbers."""
+"""The check that every event passes: only what the scene can know, in plain numbers."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def checked_event(event: StageEvent, scene_type: type[Scene], level: Level | Non
 
 
 def locked_parameters(level: Level | None) -> frozenset[str]:
-    """Names of the parameters that nobody can change in a level."""
+    """Names of the parameters that cannot be changed in a level."""
     return level.teaching.fixed if level is not None and level.teaching is not None else frozenset()
 
 

@@ -22,7 +22,7 @@ from game.stage.session import Session
 
 
 class Cue(Protocol):
-    """Who has a say before each step, such as a story."""
+    """What has a say before each step, such as a story."""
 
     def before_step(self) -> None:
         """Post what is due at the step at which the stage stands; it may have gone back."""
@@ -133,7 +133,7 @@ class BegunStage:
         return checked_event(event, self.scene_type, self.level)
 
     def let_go(self) -> None:
-        """Take back a drag that is under way, as nobody holds it any more."""
+        """Take back a drag that is under way, as it is held no more."""
         self._session.let_go()
         self._follow_session()
 

@@ -33,8 +33,8 @@ class PacedStage(BegunStage):
     def play_or_pause(self, own: bool = True) -> None:
         """Go on if it is `still`, else stand still.
 
-        Of a scene that has a ``play_action`` its own timeline pauses, and steps are made all the same; but
-        not while remembered events act again, which an action would end, nor if it is not to (``own``).
+        Of a scene that has a ``play_action`` its own timeline pauses, and steps are made all the same. But it
+        does not while remembered events act again, which an action would end, nor if it is not to (``own``).
         """
         own = own and not self._session.repeating and bool(self.scene.play_action)
         rests = own and self.scene.resting

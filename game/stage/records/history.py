@@ -1,7 +1,7 @@
 """What was practised, set by set, in one file of the user's folder: practice.json.
 
 Format 1: {"format": 1, "sets": [{"key", "title", "when", "made", "tried", "of"}, ...]}, the oldest first. A
-file that cannot be understood is kept beside as practice.broken.json; one of a later version is left as it
+file that cannot be understood is kept beside as practice.broken.json. One of a later version is left as it
 is, and nothing is written over it.
 """
 

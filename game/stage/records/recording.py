@@ -1,7 +1,7 @@
 """A recording: how a scene began, and every event with the step it acted before. That is all a replay needs.
 
-Kept as JSON. The level is embedded whole, so a recording does not depend on files; digests on the way and
-at the end tell whether a replay went the same way.
+Kept as JSON. The level is embedded whole, so a recording does not depend on files. Digests on the way and at
+the end tell whether a replay went the same way.
 """
 
 from __future__ import annotations

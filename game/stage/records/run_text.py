@@ -4,10 +4,10 @@
 
 Format 1, all in ASCII. SCENE is the scene's name. DIGEST is that of the run's end, which a replay must come
 to (`game.stage.states.state.digest_of`). PAYLOAD is base64url without padding (RFC 4648, section 5) of a zlib
-stream (RFC 1950) with the preset dictionary WORDS; the stream holds the recording as JSON in UTF-8 (see
-`recording.Recording`), without the fields that have their default, and without scene and digest, which stand
-before it. Digests on the way are left out. White space anywhere, and ``>`` at the beginning of lines, as mail
-adds them, is passed over. WORDS belongs to the format: another dictionary would be format 2.
+stream (RFC 1950) with the preset dictionary WORDS. The stream holds the recording as JSON in UTF-8 (see
+`recording.Recording`), without the fields that have their default. Scene and digest stand before it. Digests
+on the way are left out. White space anywhere, and ``>`` at the beginning of lines, as mail adds them, is
+passed over. WORDS belongs to the format: another dictionary would be format 2.
 """
 
 from __future__ import annotations

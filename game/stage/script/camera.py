@@ -1,9 +1,8 @@
 """The camera of a story: where it looks at each moment of the film, and how wide.
 
 It is found as the story goes on, from what is known then: keys of (x, y, log width) are laid a little ahead
-of the picture, where what is followed is expected to be, and the picture goes through them by a monotone
-cubic. So it is the same in a window, in a film and after a step back. It only looks, and is no part of the
-state.
+of the picture, where what is followed is expected to be. The picture goes through them by a monotone cubic.
+So it is the same in a window, in a film and after a step back. It only looks, and is no part of the state.
 """
 
 from __future__ import annotations

@@ -153,7 +153,7 @@ class Course:
     def waiting(self) -> list[tuple[int, float]]:
         """Lines that may begin, each with the moment of the film from which on it may.
 
-        They stand in the order of their turn: who has waited longest for words to go comes first.
+        They stand in the order of their turn: the one that has waited longest for words to go comes first.
         """
         lines = self.story.lines
         found = [

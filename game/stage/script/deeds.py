@@ -12,7 +12,7 @@ RATE_HZ = 60.0  # of simulated time: how often a deed that takes time goes on
 
 
 def events_of(deed: Deed, place: Point, to: Point) -> list[StageEvent]:
-    """All that is done at once; of a deed that takes time its beginning and end as well."""
+    """Deeds that are done at once; of a deed that takes time its beginning and end as well."""
     if deed.pointer == "drag":
         return [*begin_of(deed, place), *end_of(deed, to)]
     return begin_of(deed, place) if not deed.over else end_of(deed, to)

@@ -125,13 +125,15 @@ class Say(Line, frozen=True, kw_only=False):
 class Moment(Line, frozen=True, kw_only=False):
     """Waits until the state is so. when: one or more of "READOUT > NUMBER" (or <, >=, <=), all at a time.
 
-    deadline: s of simulated time that it may take. chapter: how the film calls what begins then.
+    deadline: s of simulated time that it may take. chapter: how the film calls what begins then; quiet: no
+    chapter begins.
     """
 
     moment: Name
     when: str | tuple[str, ...]
     deadline: Annotated[float, msgspec.Meta(gt=0.0, le=3600.0)]
     chapter: Annotated[str, msgspec.Meta(max_length=60)] = ""
+    quiet: bool = False
 
     @property
     def conditions(self) -> tuple[str, ...]:
@@ -140,7 +142,9 @@ class Moment(Line, frozen=True, kw_only=False):
 
     @property
     def heading(self) -> str:
-        """The name of its chapter."""
+        """The name of its chapter; "" if it begins none."""
+        if self.quiet:
+            return ""
         return self.chapter or self.moment[0].upper() + self.moment[1:]
 
 

@@ -67,8 +67,8 @@ def filled(caption: str, readouts: Iterable[Readout]) -> str:
 def thresholds_in(caption: str, conditions: Iterable[Condition], values: Mapping[str, Readout]) -> list[str]:
     """The readouts of a caption of which it would give no more than what its moment waited for.
 
-    As a moment is the step at which a readout passes a number, the readout has that number then; a count
-    excepted, which is what it is.
+    As a moment is the step at which a readout passes a number, the readout has that number then. A count is
+    what it is.
     """
     named = set(named_in(caption))
     found = []

@@ -1,7 +1,7 @@
 """Snapshots for stepping back: a full state now and then, within a budget of bytes.
 
-What lies between two snapshots is made again by restoring the earlier one and stepping, with the events
-that acted since. The budget holds for the copies of states; the newest snapshot is kept even if it alone is
+What lies between two snapshots is made again by restoring the earlier one and stepping, with the events that
+acted since. The budget holds for the copies of states. The newest snapshot is kept even if it alone is
 larger, so that a scene can always return to a state that was good.
 """
 
@@ -20,7 +20,7 @@ OVERHEAD = 600  # bytes of a snapshot beside its state
 
 
 class Snapshot(NamedTuple):
-    """All that is needed to go on from a step as if nothing had happened since."""
+    """What is needed to go on from a step as if nothing had happened since."""
 
     step: int
     dt: float  # s

@@ -94,7 +94,8 @@ class Rehearsal(msgspec.Struct, frozen=True):
     def chapters(self) -> tuple[MomentTime, ...]:
         """All chapters in the order of the film; the first is its beginning."""
         first = MomentTime("", BEGINNING, 0, 0.0, 0.0)
-        return (first, *sorted(self.moments, key=lambda one: one.step))
+        begun = [one for one in self.moments if one.chapter]
+        return (first, *sorted(begun, key=lambda one: one.step))
 
 
 def stage_of(story: Story, scene_type: type[Scene], **more: Any) -> Stage:

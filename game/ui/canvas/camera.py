@@ -1,8 +1,8 @@
 """The camera: world units to window pixels and back, with pan, zoom and smooth changes of view.
 
-A view is a centre and a scale (pixels to a world unit). Quarter turns and the sense of y are part of the
-map, so a scene always speaks in its own frame. Changes of view follow a critically damped spring whose
-steps are exact, so that the path does not depend on the frame rate; a drag follows the hand at once.
+A view is a centre and a scale (pixels to a world unit). Quarter turns and the sense of y are part of the map,
+so a scene always speaks in its own frame. Changes of view follow a critically damped spring whose steps are
+exact, so that the path does not depend on the frame rate. A drag follows the hand at once.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The canvas: what a scene draws on, in world units, with colours by name and sizes in design pixels.
 
-Every shape goes straight into the pixels through a kernel, in the order it is asked for; text and pictures
-are blits on the same memory. What is not finite or absurdly far away is not drawn, and nothing raises for
-it. Angles are world angles (rad), lengths world units, unless a name says px: those are design pixels.
+Every shape goes straight into the pixels through a kernel, in the order it is asked for. Text and pictures
+are blits on the same memory. What is not finite or absurdly far away is not drawn, and nothing raises for it.
+Angles are world angles (rad), lengths world units, unless a name says px: those are design pixels.
 """
 
 from __future__ import annotations

@@ -50,8 +50,8 @@ class FieldCanvas(LightCanvas):
     ) -> None:  # fmt: skip
         """Smoke and light (rows, columns, 2), both 0 to 1, over what is drawn, between two corners.
 
-        The first covers with the colour ``smoke``; the second is light in the colours of ``stops``, added
-        (the first stop is black then), or laid over where ``adds`` is false, as on a light ground.
+        The first covers with the colour ``smoke``. The second is light in the colours of ``stops``, added
+        (the first stop is black then). Where ``adds`` is false it is laid over, as on a light ground.
         """
         cells = np.ascontiguousarray(values, dtype=np.float32)
         if len(self._veil_room.share) < self._pixels.shape[1]:

@@ -1,6 +1,6 @@
 """A pen for small drawings, of the menu's cards and the help pages: no kernel is needed.
 
-Everything is drawn four times larger in a frame of its own measures and reduced at the end; words and
+Everything is drawn four times larger in a frame of its own measures and reduced at the end. Words and
 formulas are set after that, at their true size.
 """
 

@@ -1,7 +1,7 @@
 """A study's table as the accuracy overlay shows it: series, orders, costs of a round error, a sentence.
 
-Where a study has very many points of a method, its line runs along the upper envelope and the points lie
-about it as a cloud. Runs still to come are placed by straight lines through those there are, in logarithms.
+Where a study has very many points of a method, its line runs along the upper envelope. The points lie about
+it as a cloud. Runs still to come are placed by straight lines through those there are, in logarithms.
 """
 
 from __future__ import annotations
@@ -163,7 +163,7 @@ def _in_turn(study: Study, rows: Sequence[Row]) -> list[Row]:
 
 
 def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) -> list[PlotPoint]:
-    """Where the runs of a method that are still to come may lie; none without enough to go by."""
+    """Where the runs of a method that are still to come may lie; none without enough points."""
     if study.axes != ACCURACY:
         return []
     good = [row for row in rows if row.error > study.floor and row.cpu_s > 0.0 and row.knob > 0.0]

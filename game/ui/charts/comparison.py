@@ -1,6 +1,6 @@
 """A small chart in a corner of a story's picture: what is measured over what is expected.
 
-A curve has two axes with their names and units, the measured one whole and the expected one dashed; a mark is
+A curve has two axes with their names and units, the measured one whole and the expected one dashed. A mark is
 two bars on one axis, each with its number. Both say what they are called.
 """
 
@@ -94,7 +94,7 @@ def _draw_curves(card: pygame.Surface, look: Look, body: pygame.Rect, shown: Com
 
 
 def _draw_key(card: pygame.Surface, look: Look, body: pygame.Rect, names: tuple[str, str]) -> None:
-    """Both names, each behind a piece of its line; the second goes below where there is no room beside."""
+    """Both names, each behind a piece of its line; the second goes below where there is no space beside."""
     px, brush = look.px, Brush(card, card.get_rect(), look)
     x, y = body.x, body.y + px(8)
     for name, color in zip(names, (MEASURED, EXPECTED), strict=True):

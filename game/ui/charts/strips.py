@@ -1,10 +1,9 @@
 """Strip charts: measured values over the last ten seconds, below the stage.
 
-Three rules with their numbers at the left, a line for each series with its last point, the first one over a
-fading ground, exact values dashed; name and value stand at the line's end, pushed apart. In a low window only
-the last values are shown.
-Each chart is redrawn twenty times a second, which is one pixel of its way, and never two in one frame;
-values are those of the moment at which all numbers in the window change.
+Three rules have their numbers at the left. Each series has a line with its last point, the first one over a
+fading ground, exact values dashed. Name and value stand at the line's end, pushed apart. In a low window only
+the last values are shown. Each chart is redrawn twenty times a second, which is one pixel of its way, and
+never two in one frame. Values are those of the moment at which all numbers in the window change.
 """
 
 from __future__ import annotations
@@ -96,7 +95,7 @@ class Strips:
         self.show(strips)
 
     def show(self, strips: Sequence[Strip | Phase]) -> None:
-        """Other charts from now on; they are placed by who calls."""
+        """Other charts from now on; the caller places them."""
         self.strips = tuple(strips)
         self._axes, self._phases, self._stage, self._painted = {}, {}, None, {}
 

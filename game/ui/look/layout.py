@@ -22,7 +22,7 @@ DRAWER_BELOW = 1120  # design px of window width
 TWO_CHARTS_BELOW = 880  # design px of stage width
 VALUES_BELOW = 600  # design px of window height
 SMALLEST = (320, 240)  # design px that the regions need; below that the scale shrinks instead
-COMFORTABLE = (480, 360)  # design px that cards need; nobody's own scale makes a window smaller than that
+COMFORTABLE = (480, 360)  # design px that cards need; no chosen scale makes a window smaller than that
 EDGES, SMALL_EDGES, SMALL_BELOW = (32, 48), (16, 16), 560  # design px about a card; of a window's side
 
 

@@ -19,7 +19,7 @@ _PREFIXES = (
     (1e-9, "n"),
     (1e-12, "p"),
 )
-SMALLEST = 1e-13  # rounding; a prefix that nobody knows, or noughts after the point, would say less
+SMALLEST = 1e-13  # rounding; a prefix that few know, or noughts after the point, would say less
 _PREFIXED = frozenset({"m", "s", "g", "N", "J", "W", "Hz", "Pa", "B", "V", "A"})
 _RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _SUPERSCRIPT = str.maketrans("-0123456789", _RAISED)
@@ -60,10 +60,9 @@ def format_number(value: float, digits: int = 3) -> str:
 def quantity(value: float, unit: str, digits: int = 3) -> Quantity:
     """Number and unit with an SI prefix in place of an exponent: 0.0000184 s is 18.4 µs.
 
-    Only plain units and rates of them take a prefix ("m", "m/s", "N s"); squares, angles, "1/s" and
-    per cent do not. Less than a kilogram counts from the gram; nobody weighs
-    in megagrams. Below a tenth of a pico there is no prefix but a power of ten. A count (an integer without
-    unit) is shown whole.
+    Only plain units and rates of them take a prefix ("m", "m/s", "N s"); squares, angles, "1/s" and per cent
+    do not. Less than a kilogram counts from the gram; megagrams are no unit of daily life. Below a tenth of a
+    pico there is no prefix but a power of ten. A count (an integer without unit) is shown whole.
     """
     if isinstance(value, Integral) and not unit:
         return Quantity(format_number(value), unit)

@@ -1,7 +1,7 @@
 """Rounded boxes, discs and shadows of the interface: crisp, cached, and without a compiled kernel.
 
-Everything around the stage must be drawn while kernels are still compiling, so these are small numpy
-pictures of the exact distance to the outline, made once for each size and colour and then copied.
+Everything around the stage must be drawn while kernels are still compiling. So these are small numpy pictures
+of the exact distance to the outline, made once for each size and colour and then copied.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 One accent (chalk blue), one marker (amber: here, now, touched, changed), ivory or ink for what is measured.
 Contrast of the text colours on every surface colour is at least 4.5 to 1. The data colours are Okabe and
-Ito's hues (2008) with their lightness spread, so that they stay apart in all three dichromacies; each also
+Ito's hues (2008) with their lightness spread, so that they stay apart in all three dichromacies. Each also
 has a marker shape, because colour never speaks alone.
 """
 

@@ -1,9 +1,9 @@
 """All balls of a table, shaded and rolling, straight into the pixels: one sample a pixel.
 
 For each pixel of a ball: the unit normal, its place in the ball's own frame (number, stripe or spots), light
-from two long lamps and from the cloth, their mirror images, and the share of the pixel that the ball covers.
-All shadows are laid before all balls. ``ball_picture`` is the plain numpy twin; colours, markings and lamps
-are in ``ball_look``.
+from two long lamps and from the cloth. Then their mirror images. Last, the share of the pixel that the ball
+covers. All shadows are laid before all balls. ``ball_picture`` is the plain numpy twin; colours, markings and
+lamps are in ``ball_look``.
 """
 
 from __future__ import annotations

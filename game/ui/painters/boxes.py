@@ -1,8 +1,8 @@
 """Very many axis-aligned boxes at once, of kinds with a fill and an outline each; and cells shaded by load.
 
-A box too small for an outline is filled with its outline's colour, by the share of each pixel that it
-covers; where there are very many, by whole pixels. Between two states a box is drawn between its two places,
-unless it has leapt.
+A box too small for an outline is filled with its outline's colour, by the share of each pixel that it covers.
+Where there are very many, by whole pixels. Between two states a box is drawn between its two places, unless
+it has leapt.
 """
 
 from __future__ import annotations

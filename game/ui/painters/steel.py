@@ -1,5 +1,5 @@
-"""Steel balls as they are seen: each pixel mirrors a room that is bright above and dark about its horizon,
-with a window on the left; three small dots show how a ball turns.
+"""Steel balls as they are seen: each pixel mirrors surroundings that are bright above and dark about its
+horizon, with a window on the left. Three small dots show how a ball turns.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ NIGHT = Room((196.0, 192.0, 186.0), (30.0, 36.0, 46.0), (112.0, 98.0, 84.0), 110
 
 @inner_kernel
 def mirrored(up, ceiling, horizon, floor):
-    """One colour of the room by the height (-1 to 1) in which it is seen."""
+    """One colour of the surroundings by the height (-1 to 1) in which it is seen."""
     if up >= 0.0:
         share = min(up * 3.0, 1.0)
         return horizon + (ceiling - horizon) * share * (0.72 + 0.28 * up)
@@ -65,7 +65,7 @@ def shade(u, v, c, s, room):
 
 @lean_kernel
 def paint_steel(pixels, clip, places, radii, turns, room):
-    """Balls at places (n, 2) px of radii (n,) px, turned by cosines and sines (n, 2); room (10,)."""
+    """Balls at places (n, 2) px of radii (n,) px, turned by cosines and sines (n, 2); surroundings (10,)."""
     for i in range(radii.shape[0]):
         x, y, r = places[i, 0], places[i, 1], radii[i]
         if not (abs(x) < 1e6 and abs(y) < 1e6 and 0.3 < r < 1e4):
@@ -83,7 +83,7 @@ def paint_steel(pixels, clip, places, radii, turns, room):
 
 
 def room_of(dark: bool) -> Floats:
-    """The room as the kernel reads it, (10,)."""
+    """The surroundings as the kernel reads them, (10,)."""
     one = NIGHT if dark else DAY
     return np.array([*one.above, *one.horizon, *one.below, one.window])
 

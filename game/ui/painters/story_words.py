@@ -13,8 +13,6 @@ SIZE, LEADING = 21, 1.36  # design px, of a caption's letters; times that from l
 WIDEST = 0.74  # of the picture's width
 ROW = (18, 10)  # design px about a caption's words
 EDGE = 0.045  # of the picture's height from a caption to its edge
-ROW_SHARE = 0.5  # of a row's width, between what stands at its ends
-SMALLEST = 11
 FADE_S = 0.25
 CARD_FADE_S = 0.6
 LIGHT_VEIL = 178  # of 255, over the picture behind a card of dark words
@@ -59,23 +57,6 @@ def draw_caption(
         y += SIZE * LEADING * look.k
     card.set_alpha(round(255 * opacity))
     surface.blit(card, place)
-
-
-def draw_row_caption(
-    surface: pygame.Surface, look: Look, row: pygame.Rect, text: str, opacity: float
-) -> None:
-    """A caption in one line in the middle of a row (px) of its own, as large as fits there."""
-    if opacity <= 0.0 or not text:
-        return
-    room = round(ROW_SHARE * row.w)
-    fitting = [
-        size for size in range(SIZE, SMALLEST, -1) if look.fonts.size(text, size, "semibold")[0] <= room
-    ]
-    size = fitting[0] if fitting else SMALLEST
-    words = look.fonts.fit(text, size, "semibold", room)
-    picture = look.fonts.render(words, size, "semibold", look.color("text1", words=True)).copy()
-    picture.set_alpha(round(255 * opacity))
-    surface.blit(picture, picture.get_rect(center=row.center))
 
 
 def _lines(look: Look, rect: pygame.Rect, text: str) -> list[str]:

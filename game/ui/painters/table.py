@@ -84,9 +84,9 @@ def fit_table(area: pygame.Rect, table: Table) -> TableView:
 
 class Dress(NamedTuple):
     """What a table wears: the cloth's colour; of its cushions 0xRRGGBB on the slope towards the lamp, the
-    other slopes, the top of the short rails and of the long ones, under the nose. spots: places as shares
-    of width and length; line: share of the length at which a line is drawn across, None for none. sights: the
-    frame has diamonds.
+    other slopes. Then the top of the short rails and of the long ones, under the nose. spots: places as
+    shares of width and length; line: share of the length at which a line is drawn across, None for none.
+    sights: the frame has diamonds.
     """
 
     felt: pygame.Color

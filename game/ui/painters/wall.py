@@ -58,7 +58,7 @@ class Wall:
         self._picture: Inks = np.zeros((1, 1), np.uint32)
 
     def draw(self, canvas: Canvas, dark: bool) -> None:
-        """All that is behind the run."""
+        """What is behind the run."""
         if dark != self._dark:
             self._dark, self._picture = dark, wall_picture(dark, self._foot)
         pixels, clip = canvas.raster_target

@@ -1,6 +1,6 @@
 """pygame_gui's manager, as the panel needs it: themed, in the panel's own coordinates, moved by events alone.
 
-The stock manager reads the real mouse each frame; this one believes only what it is told, so that a posted
+The stock manager reads the real mouse each frame. This one believes only what it is told, so that a posted
 event and a hand do the same, with or without a screen.
 """
 

@@ -1,7 +1,7 @@
 """The panel at the right of a scene, from its declarations: level, parameters by group, effects, measures.
 
-Values come from the scene and go to it as stage events only, so a change from elsewhere (replay, step back,
-a level) shows at once. Scrolling moves the sheet of rows behind the panel's window; the foot stays.
+Values come from the scene and go to it as stage events only. So a change from elsewhere (replay, step back, a
+level) shows at once. Scrolling moves the sheet of rows behind the panel's window; the foot stays.
 """
 
 from __future__ import annotations

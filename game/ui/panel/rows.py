@@ -1,7 +1,7 @@
 """Rows of the panel: controls that live in pygame_gui's tree and paint themselves.
 
-A row is as wide as the panel. It repaints only when what it shows has changed, and says what a person did
-by sending a stage event or a command; it never changes a value itself, but follows the scene's.
+A row is as wide as the panel. It repaints only when what it shows has changed, and says what a person did by
+sending a stage event or a command. It never changes a value itself, but follows the scene's.
 """
 
 from __future__ import annotations

@@ -263,7 +263,7 @@ class PanelSheet:
 
     @property
     def is_quiet(self) -> bool:
-        """Whether nobody is at it: then rows follow the scene without pygame_gui's turn."""
+        """Whether it is left alone: then rows follow the scene without pygame_gui's turn."""
         return not (self.typing or self.is_held or self.has_keys or self.has_open_list)
 
     def follow(self, dt_s: float) -> None:

@@ -1,6 +1,6 @@
 """A number in the panel: dragged along a track, typed into a field, put back by a double click.
 
-The track is linear or by decades, in whole numbers or in grains; what is typed goes through the parameter's
+The track is linear or by decades, in whole numbers or in grains. What is typed goes through the parameter's
 own check and is refused with its message, the old value staying.
 """
 

@@ -1,6 +1,6 @@
 """Filled polygons and arrows with exact coverage; the ground under a curve.
 
-Each edge adds the area it cuts off, row by row, to ``area``; summing a row from the left gives every pixel's
+Each edge adds the area it cuts off, row by row, to ``area``. Summing a row from the left gives every pixel's
 covered share, as in FreeType's smooth rasteriser (Levoy 1990; Raph Levien's font-rs, 2016).
 """
 

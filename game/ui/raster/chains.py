@@ -1,7 +1,7 @@
 """Chains of straight lines and dashes, never blended twice with themselves.
 
-A chain is first covered (the larger coverage wins where two segments overlap), then laid over the picture in
-one go and the cover wiped; so a transparent line has no darker joins or crossings.
+A chain is first covered: the larger coverage wins where two segments overlap. Then it is laid over the
+picture in one go, and the cover wiped. So a transparent line has no darker joins or crossings.
 """
 
 from __future__ import annotations

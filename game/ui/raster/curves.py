@@ -43,7 +43,7 @@ def thin_curve(points: Any, tolerance: float, kept: Any) -> int:
     """Write the points of a curve that cannot be left out into ``kept``; how many they are.
 
     ``points`` (n, 2) px with ascending x, ``kept`` (m, 2), m >= n. A point is left out while a straight line
-    from the last one kept passes all since within ``tolerance`` px; the line's slope is narrowed point by
+    from the last one kept passes all since within ``tolerance`` px. The line's slope is narrowed point by
     point (the swing filter of Elmeleegy and others, 2009), so one pass does. One that is not finite is kept
     as a break.
     """

@@ -15,7 +15,7 @@ ALL, NONE, LAST = np.float32(SHADES), np.float32(0.0), np.float32(SHADES - 1)
 
 
 class FieldRoom(NamedTuple):
-    """Room to work in, for so many columns of values in pictures so many pixels wide."""
+    """Space to work in, for so many columns of values in pictures so many pixels wide."""
 
     row: NDArray[np.float32]  # (columns,) values at the height of a row of pixels
     first: NDArray[np.int32]  # (width,) the cell whose middle is left of each column of pixels
@@ -36,7 +36,7 @@ def paint_field(pixels: Any, clip: Any, values: Any, box: Any, table: Any, room:
     """Lay values (rows, columns), 0 to 1, over a box of the picture, linearly between the middles of cells.
 
     box: (4,) px, left, top, right and bottom, the first row at its lower end. table: (256,) colours of 0 to
-    1; room: `FieldRoom`. What is outside 0 to 1 takes the nearest colour, nan the first.
+    1; space: `FieldRoom`. What is outside 0 to 1 takes the nearest colour, nan the first.
     """
     left, top, right, bottom = box[0], box[1], box[2], box[3]
     if not (is_drawable(left) and is_drawable(top) and is_drawable(right) and is_drawable(bottom)):

@@ -1,8 +1,8 @@
 """Smoke and flames as one veil over a picture: what covers by its thickness, and light that is added or
 laid.
 
-A row of cells is spread over the columns of the picture once; a row of pixels lies between two of those, and
-is laid in a few plain loops over all its pixels, each of which the compiler makes of vector instructions.
+A row of cells is spread over the columns of the picture once. A row of pixels lies between two of those, and
+is laid in a few plain loops over all its pixels. The compiler makes each loop of vector instructions.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ LAST = np.float32(SHADES - 1)
 
 
 class VeilRoom(NamedTuple):
-    """Room to work in, for pictures so many pixels wide."""
+    """Space to work in, for pictures so many pixels wide."""
 
     wide: NDArray[np.float32]  # (4, width) smoke and light of two rows of cells
     share: NDArray[np.float32]  # (width,) of the second cell in each column
@@ -158,9 +158,9 @@ def paint_veil(
 ) -> None:
     """Lay a veil (rows, columns, 2) float32 over a box of the picture, linearly between the middles of cells.
 
-    Its SMOKE, 0 to 1, covers with the colour ``smoke``; then its LIGHT, 0 to 1, is added in the colour of
-    table (256,), or, unless it ``adds``, laid over as thickly as it is strong. box: (4,) px, left, top,
-    right and bottom, the first row at its lower end. room: `VeilRoom`, as wide as the picture.
+    Its SMOKE, 0 to 1, covers with the colour ``smoke``. Then its LIGHT, 0 to 1, is added in the colour of
+    table (256,), or, unless it ``adds``, laid over as thickly as it is strong. box: (4,) px, left, top, right
+    and bottom, the first row at its lower end. space: `VeilRoom`, as wide as the picture.
     """
     left, top, right, bottom = box[0], box[1], box[2], box[3]
     if not (is_drawable(left) and is_drawable(top) and is_drawable(right) and is_drawable(bottom)):

@@ -1,7 +1,7 @@
 """Places for labels on one picture: none over another, none cut off by the edge.
 
-A label that would cross another is pushed out of it by the shortest way, so that it glides along with what
-it names instead of leaping; only where that leads nowhere is the nearest free place around taken.
+A label that would cross another is pushed out of it by the shortest way. So it glides along with what it
+names instead of leaping. Only where that leads nowhere is the nearest free place around taken.
 """
 
 from __future__ import annotations

@@ -17,8 +17,8 @@ written                 meaning
 ======================  =====================================================================
 
 A node is a plain tuple whose first member is its kind: ("symbol", text, face, class), ("row", nodes),
-("fraction", above, below), ("root", node), ("script", base, below, above), ("accent", sign, node),
-("fence", left, node, right), ("matrix", rows), ("space", em).
+("fraction", above, below), ("root", node), ("script", base, below, above), ("accent", sign, node), ("fence",
+left, node, right). Also ("matrix", rows), ("space", em).
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Places that can be pressed: one object tells hover, press, keyboard focus and activation for a widget.
 
-A widget says each time it lays itself out which places it has; this object turns pointer and key events
-into the name of the place activated. Activation is on release over the place pressed, as people expect to
-be able to change their mind. Focus is moved by Tab and drawn only when it was the keyboard that moved it.
+A widget says each time it lays itself out which places it has. This object turns pointer and key events into
+the name of the place activated. Activation is on release over the place pressed, as people expect to be able
+to change their mind. Focus is moved by Tab and drawn only when it was the keyboard that moved it.
 """
 
 from __future__ import annotations

@@ -31,7 +31,7 @@ class Paper(NamedTuple):
     """The page of a paper, in our words.
 
     measure: gives what the page compares, one after the other, measured when it is opened, each in a second
-    or so and without a screen; it runs in a thread of its own.
+    or so and without a screen. It runs in a thread of its own.
     """
 
     problem: tuple[str, ...]

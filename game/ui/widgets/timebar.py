@@ -77,7 +77,7 @@ class TimeBar:
         return self.look.px(SMALL[0]), self.look.px(SMALL[1])
 
     def _place_controls(self, right: int) -> None:
-        """Pause at the left; speed and chapters left of the buttons, if there is room for all of them."""
+        """Pause at the left; speed and chapters left of the buttons, if there is space for all of them."""
         px, rect = self.look.px, self.rect
         room = right - px(PAUSE + CHAPTERS + SPEED + 3 * CONTROL_GAP + SIDE + CLOCK + 120) - rect.x
         spots = []

@@ -1,7 +1,7 @@
 """Messages that come, stay four seconds and go: what happened in bold, what follows in plain words.
 
-They stand at the right end of the hint row and no higher than it, the newest shown and the rest waiting
-their turn, so that no message ever covers the play.
+They stand at the right end of the hint row and no higher than it. The newest is shown and the rest wait their
+turn, so that no message ever covers the play.
 """
 
 from __future__ import annotations

@@ -15,8 +15,8 @@ Second = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
 
 
 class GustEntry(LevelEntry, frozen=True, kw_only=True):
-    """A gust: where its middle is (m) when it begins (s), how long it lasts (s), the velocity of its middle
-    (m/s), its size (m), the wind at its middle (m/s), the speed of its turning (m/s).
+    """A gust: the place of its middle (m), its beginning and its length (s), the velocity of its middle
+    (m/s), its size (m). Then the wind at its middle (m/s), and the speed of its turning (m/s).
     """
 
     place: tuple[Metre, Metre]

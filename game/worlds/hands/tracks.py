@@ -20,7 +20,7 @@ class TrackTools:
     """Tools for the tracks of a world, which it gives by ``tracks`` and lays by ``lay``.
 
     near, most_near: how near to something the pointer takes it, of the height in view, m; dense: of that,
-    between two points of a drawn line; most_tracks, most_points: for which there is room.
+    between two points of a drawn line; most_tracks, most_points: for which there is space.
     """
 
     def __init__(

@@ -93,7 +93,7 @@ class Tracks(Member):
 def balls_between(
     now: Floats, before: Floats | None, alpha: float, jump: float = math.inf
 ) -> tuple[Floats, Floats]:
-    """Places (n, 2) m and angles (n,) rad of balls, ``alpha`` of the way from rows of a state to now; those
+    """Places (n, 2) m and angles (n,) rad of balls, ``alpha`` of the way from rows of a state to now. Those
     that have moved by more than ``jump`` (m) were put where they are, and are there at once.
     """
     places, angles = now[:, m.X : m.Y + 1], now[:, m.ANGLE]

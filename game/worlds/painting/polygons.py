@@ -1,6 +1,6 @@
 """Paints many polygons in one call, one after the other, each over a darker edge if it has one.
 
-The edge is the same polygon, its corners moved outwards by the edge's width, and lies below the fill; that
+The edge is the same polygon, its corners moved outwards by the edge's width, and lies below the fill. That
 costs a third of a line drawn around.
 """
 

@@ -92,7 +92,7 @@ def test_upright_films_show_what_lying_ones_show(found):
 
 
 def test_subtitles_are_cut_to_the_part():
-    captions = [Caption("a", 0.0, 2.0), Caption("b", 3.5, 7.25), Caption("c", 9.0, 11.0)]
+    captions = [Caption("a", 0.0, 2.0, 1), Caption("b", 3.5, 7.25, 2), Caption("c", 9.0, 11.0, 3)]
     assert srt_of(captions, 1.0, 5.0) == (
         "1\n00:00:00,000 --> 00:00:01,000\na\n\n2\n00:00:02,500 --> 00:00:05,000\nb\n"
     )

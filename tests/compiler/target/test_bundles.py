@@ -185,21 +185,21 @@ class TestTuples:
 
         assert outside(bundle(), Pair(0.5, 0.0)) == DEEP
 
-    def test_only_kernels_of_numbers_have_a_door_for_c(self) -> None:
+    def test_only_kernels_of_numbers_have_an_entry_for_c(self) -> None:
         cubes(1.0)
         takes_another(bundle(), bundle(), False)
-        doors = []
+        entries = []
         for one in (cubes, takes_another):
             [result] = one.overloads.values()
             held = {function.name for function in result.library.get_defined_functions()}
-            doors.append(result.fndesc.llvm_cfunc_wrapper_name in held)
-        assert doors == [True, False]
+            entries.append(result.fndesc.llvm_cfunc_wrapper_name in held)
+        assert entries == [True, False]
 
     def test_numbers_change_from_call_to_call(self) -> None:
         assert [takes_another(bundle(x), bundle(), False) for x in (1.0, 2.0, 4.0)] == [1.0, 2.0, 4.0]
 
 
-class TestDoor:
+class TestEntry:
     """What comes past numba's own look at types, as through `Entrances`."""
 
     def entered(self):

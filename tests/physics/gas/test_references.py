@@ -198,6 +198,48 @@ def test_heavy_on_light_grows_at_the_known_rate():
     assert math.log(found[1] / found[0]) / 0.6 == pytest.approx(1.955235, rel=0.06)
 
 
+def _growth_of_rolls(rayleigh: float, dt: float, n: int = 16, time: float = 30.0) -> float:
+    """Rate 1/s, in the second half of the time, at which rolls grow in a layer heated from below.
+
+    Free sides (no stress, given temperatures), a layer 1 m high, a roll as wide as it turns most easily.
+    """
+    wide = round(2.0 * math.sqrt(2.0) * n)
+    even, mean = math.sqrt(1.0 / rayleigh), 300.0  # nu = kappa; lift is 1 m/s² for a kelvin
+    settings = GasSettings(viscosity=even, diffusivity=even, gravity=(0.0, -mean), ambient=mean)
+    below, above = ({"temperature": mean + side} for side in (0.5, -0.5))
+    borders = Borders(
+        Border("periodic"), Border("periodic"), Border("wall", scalars=below), Border("wall", scalars=above)
+    )
+    gas = Gas(Grid(wide, n, 1.0 / n), borders, settings.quality("film"), fields=("temperature",))
+    x, y = gas.grid.centres()
+    roll = np.sin(math.pi * y) * np.cos(2.0 * math.pi * n / wide * x)
+    gas.field("temperature")[:] = mean + 0.5 - y + 1e-4 * roll
+    steps = round(time / dt)
+    for step in range(steps):
+        gas.step(dt)
+        if step == steps // 2 - 1:
+            halfway = float(np.sum(gas.field("temperature") * roll))
+    whole = float(np.sum(gas.field("temperature") * roll))
+    return math.log(whole / halfway) / ((steps - steps // 2) * dt)
+
+
+def critical_rayleigh(dt: float) -> float:
+    """Where rolls neither grow nor shrink, by two secants."""
+    low, high = 640.0, 680.0
+    slow, quick = _growth_of_rolls(low, dt), _growth_of_rolls(high, dt)
+    between = low - slow * (high - low) / (quick - slow)
+    left = _growth_of_rolls(between, dt)
+    return between - left * (between - low) / (left - slow)
+
+
+def test_a_layer_heated_from_below_turns_from_its_critical_number():
+    """Rayleigh 1916: 27 pi^4 / 4 between free sides; to the second order in the step."""
+    coarse, middle, fine = (critical_rayleigh(dt) for dt in (0.2, 0.1, 0.05))
+    assert fine == pytest.approx(27.0 * math.pi**4 / 4.0, rel=5e-3)  # of 16 cells
+    assert math.log2(abs(coarse - middle) / abs(middle - fine)) > 1.8
+    assert middle == pytest.approx(fine, rel=1e-3)
+
+
 def test_a_source_pushes_the_gas_out_as_it_must():
     """Q = 0.2 m²/s in the middle of an open box: through every side together flows Q."""
     gas = Gas(Grid(32, 32, 1.0 / 32), Borders.all("open"), replace(STILL, turns=10, tolerance=1e-9))

@@ -1,6 +1,6 @@
 """A film of what is seen from now on: pictures of the window's stage, as many as their rate asks for.
 
-If a picture comes late the one before it is shown longer, so the film lasts as long as what it shows, and
+If a picture comes late the one before it is shown longer. So the film lasts as long as what it shows, and
 play never waits for it.
 """
 
@@ -14,7 +14,7 @@ from game.app.scene.film.writers import LONGEST_S, Writer
 from game.arrays import Samples
 from game.stage.declarations import Hearing
 
-MOST_OWED_S = 1.0  # a window that nobody draws stops the film
+MOST_OWED_S = 1.0  # a window that is not drawn stops the film
 QUIET = np.zeros((0, 2), np.int16)
 
 

@@ -11,6 +11,7 @@ from game.app.scene.story.journey import Journey
 from game.app.scene.story.offers import AGAIN, NEXT, WHAT_IF, Offers
 from game.app.scene.story.small_pictures import SmallPictures
 from game.app.screens.host import Host
+from game.app.stagehand.opening import Opening
 from game.app.stagehand.story_picture import draw_words, point_camera
 from game.app.stagehand.view import StageView
 from game.app.window.commands import Actions
@@ -145,7 +146,7 @@ class StoryPlay:
         following, what_if = self._following, self.runner.story.what_if
         self._left = True
         if name == NEXT and following is not None:
-            self.host.open_scene(following.name)
+            self.host.open_scene(following.name, opening=Opening(story=""))
         elif name == WHAT_IF and what_if is not None:
             reached = self.runner.course.reached.get(what_if.at)
             self.host.tell(what_if.say, "It goes on from here without the script; the scene is yours.")
@@ -157,7 +158,7 @@ class StoryPlay:
     # -- chapters and speed -------------------------------------------------------------------------
 
     def _offer_chapters(self) -> None:
-        """All that are known, by name; one is gone to."""
+        """Those that are known, by name; one is gone to."""
         rows = [ListRow(title, clock(begins), value=begins) for title, begins in self.bar.state.chapters]
         before = [begins for _, begins in self.bar.state.chapters if begins <= self.bar.state.now_s]
         self.host.open_choices("Chapters", rows, self._seek, before[-1] if before else None)
@@ -180,7 +181,7 @@ class StoryPlay:
     def touched(self, event: StageEvent) -> bool:
         """An event of the viewer's is about to come in, by which the scene is the viewer's; False to drop it.
 
-        A hand that only moves over the scene is no touch, and nothing that the scene is told of.
+        A hand that only moves over the scene is no touch, and the scene does not hear of it.
         """
         resting = isinstance(event, Pointer) and event.kind == "move" and not event.button
         if not self.runner.playing:
@@ -264,7 +265,7 @@ class StoryPlay:
             chapters = tuple((one.chapter, one.film_s) for one in found.chapters)
             length = found.film_s
         else:
-            chapters = tuple((one.chapter, one.film_s) for one in moments_of(runner))
+            chapters = tuple((one.chapter, one.film_s) for one in moments_of(runner) if one.chapter)
             length = max(GUESSED_S, ROOM * now_s)
         taken = runner.stopped_at is not None
         return TimeBarState(

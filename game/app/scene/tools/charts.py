@@ -28,7 +28,7 @@ class Charts:
         self._host, self._record, self._shell = host, record, shell
 
     def readouts(self) -> list[Readout]:
-        """What can be picked: all that is measured and not hidden by the level."""
+        """What can be picked: everything measured and not hidden by the level."""
         return self._shell.shown(self._record.stage)
 
     def ask(self, chart: int = NEW) -> None:

@@ -48,12 +48,11 @@ class CaromVerdict(NamedTuple):
 class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="game"):
     """A game of carom before a stroke. Player 0 plays the white ball, player 1 the yellow one.
 
-    target: points that end it, 0 for none. most_innings: of each player, 0 for no limit. equalise: who began
-    second has as many innings as the first. points, innings (begun), high_runs, safeties (in a row), won
-    (games): of each player. run: points of this inning. inside: ENTERED or INSIDE while both object
-    balls lie in one barred corner, else 0. alone_with: the ball that a player without another one
-    plays. opening: the stroke is made from the starting position. ended: nobody plays any
-    more; winner: None too if it is drawn.
+    target: points that end it, 0 for none. most_innings: of each player, 0 for no limit. equalise: the second
+    player has as many innings as the first. points, innings (begun), high_runs, safeties (in a row), won
+    (games): of each player. run: points of this inning. inside: ENTERED or INSIDE while both object balls lie
+    in one barred corner, else 0. alone_with: the ball that a player without another one plays. opening: the
+    stroke is made from the starting position. ended: the game has ended; winner: None too if it is drawn.
     """
 
     kind: Kind = "three-cushion"
@@ -209,7 +208,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         return bool(self.most_innings) and closed and self.innings[self.turn] >= self.most_innings
 
     def _target_reached(self, places: Floats, words: list[str]) -> CaromVerdict:
-        """29: who began second may draw level, in an inning from the starting position."""
+        """29: the second player may draw level, in an inning from the starting position."""
         if len(self.players) == 2 and self.equalise and self.turn == self.breaker:
             turn = self.other
             game = msgspec.structs.replace(

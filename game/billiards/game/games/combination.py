@@ -1,7 +1,7 @@
 """The combination match: a ball counts if it goes down by way of at least one other ball.
 
-The cue ball strikes a numbered ball, that one another, and so on to the one that falls. A single last
-ball has no other to go by: it is potted directly. In a stroke that counts, whatever else goes down counts
+The cue ball strikes a numbered ball, that one another, and so on to the one that falls. A single last ball
+has no other to be potted by: it is potted directly. In a stroke that counts, whatever else goes down counts
 too. What goes down without counting is put back.
 """
 
@@ -25,13 +25,17 @@ SHORTEST_CHAIN = 3  # the cue ball, another, and the one that falls
 
 
 class CombinationMatch(Game, frozen=True, kw_only=True, tag="combination"):
-    """A combination match. points: balls of each player. rounds: strokes that counted."""
+    """A combination match. points: balls of each player. rounds: strokes that counted.
+
+    alternating: players take turns also after a stroke that counted.
+    """
 
     on_table: tuple[int, ...] = tuple(range(1, 16))
     in_hand: Hand = "behind the line"
     opening: bool = True
     points: tuple[int, ...] = (0, 0)
     rounds: int = 0
+    alternating: bool = False
 
     def counts(self, fallen: Pocketing) -> bool:
         """True if a ball went down by way of another, or was the last one."""
@@ -57,6 +61,9 @@ class CombinationMatch(Game, frozen=True, kw_only=True, tag="combination"):
             words += [_described(fallen) for fallen in shot.pocketed]
             if not after.on_table:
                 return self._finished(after, scored, words)
+            if self.alternating:
+                after = msgspec.structs.replace(after, turn=self.other)
+                return Verdict(after, fouls, scored, (*words, f"{after.shooter} plays."))
             return Verdict(after, fouls, scored, (*words, f"{self.shooter} plays on."))
         if shot.pocketed and not fouls:
             words.append("No ball went down by way of another, so it is put back.")
@@ -81,6 +88,7 @@ class CombinationMatch(Game, frozen=True, kw_only=True, tag="combination"):
             breaker=breaker,
             won=self.won,
             points=(0,) * len(self.players),
+            alternating=self.alternating,
         )
         return Verdict(state, words=(f"{state.shooter} breaks.",), rack=True)
 

@@ -48,7 +48,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
 
     @property
     def open_table(self) -> bool:
-        """True while nobody has a group."""
+        """True while no player has a group."""
         return not self.groups[self.turn]
 
     def balls_of(self, player: int) -> tuple[int, ...]:

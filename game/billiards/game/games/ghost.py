@@ -1,8 +1,8 @@
 """The ghost: one plays alone against an opponent who never misses (Alciatore, "Playing the ghost").
 
-Break, then the cue ball in hand anywhere, whatever the break has brought. Who clears the table from there as
-the discipline asks wins the rack; one miss or foul, and the ghost has it. Balls that fall at the break stay
-down. After ten racks the count is a measure of one's play: see `game.billiards.game.rating`.
+Break, then the cue ball in hand anywhere, whatever the break has brought. A player that clears the table from
+there as the discipline asks wins the rack; one miss or foul, and the ghost has it. Balls that fall at the
+break stay down. After ten racks the count is a measure of one's play: see `game.billiards.game.rating`.
 
 What counts in a stroke follows the World Pool-Billiard Association, as far as one stroke goes: nine-ball
 (2.), ten-ball with its called shots (9., the 10 at the break is put back), eight-ball (3.) with the group

@@ -1,4 +1,4 @@
-"""Nine-ball: the lowest ball is hit first, and whoever pots the 9 wins (WPA 2)."""
+"""Nine-ball: the lowest ball is hit first, and the player that pots the 9 wins (WPA 2)."""
 
 from __future__ import annotations
 

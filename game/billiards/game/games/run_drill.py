@@ -1,8 +1,8 @@
 """Drills of many strokes: a set-up that is to be cleared without a miss, again and again.
 
 Line-up, circle and L-drill are of this kind: every stroke must pot a ball, in order or not, into one pocket
-or any, and the cue ball may have to stay off the cushions. The first stroke that does not ends the try, and
-the balls are put back.
+or any. The cue ball may have to stay off the cushions. The first stroke that does not ends the try, and the
+balls are put back.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Foul and a miss (WPBSA 2.21, 3.14): when a stroke that hit no ball on is called one.
 
 The referee's eye for a good enough attempt is a setting. Professional: every failure to hit a ball on is a
-miss. Club: so is one where a straight path to any part of a ball on was open; an escape from a snooker is
-good enough if the cue ball came within a ball's breadth of a ball on. Off: none is called. No program sees
-an intention: where a player needs penalty points, or the points on the table are just the difference, a miss
-counts as not intended, and is not called; but 3.14(c) holds whatever the scores.
+miss. Club: so is one where a straight path to any part of a ball on was open. An escape from a snooker is
+good enough if the cue ball came within a ball's breadth of a ball on. Off: none is called. No program sees an
+intention: where a player needs penalty points, or the points on the table are just the difference, a miss
+counts as not intended. But 3.14(c) holds whatever the scores.
 """
 
 from __future__ import annotations

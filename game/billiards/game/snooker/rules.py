@@ -282,7 +282,7 @@ class Snooker(SnookerStanding, frozen=True, kw_only=True, tag="snooker"):
         return Verdict(self._won_by(self.turn), words=(self._result(self.turn), f"{self.shooter} claims it."))
 
     def concede(self) -> Verdict:
-        """The player at turn concedes (2.1(a)). ValueError if the frame is over, or nobody else plays."""
+        """The player at turn concedes (2.1(a)). ValueError if the frame is over, or there is no other."""
         if self.over or len(self.players) == 1:
             raise ValueError("game: there is nothing to concede")
         after = self._won_by(self.other)
@@ -292,7 +292,7 @@ class Snooker(SnookerStanding, frozen=True, kw_only=True, tag="snooker"):
 
     @property
     def may_restart(self) -> bool:
-        """True if nobody has scored for so long that a stalemate may be agreed upon (3.16)."""
+        """True if no player has scored for so long that a stalemate may be agreed upon (3.16)."""
         return not self.over and not self.options and self.quiet >= QUIET
 
     def restart(self) -> Verdict:

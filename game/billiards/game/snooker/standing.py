@@ -34,9 +34,9 @@ class SnookerStanding(Game, frozen=True, kw_only=True):
 
     reds: at the start. best_of: frames, 0 for no end. stage: what is on: a red, a colour after a red, or the
     colours in order. points, high (the highest break): of each player; run: points of this break. free_ball:
-    the next stroke may be at a free ball. before, misses, full_misses: the stroke that was a miss, how many
-    were called in a row from there, and how many of them while a full ball could be hit. quiet: strokes
-    since the last point. black_again: the black was put back after a tie. lot: of the draw then.
+    the next stroke may be at a free ball. before, misses, full_misses: the stroke that was a miss, the number
+    of misses in a row from there, and of those with a full ball in sight. quiet: strokes since the last
+    point. black_again: the black was put back after a tie. lot: of the draw then.
 
     drill: of one who practises: a break that a miss ends, one pot, or one ball on to be hit; attempts and
     made are counted.
@@ -129,7 +129,7 @@ class SnookerStanding(Game, frozen=True, kw_only=True):
 
     @property
     def excused(self) -> bool:
-        """3.14: a player needs penalty points, or the difference is all that is left on the table."""
+        """3.14: a player needs penalty points, or no more than the difference is left on the table."""
         if len(self.players) == 1:
             return False
         return abs(self.points[0] - self.points[1]) >= self.points_left

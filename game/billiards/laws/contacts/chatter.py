@@ -3,8 +3,8 @@
 A ball pressed against another, or against a rail, by its own spin bounces ever faster and lower. The k-th
 further repeat of a contact within CHATTER_TIME, after ALLOWED_REPEATS, leaves with a separating speed of at
 least FIRST_SPEED 4^k, at most LARGEST_SPEED. The energy for it is taken from the spin of the balls in the
-contact; what they do not have is not given. So no chatter lasts longer than about fifteen contacts in a
-row while there is spin, no balls sink into each other, and energy never rises. A contact that has repeated
+contact; what they do not have is not given. So no chatter lasts longer than about fifteen contacts in a row
+while there is spin. No balls sink into each other, and energy never rises. A contact that has repeated
 LAST_REPEATS times and still gets less than the rule asks for has no energy left for it: see `settling`.
 """
 

@@ -1,9 +1,8 @@
 """Ball on cushion by Han 2005, Dynamics in carom and three cushion billiards (J. Mech. Sci. Tech. 19, 976).
 
 The nose meets the ball above its centre, at the angle th = asin(h/R - 1). There the ball gets a normal
-impulse by restitution, and a tangential one that is the lesser of what stops the slip and what Coulomb
-friction allows. In Han's frame X points out of the table and Y = z x X along the rail; E marks the frame
-tilted by th.
+impulse by restitution. The tangential one is the lesser of what stops the slip and what Coulomb friction
+allows. In Han's frame X points out of the table and Y = z x X along the rail; E marks the frame tilted by th.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Ball on cushion with a compliant nose, after Stronge 2000, Impact Mechanics (Cambridge, ch. 5).
 
-As in `cushion_han_2005`, the nose meets the ball at the angle th = asin(h/R - 1) above its centre, and the
+As in `cushion_han_2005`, the nose meets the ball at the angle th = asin(h/R - 1) above its centre. The
 impulse is found in the frame tilted by th, where the normal and the tangential motion of a sphere do not mix.
 Stronge puts two springs between the bodies, one along the normal and one across it, softer by eta^2. The
 normal one is stiffer in restitution than in compression by 1/e^2, so that it gives e^2 of its work back (the

@@ -2,7 +2,7 @@
 
 Influences: a skin whose points follow only their k heaviest bones, against all bones. Collapse: a straight
 bar bent in the middle, by one joint or by several that share the bend. With halves on both bones of a joint
-the offset of a point from it shrinks by cos(a / 2), and the area of the bar goes with it.
+the offset of a point from it shrinks by cos(a / 2). The area of the bar goes with it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What each effect of the exact table costs, and how far the balls go astray without it.
 
-Cloth, spin decay, throw and cushion friction are switched off one by one, then all of them, on a shot with
-three balls and on a break. What is switched off is not computed.
+Cloth, spin decay, throw and cushion friction are switched off one by one, then together. They are tried on a
+shot with three balls and on a break. What is switched off is not computed.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ BREAK_BALLS = 16
 
 
 def effects_without(name: str) -> EffectSet:
-    """All effects of the exact table but one; "all" takes none away, "none" all that are studied."""
+    """All effects of the exact table but one; "all" takes none away, "none" all those studied."""
     if name == "all":
         return EXACT_EFFECTS
     left = EXACT_EFFECTS

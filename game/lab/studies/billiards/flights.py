@@ -1,6 +1,6 @@
 """What balls in the air cost: one stroke with the cue raised ever more, with the effect and without.
 
-A level cue makes no ball leave the slate; the stroke is then played by the same kernel either way, and the
+A level cue makes no ball leave the slate. The stroke is then played by the same kernel either way, and the
 two must cost the same.
 """
 

@@ -1,8 +1,8 @@
 """What accuracy costs on the lecture's table: a carom shot against its exact solution.
 
-Three balls, two cushions, no loss. The lecture's scheme finds each contact up to one step late, so its error
-falls with the first power of the step, saw-toothed by where in the step the contact lies. Points where a
-ball passes through another, or hits one that it should pass, are marked as failed.
+Three balls, two cushions, no loss. The lecture's scheme finds each contact up to one step late. So its error
+falls with the first power of the step, saw-toothed by where in the step the contact lies. Points where a ball
+passes through another, or hits one that it should pass, are marked as failed.
 """
 
 from __future__ import annotations

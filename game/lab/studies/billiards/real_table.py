@@ -1,6 +1,6 @@
 """What a model of the table costs, and how far it is off a shot that was made on a table that is known.
 
-The shot is made by the exact table with the cushions of Han 2005 and its track has no noise; each model of
+The shot is made by the exact table with the cushions of Han 2005 and its track has no noise. Each model of
 the cushions gets the stroke that suits it best, and the tables that step get the true one.
 """
 

@@ -1,7 +1,7 @@
 """What a stroke costs on three tables: stepped with full physics, stepped as in the lecture, and exact.
 
 The reference is the exact table itself, which is right to rounding with the cushions of Han 2005. A stepped
-table finds each contact up to a step late, so its error falls with the first power of the step, saw-toothed
+table finds each contact up to a step late. So its error falls with the first power of the step, saw-toothed
 by where in the step the contact lies. Points that make other contacts than the exact table are marked as
 failed.
 """

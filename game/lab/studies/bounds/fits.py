@@ -1,7 +1,7 @@
 """What bounding volumes cost: area against the angle step.
 
-The search by degrees is of first order in the step, as the least box has a side flush with the hull and its
-area has a kink there; calipers are exact and no dearer.
+The search by degrees is of first order in the step. The least box has a side flush with the hull and its area
+has a kink there. Calipers are exact and no dearer.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What it costs to prove with bounding volumes that two curves are apart.
 
-Upright boxes stay half as broad when they are half as long, boxes on a curve a quarter as broad; so the tests
-grow with 1/g for the former and with 1/sqrt(g) for the latter, and twice the tests prove half the gap, or a
+Upright boxes stay half as broad when they are half as long, boxes on a curve a quarter as broad. So the tests
+grow with 1/g for the former and with 1/sqrt(g) for the latter. Twice the tests prove half the gap, or a
 quarter of it.
 """
 

@@ -190,7 +190,7 @@ class WindowTrial:
         self.times, self.drag = swinging_drag()
 
     def run(self) -> None:
-        """All windows that there is room for."""
+        """All windows that there is space for."""
         settled = self.times > BEGIN
         drag = self.drag[settled]
         count = round(self.window / (self.times[1] - self.times[0]))

@@ -4,8 +4,8 @@ Steps and error of GJK against its tolerance, of V-Clip and GJK against the numb
 between queries.
 
 Both methods are finite: the error falls from the tolerance to rounding within a few steps. With coherence
-V-Clip takes a step or two whatever the number of vertices; if the shapes turn by an angle between queries
-it walks past n angle / 2π of them.
+V-Clip takes a step or two whatever the number of vertices. If the shapes turn by an angle between queries it
+walks past n angle / 2π of them.
 """
 
 from __future__ import annotations

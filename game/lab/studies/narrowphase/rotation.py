@@ -1,7 +1,7 @@
 """What the depth with rotation costs: branch and bound against its tolerance, a grid against its spacing.
 
 Branch and bound narrows the angle to its tolerance where the curve has a corner and to its root where it is
-smooth, so that angles grow at most like the root of 1 / tolerance; a grid of three axes takes the cube.
+smooth. So angles grow at most like the root of 1 / tolerance. A grid of three axes takes the cube.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     α = <e, JJᵀe> / |JJᵀe|²        Buss 2004 (2009), "Introduction to inverse kinematics", eq. 8
 
 About ten times fewer iterations than the fixed step. Where the chain is nearly straight towards a target out
-of reach, JJᵀe goes to 0 and the step to infinity; so a step that does not make the error smaller is taken
+of reach, JJᵀe goes to 0 and the step to infinity. So a step that does not make the error smaller is taken
 back, and the safe fixed one is made instead.
 
 Arrays as in `ik_chain`.

@@ -114,7 +114,7 @@ def turn_between(ax, ay, bx, by):
 
 
 class Chain(NamedTuple):
-    """A run of bones of a skeleton, each the parent of the next, and room to solve it in.
+    """A run of bones of a skeleton, each the parent of the next, and space to solve it in.
 
     bones (n,); links (LINK_ROWS, n); turns (n,) rad: what to add to a bone's angle for its link's; points
     (n + 1, 2); base (3,); numbers (NUMBERS,).

@@ -2,10 +2,10 @@
 
 Backward: the end is put on the target, and each joint on the line to the one before, a link's length off.
 Forward: the same from the root, which is put back in its place. Aristidou and Lasenby 2011, "FABRIK: a fast,
-iterative solver for the inverse kinematics problem". A target out of reach is met at once, straight.
-Limits are kept in the forward pass: a link that would bend too far is turned back to its limit. That alone
-gets stuck wherever limits matter, so a pass that a limit has kept from coming nearer is taken back, and one
-of cyclic coordinate descent is made in its place.
+iterative solver for the inverse kinematics problem". A target out of reach is met at once, straight. Limits
+are kept in the forward pass: a link that would bend too far is turned back to its limit. That alone gets
+stuck wherever limits matter, so a pass that a limit has kept from coming nearer is taken back. One of cyclic
+coordinate descent is made in its place.
 
 Arrays as in `ik_chain`.
 """

@@ -1,13 +1,13 @@
 """The loop that all methods of inverse kinematics share: when to stop, and what to do at a dead point.
 
-It ends when the error is within the tolerance, when the best error so far has not become smaller by PROGRESS
-of the tolerance for WINDOW iterations (a target out of reach, or so far that 1/k of progress is no progress),
-or when the iterations are spent.
+It ends when the error is within the tolerance, or when the iterations are spent. It also ends when the best
+error has not become smaller by PROGRESS of the tolerance for WINDOW iterations. That is a target out of
+reach, or so far that 1/k of progress is no progress.
 
 A straight chain with its target on its axis is a dead point: Jᵀe = 0 though the target can be reached, and
 every gradient method stands still. There, one joint is kicked by a fixed angle; if that leads nowhere, the
 best pose so far is taken again. A target far out of reach is aimed at on its line from the root, a quarter
-beyond the reach, which has the same best pose and keeps every step moderate (Buss 2009, clamped targets).
+beyond the reach. That has the same best pose and keeps every step moderate (Buss 2009, clamped targets).
 
 Arrays as in `ik_chain`.
 """
@@ -97,10 +97,9 @@ def aim_at(base, links, target, aim):
 def solve_links(method, base, links, start, targets, points, numbers, history, found):
     """Move a chain's end to targets (m, 2), each from the angles (and to those) in ``start`` (m, n).
 
-    Of numbers, KEEP_BEST is 1.0 to keep the best pose on the way, not the last one (which is done anyway
-    after a kick that has led nowhere, but not if it ends soon after one). history (h,):
-    the errors before each iteration of the last target, as far as it has room. found (m, 4): error,
-    iterations, placings, ending.
+    Of numbers, KEEP_BEST is 1.0 to keep the best pose on the way, not the last one. That is done anyway after
+    a kick that has led nowhere, but not if it ends soon after one. history (h,): the errors before each
+    iteration of the last target, as far as it has space. found (m, 4): error, iterations, placings, ending.
     """
     tolerance, most, keep_best = (
         numbers[chain.TOLERANCE],

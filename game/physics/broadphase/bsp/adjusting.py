@@ -1,8 +1,8 @@
 """How a BSP tree adjusts itself: leaves are split and merged, and what leans is cut anew once that pays.
 
-A subtree that has become uneven costs a little more in every step. That is written down as its debt; only
-when the debt exceeds what cutting the subtree anew would cost is that done, so a tree in unrest is not torn
-up all the time, and most of it stays as it is.
+A subtree that has become uneven costs a little more in every step. That is written down as its debt. That is
+done only when the debt exceeds what cutting the subtree anew would cost. So a tree in unrest is not torn up
+all the time, and most of it stays as it is.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def best_cut(tree, boxes, leaf, scratch):
 
 @inner_kernel
 def split_below(tree, boxes, node, stack, scratch):
-    """Split a leaf, and the parts it falls into, as long as they are too full; False if room ran out."""
+    """Split a leaf, and the parts it falls into, as long as they are too full; False if space ran out."""
     height = 1
     stack[0] = node
     while height > 0:
@@ -124,7 +124,7 @@ def _owes(tree, node, total, larger, price):
 
 @inner_kernel
 def _cut_anew(tree, boxes, node, stack, scratch, ids):
-    """Collapse a node and split it afresh; the old cuts bind its boxes no more. False if room ran out."""
+    """Collapse a node and split it afresh; the old cuts bind its boxes no more. False if space ran out."""
     collapse(tree, node, stack)
     count, ref = 0, tree.nodes[node, nodes.HEAD]
     while ref >= 0:
@@ -143,7 +143,7 @@ def adjust(tree: Any, boxes, stack, scratch, ids, price):
     """Split what is too full, merge what is nearly empty, cut anew what has owed too much.
 
     ``price``: of cutting anew, see `_owes`. ``stack``: (3, DEEPEST), ``scratch`` and ``ids``: (capacity,) to
-    work in. False if room ran out: with more of it, calling again goes on.
+    work in. False if space ran out: with more of it, calling again goes on.
     """
     way, begun = stack[0], stack[1]
     height = 1

@@ -42,7 +42,7 @@ class Tree(NamedTuple):
 
 @inner_kernel
 def new_node(tree, parent):
-    """An empty leaf; there must be room."""
+    """An empty leaf; there must be space."""
     numbers = tree.numbers
     node = numbers[FREE_NODE]
     if node >= 0:
@@ -59,7 +59,7 @@ def new_node(tree, parent):
 
 @inner_kernel
 def refer(tree, leaf, box):
-    """Let a leaf refer to a box; there must be room."""
+    """Let a leaf refer to a box; there must be space."""
     numbers, refs = tree.numbers, tree.refs
     ref = numbers[FREE_REF]
     if ref >= 0:
@@ -181,7 +181,7 @@ def take_out(tree, box):
 
 @kernel(_nrt=False)
 def put_boxes(tree: Any, boxes, ids, done, stack, moved):
-    """Put boxes in, from the ``done``-th of ``ids`` on; returns how many are in, fewer if room ran out.
+    """Put boxes in, from the ``done``-th of ``ids`` on; returns how many are in, fewer if space ran out.
 
     ``moved``: they are in the tree already, and only those that reach other leaves are taken out and put in.
     ``stack``: (DEEPEST,) to work in.
@@ -271,7 +271,7 @@ def collapse(tree, node, stack):
 
 @inner_kernel
 def split(tree, boxes, leaf, axis, cut):
-    """Cut a leaf in two; there must be room for two nodes and as many references as it has."""
+    """Cut a leaf in two; there must be space for two nodes and as many references as it has."""
     left, right = new_node(tree, leaf), new_node(tree, leaf)
     ref = tree.nodes[leaf, HEAD]
     tree.nodes[leaf, AXIS], tree.nodes[leaf, LEFT], tree.nodes[leaf, RIGHT] = axis, left, right

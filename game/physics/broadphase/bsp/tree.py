@@ -1,9 +1,9 @@
 """The semi-adjusting BSP tree of Luque, Comba and Freitas (2005), in the plane.
 
 The tree is kept from step to step. A box that stays between the cuts about it costs a comparison; one that
-crosses a cut is put in anew. Leaves are split and merged as they fill and empty, and a part that leans is cut
-anew once it has cost more than that would (see adjusting). The authors leave to the user by what measure
-a part leans and when it pays; ours are the constants there.
+crosses a cut is put in anew. Leaves are split and merged as they fill and empty. A part that leans is cut
+anew once it has cost more than that would (see adjusting). The authors leave to the user by what measure a
+part leans and when it pays; ours are the constants there.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 """Bounds of boxes in motion: what a box covers until it is looked at again, if it goes on as it did.
 
-A bound begins with the four sides of a box as they are, each with a rate (m a step), and holds for some
-steps as long as no side is farther than a pad from where it was to be. What the box covers in that time lies
-between its first and its last place, so the extent of the bound in any direction is known from these two.
+A bound begins with the four sides of a box as they are, each with a rate (m a step). It holds for some steps
+as long as no side is farther than a pad from where it was to be. What the box covers in that time lies
+between its first and its last place. So the extent of the bound in any direction is known from these two.
 When each bound is used up stands in a queue of events: a ring of lists, one for each coming step (a calendar
 queue: Brown 1988).
 
-A rate is taken from where a box was when its bound began. One that has left its bound early, by a bounce or
-a leap, gets a bound that stays where it is, and is looked at again a step later.
+A rate is taken from where a box was when its bound began. One that has left its bound early, by a bounce or a
+leap, gets a bound that stays where it is. It is looked at again a step later.
 """
 
 from __future__ import annotations

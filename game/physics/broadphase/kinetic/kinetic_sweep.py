@@ -2,12 +2,12 @@
 
 A box in motion gets a bound of what it covers in the steps to come: its extents along x and y, and one slab
 more, of k / 2 fixed directions the one most nearly across its motion. That slab is the thin one: it cuts off
-the corners that a box about a slanting path would have. A queue tells when each bound is used up; only boxes
-whose bound is, or who did not move as foreseen, are bounded and swept anew. Between these events a pair of
+the corners that a box about a slanting path would have. A queue tells when each bound is used up. Only boxes
+whose bound is, or that did not move as foreseen, are bounded and swept anew. Between these events a pair of
 bounds that overlap stays a candidate, and candidates alone are tested.
 
-The authors ask when two things meet within a frame; here, as in all broad phases of this folder, the answer
-is which boxes overlap at the end of a step, and so bounds may reach over many steps.
+The authors ask when two things meet within a frame. Here, as in all broad phases of this folder, the answer
+is which boxes overlap at the end of a step. So bounds may reach over many steps.
 """
 
 from __future__ import annotations
@@ -271,7 +271,7 @@ class KineticSweep(BroadPhase):
 
 
 def _new_bounds(capacity: int) -> Bounds:
-    """Bounds of nobody."""
+    """Bounds of no boxes."""
     begun = np.zeros((capacity, 2), np.int64)
     begun[:, 1] = b.NEVER
     marks = np.zeros((capacity, 3), np.uint8)
@@ -285,7 +285,7 @@ def _new_bounds(capacity: int) -> Bounds:
 
 
 def _new_order(capacity: int) -> Order:
-    """An order of nobody."""
+    """An order of no boxes."""
     lanes = b.LEVELS * b.MOST_STRIPS
     return Order(
         np.empty(capacity, np.int64), np.zeros((4, capacity)), np.zeros(lanes + 1, np.int64),

@@ -140,7 +140,7 @@ def _near_in_level(bounds, order, level, first_strip, last_strip, box, scales, n
 def _keep_near(bounds, order, near, count, box, everything, directions, keys, found):
     """Write keys of those near whose slabs do not part them; of two new ones the smaller id finds the pair.
 
-    ``everything``: all are taken. The caller has seen that ``keys`` has room for all.
+    ``everything``: all are taken. The caller has seen that ``keys`` has space for all.
     """
     for i in range(count):
         other = order.ids[near[i]]

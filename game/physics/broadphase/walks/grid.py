@@ -2,8 +2,8 @@
 
 The searches in ``grid_search`` and ``covering_grid`` do the same for all boxes at once and keep no record.
 These functions read the arrays that the last search left, so that what is told is what was done: the
-candidates of all boxes together are as many as its box tests (twice as many in a covering grid, where each
-test is told by both boxes).
+candidates of all boxes together are as many as its box tests. They are twice as many in a covering grid,
+where each test is told by both boxes.
 """
 
 from __future__ import annotations

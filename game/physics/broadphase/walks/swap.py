@@ -17,7 +17,7 @@ class Swap(NamedTuple):
 
     ``mover`` was the later one and is now before ``other``; each is an id, with whether it is an upper end.
     ``result``: ALIKE (two lower or two upper ends: nothing to test), BEGINS (they overlap on both axes now),
-    APART (on this axis they overlap, not on the other), PARTS (on this axis they overlap no more).
+    APART (on this axis they overlap, not on the other). Last, PARTS: on this axis they overlap no more.
     """
 
     axis: int

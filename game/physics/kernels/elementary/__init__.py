@@ -1,10 +1,9 @@
 """The elementary functions of all that decides a simulated number: the same bits on every machine.
 
-A C library's differ from one platform and version to the next, by an ulp here and there, and a chaotic run
-makes that a different run. These use nothing but what IEEE 754 rounds the same way everywhere (sums,
-products, quotients, square roots) in a fixed order, so they give the same bits compiled for any processor,
-and not compiled at all. Every result is within 1 ulp of the exact value, for every argument; the modules say
-how near.
+A C library's differ from one platform and version to the next, by an ulp here and there. A chaotic run makes
+that a different run. These use, in a fixed order, only what IEEE 754 rounds the same way everywhere: sums,
+products, quotients, square roots. So they give the same bits compiled for any processor, and not compiled at
+all. Every result is within 1 ulp of the exact value, for every argument; the modules say how near.
 
 Kernels and Python call them as they would call ``math``'s, but none raises: what has no value is nan, what
 is too large inf. `game.physics.kernels.elementwise` has them for arrays.

@@ -1,7 +1,7 @@
 """Exponentials, logarithms and powers: each within 0.6 ulp but expm1, which is within 0.8.
 
-Both are read from tables and led on by short series (P. T. P. Tang 1989 and 1990), with a low part kept so
-that powers, logarithms to other bases and what else is made of them are rounded once and a little.
+Both are read from tables and led on by short series (P. T. P. Tang 1989 and 1990), with a low part kept. So
+powers, logarithms to other bases and the like are rounded once and a little.
 """
 
 from __future__ import annotations
@@ -171,7 +171,7 @@ def pow(x: float, y: float) -> float:
     if x < 0.0 or (x == 0.0 and math.copysign(1.0, x) < 0.0):
         if (
             math.fabs(y) >= 2.0**53
-        ):  # even; a kernel's floor is an integer, which has no room for all of these
+        ):  # even; a kernel's floor is an integer, which has no space for all of these
             sign = 1.0
         elif math.floor(y) == y:
             sign = 1.0 if math.floor(0.5 * y) == 0.5 * y else -1.0

@@ -6,9 +6,9 @@ rotation is the least of
     sigma² = d(theta)² + 4 k² sin²(theta / 2),   k² = polar second moment of area of A / its area
 
 the object norm of Kazerounian and Rastegar 1992: the mean square displacement of A's points. d jumps where A
-comes to fit into a gap of B, so the bound over an interval theta +- w is not d less something: every
-B_j - A_i(theta') contains B_j - A_i(theta) eroded by 2 R_i sin(w / 2), the farthest that a point of A_i goes,
-and the distance to what these leave free is no more than d anywhere in the interval.
+comes to fit into a gap of B, so the bound over an interval theta +- w is not d less something: every B_j -
+A_i(theta') contains B_j - A_i(theta) eroded by 2 R_i sin(w / 2), the farthest that a point of A_i goes. The
+distance to what these leave free is no more than d anywhere in the interval.
 """
 
 from __future__ import annotations
@@ -89,9 +89,9 @@ def _look(pair, row, most, answer):
 def search(pair, tolerance, rows, answer):
     """The least sigma to ``tolerance`` (m): intervals into rows (n, INTERVAL), the answer (ANSWER,).
 
-    pair: A's parts, B's parts about A's centroid, room for their differences, radius of gyration m, slack m.
+    pair: A's parts, B's parts about A's centroid, space for their differences, radius of gyration m, slack m.
     Level by level, an interval is halved unless its bound comes within the tolerance of the shortest motion
-    found, it is the narrowest, or the rows are full; FOUND_BOUND says what is then certain.
+    found. It is not if it is the narrowest, or the rows are full. FOUND_BOUND says what is then certain.
     """
     a, b, _, gyration, _ = pair
     answer[:] = 0.0

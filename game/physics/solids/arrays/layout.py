@@ -1,9 +1,9 @@
 """What joints are made of: one row for each, whatever its kind, and the lines that solvers read of it.
 
 A line is one scalar condition: along (UX, UY) at b's point and against it at a's, with the torques LA and LB
-for each newton (LA = ra x u for a's lever ra; of a turning line u = 0 and LA = LB = 1). Its speed is
-u . (vb - va) + LB wb - LA wa, its gap is what should be zero (EQUAL), not negative (ONE_SIDED), or is
-nothing (DRIVE: it asks for a speed, by no more than so much force). An impulse j along it pushes b by j u.
+for each newton (LA = ra x u for a's lever ra. A turning line has u = 0 and LA = LB = 1). Its speed is u . (vb
+- va) + LB wb - LA wa, its gap is what should be zero (EQUAL), not negative (ONE_SIDED), or is nothing (DRIVE:
+it asks for a speed, by no more than so much force). An impulse j along it pushes b by j u.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What kernels read and write: bodies, shapes, corners, contacts; structures of arrays, one row for each.
 
 A body's own frame has its origin at the centre of mass. A slot that is not in use has no flag (bodies), the
-kind NONE (shapes), so ids stay what they are when others are taken away.
+kind NONE (shapes). So ids stay what they are when others are taken away.
 
 All shapes are corners with a rounding radius: a disc has one corner, a capsule two, a polygon up to
 MOST_CORNERS, anticlockwise. A segment of a chain has four: the ghost before, both ends, the ghost after;
@@ -73,7 +73,7 @@ class Shapes(NamedTuple):
     densities: Floats  # (s,) kg/m²
     categories: Longs  # (s,) bits
     masks: Longs  # (s,) bits: which categories it meets
-    sizes: Floats  # (s,) m, radius of the least circle about its middle: what tolerances go by
+    sizes: Floats  # (s,) m, radius of the least circle about its middle: what tolerances scale with
     boxes: Floats  # (s, 4) m, x0 y0 x1 y1 with some room
 
 
@@ -87,7 +87,7 @@ class Pool(NamedTuple):
 class Contacts(NamedTuple):
     """Pairs of shapes whose boxes overlap, in ascending order of (a, b), and their manifolds.
 
-    Room for more than there are: ``count[0]`` are in use.
+    Space for more than there are: ``count[0]`` are in use.
     """
 
     count: Longs  # type: ignore[assignment]  # (2,) pairs; those that touch

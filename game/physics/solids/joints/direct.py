@@ -4,7 +4,7 @@ Unknowns are the impulses of all EQUAL lines (and of ropes that are taut): S j =
 compliance, symmetric positive definite, blocks of 3 x 3 (Baraff 1996, "Linear-time dynamics using Lagrange
 multipliers"). Time grows with the number of joints, whatever their masses; sweeps need as many of them as a
 chain is long, squared. Limits, drives and mice are swept before it. A millionth of a part of compliance is
-left in S, so that redundant joints (two welds on one pair, a loop that closes) share their load instead of
+left in S. So redundant joints (two welds on one pair, a loop that closes) share their load instead of
 dividing by zero.
 """
 

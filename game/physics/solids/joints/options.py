@@ -19,13 +19,13 @@ WITH_LIMITS = (layout.PIN, layout.SLIDER, layout.MOTOR, layout.DISTANCE, layout.
 class JointOptions:
     """Beside kind, bodies and anchors. ValueError, naming the field, for nonsense.
 
-    length: m, of a distance, rope or spring; None: as it is now. axis: of a slider, in the world, any
-    length but 0. limits: lower and upper, rad of a pin or motor (turn of b against a, from how they stand
-    now), m of a slider (from its anchors on), of a distance and a spring (its length). hertz Hz and damping
-    (of critical): compliance, by the masses of both bodies at the joint; 0: stiff; a spring needs one.
-    speed m/s or rad/s and most N or N m: drive of a motor, and of a pin or slider if either is given (speed
-    0: a brake); most is also the force of a mouse. break_force N, break_torque N m. colliding: the two
-    bodies also touch.
+    length: m, of a distance, rope or spring; None: as it is now. axis: of a slider, in the world, any length
+    but 0. limits: lower and upper, rad of a pin or motor: turn of b against a, from how they stand now. In m
+    of a slider (from its anchors on), of a distance and a spring (its length). hertz Hz and damping (of
+    critical): compliance, by the masses of both bodies at the joint; 0: stiff; a spring needs one. speed m/s
+    or rad/s and most N or N m: drive of a motor, and of a pin or slider if either is given (speed 0: a
+    brake); most is also the force of a mouse. break_force N, break_torque N m. colliding: the two bodies also
+    touch.
     """
 
     length: float | None = None

@@ -1,7 +1,7 @@
 """Contacts abreast: rows that share no moving body, eight in a batch, swept in one go.
 
 Rows follow each other by colours (`pairs.order_by_colours`), so that neighbours are mostly free of each
-other; a batch ends where one is not. What does not share a body can go in any order, so the result is that of
+other; a batch ends where one is not. What does not share a body can go in any order. So the result is that of
 `impulses.start_warm` and `impulses.sweep_contacts`, bit for bit, in a fourth of the time. Impulses live here
 while a solver runs; `put_back` gives them to the rows, `take_impulses` fetches them again.
 

@@ -1,13 +1,13 @@
 """Augmented vertex block descent, as printed: Giles, Diaz, Yuksel 2025, "Augmented Vertex Block Descent".
 
 Sections 3.1 to 3.7 and their demonstration's constants: a hard contact or joint has a force that is
-remembered and a stiffness that grows by 100,000 N/m for each metre of its gap in each sweep, from 1 N/m;
-both are kept from step to step by 0.99 (the force by 0.99 of that again), and 0.99 of the gap that a step
-begins with is left to the next steps. Friction is bounded by the normal force of the sweep before. It is
-meant for one substep of 1/60 s with 10 sweeps. A sweep begins where velocities lead, without gravity in the
-place of the printed estimate of last step's acceleration.
+remembered. Its stiffness grows by 100,000 N/m for each metre of its gap in each sweep, from 1 N/m. Both are
+kept from step to step by 0.99 (the force by 0.99 of that again). And 0.99 of the gap that a step begins with
+is left to the next steps. Friction is bounded by the normal force of the sweep before. It is meant for one
+substep of 1/60 s with 10 sweeps. A sweep begins where velocities lead, without gravity in the place of the
+printed estimate of last step's acceleration.
 
-What it cannot do: momentum is kept to 0.5 % only, as bodies move one after the other; what slides rolls late;
+What it cannot do: momentum is kept to 0.5 % only, as bodies move one after the other. What slides rolls late;
 stiffness takes time to grow, so what is dropped or loaded sinks first and comes back slowly.
 """
 

@@ -1,14 +1,13 @@
 """Referee: contacts, friction and joints of a substep solved exactly, by pivoting and not by sweeps.
 
-Baraff 1994, "Fast Contact Force Computation for Nonpenetrating Rigid Bodies", section 4: contact as a
-linear complementarity problem solved directly. In velocities and impulses, after Stewart and Trinkle 1996
-and Anitescu and Potra 1997, for which Painlevé's sliding rod has a solution too; friction's pyramid, which
-in a plane is the cone itself: a contact has a normal impulse, two of friction, and a speed of sliding.
-Joints' equal lines are eliminated first; limits and drives are rows like contacts and friction. Overlap
-deeper than the slop parts by a tenth in a substep. Every residual is at rounding's height, whatever the
-masses.
+Baraff 1994, "Fast Contact Force Computation for Nonpenetrating Rigid Bodies", section 4: contact as a linear
+complementarity problem solved directly. In velocities and impulses, after Stewart and Trinkle 1996 and
+Anitescu and Potra 1997, for which Painlevé's sliding rod has a solution too. Friction's pyramid, which in a
+plane is the cone itself: a contact has a normal impulse, two of friction, and a speed of sliding. Joints'
+equal lines are eliminated first; limits and drives are rows like contacts and friction. Overlap deeper than
+the slop parts by a tenth in a substep. Every residual is at rounding's height, whatever the masses.
 
-What it cannot do: its time grows with the cube of the points, so it refuses more than 60 of them; with
+What it cannot do: its time grows with the cube of the points, so it refuses more than 60 of them. With
 redundant contacts the one solution that it finds among many is not the symmetric one, so single forces mean
 little.
 """

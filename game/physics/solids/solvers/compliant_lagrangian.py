@@ -2,11 +2,11 @@
 beforehand.
 
 After the Newton physics engine's rigid solver (2026). A line of stiffness K has the penalty rho = max(H, 9
-K), a contact's normal H = 1 / (h² J M⁻¹ Jᵀ): as stiff as inertia makes it in one substep. Its force is k
-gap + s f with k = K rho / (K + rho) and s = K / (K + rho), f the force that is remembered, which becomes s
-(f + rho gap) after each sweep and is kept by 0.999 from substep to substep. What is stiff (K without bound)
-has s = 1 and k = rho. Nothing is ramped, so what is dropped is carried at once. Of a gap that a substep
-begins with, 0.99 is left to the next ones, so that parting gives no speed.
+K), a contact's normal H = 1 / (h² J M⁻¹ Jᵀ): as stiff as inertia makes it in one substep. Its force is k gap
++ s f with k = K rho / (K + rho) and s = K / (K + rho), f the force that is remembered. It becomes s (f + rho
+gap) after each sweep and is kept by 0.999 from substep to substep. What is stiff (K without bound) has s = 1
+and k = rho. Nothing is ramped, so what is dropped is carried at once. Of a gap that a substep begins with,
+0.99 is left to the next ones, so that parting gives no speed.
 
 A line with a compliance of its own acts as that spring, to which the formulas come in the end.
 

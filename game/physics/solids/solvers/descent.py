@@ -1,7 +1,7 @@
 """Block descent: each body in turn goes to where its inertia and all forces upon it balance (3 x 3 Newton
 step).
 
-What `augmented_vertex_block_descent` and `compliant_lagrangian` share: who touches whom, the sweep over
+What `augmented_vertex_block_descent` and `compliant_lagrangian` share: what touches what, the sweep over
 bodies, and how forces are kept between sweeps. They differ in stiffnesses and in what is remembered of
 forces. Chen, Liu, Yang, Yuksel 2024, "Vertex Block Descent", section 3. Forces are kept as impulses of a
 substep.
@@ -61,7 +61,7 @@ def aim(motion, scratch, h):
     """Where inertia and outer forces alone would bring each body: columns VX, VY, W of ``before``.
 
     A body that may touch something begins on its way without the forces of this substep, so that what rests
-    is not shaken; any other is there already.
+    is not shaken. Any other is there already.
     """
     before = scratch.before
     for i in range(motion.shape[0]):

@@ -1,10 +1,10 @@
 """A step is passive: the energy of what has no source does not rise in it.
 
-Two things could raise the energy of motion and of height. Overlap that is driven apart lifts what lies on
-it; and friction, bounces and sweeps that are cut short leave a little more motion than there was. The springs
-of soft contacts hold what sinking has paid into them: of what a step loses, each takes in no more than its
-energy k s²/2 at overlap s, and gives it back for lifting only. Where energy has risen beyond that, each group
-of bodies that touch takes back its lifting by overlap, then is lowered by a little, then slowed down:
+Two things could raise the energy of motion and of height. Overlap that is driven apart lifts what lies on it.
+Friction, bounces and sweeps that are cut short leave a little more motion than there was. The springs of soft
+contacts hold what sinking has paid into them: of what a step loses, each takes in no more than its energy k
+s²/2 at overlap s, and gives it back for lifting only. Where energy has risen beyond that, each group of
+bodies that touch takes back its lifting by overlap. Then it is lowered by a little, then slowed down:
 velocities shrink against those of the group as one rigid body, or against rest where it touches what is
 fixed. To scale all of them alike keeps momentum, and keeps every contact: a speed of closing that is 0 stays
 0.
@@ -211,7 +211,7 @@ def sum_groups(bodies, scratch, h):
 @inner_kernel
 def what_to_take_back(works, r, most):
     """What makes a group passive: the part of its lifting that is taken back; how far it is lowered (m, at
-    most ``most``); the factors of its motion, and, where even that is not enough, of its ways.
+    most ``most``). The factors of its motion, and, where even that is not enough, of its ways.
     """
     gain, lift, motion = works[r, GAIN], works[r, LIFT], works[r, MOTION]
     back = min(1.0, gain / lift) if lift > 0.0 else 0.0

@@ -1,10 +1,10 @@
 """Which impulse an impact of two rigid bodies at one point has, with friction: three named laws.
 
 Normal and tangential motion go on together while the normal impulse p grows: dv/dp = (knn + knt f, knt + ktt
-f), where f is the friction of one unit of p: -mu sign(vt) while the point slides; what holds it once it
-sticks, if mu is enough for that; else mu the other way, and it slides back (Routh 1905, "Dynamics of a
-System of Rigid Bodies", I, 179 to 198; Keller 1986). Compression ends where vn is 0. The laws differ in when
-the impact ends:
+f), where f is the friction of one unit of p: -mu sign(vt) while the point slides. What holds it once it
+sticks, if mu is enough for that. Else mu the other way, and it slides back (Routh 1905, "Dynamics of a System
+of Rigid Bodies", I, 179 to 198; Keller 1986). Compression ends where vn is 0. The laws differ in when the
+impact ends:
 
 newton: vn is -e times its first value. With friction that may give energy (Kane, Levinson 1985).
 poisson: p is 1 + e times that of compression.

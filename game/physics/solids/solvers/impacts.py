@@ -2,15 +2,15 @@
 
 Between impacts bodies go straight on: at the time t of a substep of h a body with velocity V at its end is at
 X + t (V - (h - t) a), with a the acceleration of its forces. Where a gap closes faster than what rests, its
-moment is found, the levers of both bodies are taken to the one point where they meet then, and
-`impact_law` says the impulse. Velocity changes by dV, and X by -t dV, so that the body has gone with the old
-one until the moment and with the new one after it. Both bodies feel the impulse at one point and at one time:
-momentum, and spin about any point, are kept to rounding; and what comes back has the energy of its law.
+moment is found. The levers of both bodies are taken to the one point where they meet then, and `impact_law`
+says the impulse. Velocity changes by dV, and X by -t dV, so that the body has gone with the old one until the
+moment and with the new one after it. Both bodies feel the impulse at one point and at one time: momentum, and
+spin about any point, are kept to rounding; and what comes back has the energy of its law.
 
-Impacts follow each other in sweeps until none is left (a heavy ball lifts a light one only after it has met
-the floor itself), or for `MOST_SWEEPS`; contacts then stop what still closes, without a bounce. Two points
-of a face that meet at once are solved together, by Newton's law. What does not bounce and meets several
-others in one substep, or touches already, is left to contacts, where these can hold all together.
+Impacts follow each other in sweeps until none is left, or for `MOST_SWEEPS`: a heavy ball lifts a light one
+only after it has met the floor itself. Contacts then stop what still closes, without a bounce. Two points of
+a face that meet at once are solved together, by Newton's law. What does not bounce and meets several others
+in one substep, or touches already, is left to contacts, where these can hold all together.
 """
 
 from __future__ import annotations

@@ -112,7 +112,7 @@ def solve_complementarity(a: Floats, q: Floats) -> Floats | None:
 def _values(a: Floats, q: Floats, basis: NDArray[np.int64], shift: float) -> Floats | None:
     """z of a basis, solved afresh: pivots have gathered rounding; None if it is no solution.
 
-    ``shift``: what was added to the diagonal for the pivots; its share is taken out again by proximal points
+    ``shift``: what was added to the diagonal for the pivots. Its share is taken out again by proximal points
     (Martinet 1970), which also go where A itself is singular, as where contacts share a load.
     """
     size = len(q)

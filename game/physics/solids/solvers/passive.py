@@ -1,11 +1,11 @@
 """Impacts are passive: in no substep do contacts give bodies more kinetic energy than they take.
 
-Impulses that were known before (warm start) and overlap that is driven apart are guesses of one sweep; where
-many bodies hit each other at once, a relaxing sweep does not take all of it back, and energy rises. With v
+Impulses that were known before (warm start) and overlap that is driven apart are guesses of one sweep. Where
+many bodies hit each other at once, a relaxing sweep does not take all of it back. Energy then rises. With v
 the velocities after the forces and d what all impulses of a substep added, the work is a + b with a = v·M d
 and b = d·M d/2. Where it is above a credit c, d is made shorter, to s d with s a + s² b = c; group by group
 of bodies that touch. The credit of a substep is m (h g)²/2, which leaves piles the little that their settling
-takes; what bounces at the end of a step may give back what its group has lost in the step.
+takes. What bounces at the end of a step may give back what its group has lost in the step.
 """
 
 from __future__ import annotations

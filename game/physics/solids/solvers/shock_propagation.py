@@ -1,20 +1,20 @@
 """Contact and shock propagation: Guendelman, Bridson, Fedkiw 2003, "Nonconvex Rigid Bodies with Stacking".
 
 Order of integration (section 4): collisions, with restitution, of those that would meet by the velocities
-that they have; then forces into velocities; then contacts (section 6), which have no restitution; then
+that they have. Then forces into velocities. Then contacts (section 6), which have no restitution. Then
 places. So a block on a slope starts, slides and stops without hopping, and falling bodies do not bounce off
-their own weight. Contacts: sweeps of impulses, each by itself and with friction (section 5), restitution
--0.9 at first and 0 at last, so that what presses most is slowed gently. Shock propagation (section 7):
-bodies in levels by how many contacts away from what cannot move they stand; level after level is swept once
-more, the level below as if it could not move. What still overlaps is pushed apart in the same order, in
-places only. Joints are held within the sweeps of contacts.
+their own weight. Contacts: sweeps of impulses, each by itself and with friction (section 5), restitution -0.9
+at first and 0 at last, so that what presses most is slowed gently. Shock propagation (section 7): bodies in
+levels by how many contacts away from what cannot move they stand. Level after level is swept once more, the
+level below as if it could not move. What still overlaps is pushed apart in the same order, in places only.
+Joints are held within the sweeps of contacts.
 
-Where we differ: the two points of a manifold are pushed together, so that columns do not lean to one side;
-contacts come from manifolds in the place of distance fields (convex parts stand for what is not convex),
-and a level is the least number of contacts from the ground, in the place of trial falls of single bodies.
+Where we differ: the two points of a manifold are pushed together, so that columns do not lean to one side.
+Contacts come from manifolds in the place of distance fields (convex parts stand for what is not convex). A
+level is the least number of contacts from the ground, in the place of trial falls of single bodies.
 
-What it cannot do: shock propagation hides weight from what is below, so a heavy box on a seesaw's end, or a
-plank that should tip by what stands on it, is held too well; nothing is remembered from step to step.
+What it cannot do: shock propagation hides weight from what is below. So a heavy box on a seesaw's end, or a
+plank that should tip by what stands on it, is held too well. Nothing is remembered from step to step.
 """
 
 from __future__ import annotations

@@ -43,7 +43,7 @@ def spring_energies(batches, motion, k, pull):
 
 @inner_kernel
 def measure_springs(bodies, scratch, numbers):
-    """Room (J) in the springs at each body, to works, and in all; what they hold beyond it is lost."""
+    """Space (J) in the springs at each body, to works, and in all; what they hold beyond it is lost."""
     works, stored, batches, total = scratch.works, bodies.stored, scratch.batches, 0.0
     for i in range(stored.shape[0]):
         works[i, STORED] = 0.0

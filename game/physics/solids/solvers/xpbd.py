@@ -1,12 +1,12 @@
 """XPBD with small steps: places are predicted, then corrected until contacts and joints are kept.
 
 Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke, Müller 2019, "Small Steps in Physics Simulation", section
-4; rigid bodies by Müller, Macklin, Chentanez, Jeschke, Kim 2020, "Detailed Rigid Body Simulation with
+4. Rigid bodies by Müller, Macklin, Chentanez, Jeschke, Kim 2020, "Detailed Rigid Body Simulation with
 Extended Position Based Dynamics", section 3. A substep: forces, predicted places, ``iterations`` (one, as
-printed) sweeps of positions from impulses of zero, velocities from what was moved, and the speed taken out
-that parting an overlap gave. Friction is static and sliding in one: a correction within the cone of the
-normal one. Joints take their compliance as it is (section 3 of Macklin, Müller, Chentanez 2016), never more
-than a sweep a substep.
+printed) sweeps of positions from impulses of zero, velocities from what was moved. Last, the speed that
+parting an overlap gave is taken out. Friction is static and sliding in one: a correction within the cone of
+the normal one. Joints take their compliance as it is (section 3 of Macklin, Müller, Chentanez 2016), never
+more than a sweep a substep.
 
 What it cannot do: nothing is kept from substep to substep, so a column sinks, and joints stretch, as the
 square of their number and of the substep: chains under heavy loads need very many substeps, and a box 1,000

@@ -1,7 +1,7 @@
 """Tracks as a person gives them, and the pieces that kernels roll along.
 
 A curve through points is a cubic spline by chord length, with two continuous derivatives, but for corners. A
-ball touches a side of a curve; both sides and the round of each end and corner are pieces of one boundary,
+ball touches a side of a curve. Both sides and the round of each end and corner are pieces of one boundary,
 which a ball always has on its right: normals point to the left.
 """
 

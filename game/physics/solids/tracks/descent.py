@@ -65,8 +65,8 @@ def rolling_acceleration(slope: float, gravity: float, share: float) -> float:
 
 
 def loop_drop(radius: float, ball: float, share: float) -> float:
-    """Least drop (m) of the centre for a loop of ``radius`` m and a ball of ``ball`` m that does not slip:
-    at the top its weight alone keeps it on the circle (Huygens 1673). NaN: it has no room in the loop.
+    """Least drop (m) of the centre for a loop of ``radius`` m and a ball of ``ball`` m that does not slip: at
+    the top its weight alone keeps it on the circle (Huygens 1673). NaN: it does not fit into the loop.
     """
     if ball >= radius:
         return math.nan
@@ -76,7 +76,7 @@ def loop_drop(radius: float, ball: float, share: float) -> float:
 def leaving_angle(drop: float, radius: float, ball: float, share: float) -> float:
     """Angle (rad from upright) at which a ball that does not slip leaves a loop of ``radius`` m, its centre
     having begun ``drop`` m above the foot: where the push of the track becomes zero. NaN: it goes round,
-    never comes above the middle, or has no room in the loop.
+    never comes above the middle, or does not fit into the loop.
     """
     if ball >= radius:
         return math.nan

@@ -43,8 +43,8 @@ def is_far(rows, i, t, j, tj, radius):
 
 @inner_kernel
 def _faces(rows, i, t, j, tj):
-    """Whether two places on one side of a curve look at each other as the flanks of a corner do that a ball
-    touches so far apart: of less than 35 degrees, 2 atan(1 / pi).
+    """Whether two places on one side of a curve look at each other as the flanks of a corner do: of less than
+    35 degrees, 2 atan(1 / pi).
     """
     if (rows[i, curves.TO] - rows[i, curves.FROM]) * (rows[j, curves.TO] - rows[j, curves.FROM]) <= 0.0:
         return False
@@ -315,7 +315,7 @@ def step_balls(pieces, grid, balls, gravity, h, substeps):
 @lean_kernel
 def settle_balls(pieces, balls, tracks, margin):
     """After tracks have changed: each ball that rolled on tracks[b] is put on its nearest place, as fast as
-    it was along it; what is within a track is put outside. margin: m, how far it may be moved.
+    it was along it. What is within a track is put outside. margin: m, how far it may be moved.
     """
     ball = balls.rows
     for b in range(ball.shape[0]):

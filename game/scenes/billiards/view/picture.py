@@ -75,8 +75,16 @@ class BilliardsView:
             self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
         else:
             sight = self._draw_play(canvas, time)
-        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+        if canvas.pixels_per_unit >= layout.LEAST_PIXELS and self._in_view(canvas):
             self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
+
+    def _in_view(self, canvas: Canvas) -> bool:
+        """Whether all of the table is seen: nearer, what stands round it would be seen in parts."""
+        seen, table = canvas.camera.visible(), layout.TABLE
+        return (
+            seen.bottom <= table.left and seen.top >= table.right
+            and seen.left <= table.top and seen.right >= table.bottom
+        )  # fmt: skip
 
     def _draw_play(self, canvas: Canvas, time: float) -> Sight | None:
         """What lies and moves on the table at a time of the phase, s; what is foreseen of an aimed stroke."""

@@ -1,4 +1,4 @@
-"""The door by which Python enters a kernel that does not count references: its arguments, made ready.
+"""The entry by which Python enters a kernel that does not count references: its arguments, made ready.
 
 numba writes some forty instructions for each array of a tuple, which for a world of solids are more than
 those of the step itself. Here a loop goes over the arrays, and each is laid right where the kernel reads it
@@ -19,13 +19,13 @@ from numba.np.numpy_support import as_dtype
 
 from game.compiler.target.bundles import is_by_address
 
-_TAKES_ADDRESSES = "carom_takes_addresses"  # set on the builder of such a door
+_TAKES_ADDRESSES = "carom_takes_addresses"  # set on the builder of such an entry
 _ITEM_SIZE = 24  # bytes, where an array's structure says how many bytes an element takes
 _LONG = ir.IntType(64)
 _REFUSED = "can't unbox array from PyObject into native value.  The object maybe of a different type"
 
 
-class Door(PyCallWrapper):
+class Entry(PyCallWrapper):
     """numba's function for Python around a kernel; large tuples are laid into memory."""
 
     def build_wrapper(self, api: Any, builder: Any, closure: Any, args: Any, kws: Any) -> None:
@@ -34,10 +34,10 @@ class Door(PyCallWrapper):
         super().build_wrapper(api, builder, closure, args, kws)
 
 
-def fits_door(context: Any, kinds: tuple[Any, ...]) -> bool:
-    """Whether a kernel of these arguments gets such a door: numbers, arrays, and tuples of these.
+def fits_entry(context: Any, kinds: tuple[Any, ...]) -> bool:
+    """Whether a kernel of these arguments gets such an entry: numbers, arrays, and tuples of these.
 
-    In a tuple that is handed over by its members none may lie that goes by its address.
+    In a tuple that is handed over by its members none may lie that is passed by its address.
     """
     lookup = context.data_model_manager.lookup
 
@@ -50,8 +50,8 @@ def fits_door(context: Any, kinds: tuple[Any, ...]) -> bool:
     return not context.enable_nrt and all(is_plain(kind, True) for kind in kinds)
 
 
-class DoorAPI(PythonAPI):
-    """How code talks with Python; at a door large tuples are not unboxed, but laid into memory."""
+class EntryAPI(PythonAPI):
+    """How code talks with Python; at an entry large tuples are not unboxed, but laid into memory."""
 
     def to_native_value(self, typ: Any, obj: Any) -> Any:
         """What a kernel gets for an object of Python's."""
@@ -61,7 +61,7 @@ class DoorAPI(PythonAPI):
 
 
 def _unbox_named_tuple(kind: Any, obj: Any, c: Any) -> Any:
-    """A NamedTuple of Python's for a kernel: the address of what it is in memory, at a door."""
+    """A NamedTuple of Python's for a kernel: the address of what it is in memory, at an entry."""
     model = c.context.data_model_manager[kind]
     if not (getattr(c.builder, _TAKES_ADDRESSES, False) and is_by_address(model)):
         return unbox_tuple(kind, obj, c)

@@ -1,0 +1,1 @@
+"""What a story names, measures and marks on the billiard table."""
