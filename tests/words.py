@@ -14,6 +14,8 @@ SOURCE = re.compile(r"\([^()]*\b1[89]\d\d[^()]*\)|\([^()]*\b20[0-4]\d[^()]*\)") 
 ABBREVIATED = re.compile(r"\b(e\.g|i\.e|al|St|Proc|No|vol|pp|vs)\. ")
 WORD = re.compile(r"(?<![\w.^*/=+])(?:[A-Za-z][a-z'’-]*[a-z]|[aA]|[A-Z]{3,})(?![\w(^*/=])")
 APART = re.compile(r"^[ |=]|\S {3,}\S|^\w+\(.*\)$")  # of a table, a formula, code
+SYMBOL = re.compile(r"(?<![\w'’-])[B-HJ-Zb-zα-ωΔ](?:_\w+)?(?![\w'’(])")
+SYMBOLS = 5  # a sentence that names so many is a legend of formulas
 ENDS = re.compile(r"(?<=[.!?:])\s+")
 
 
@@ -26,7 +28,9 @@ class Sentence(NamedTuple):
 
     @property
     def words(self) -> int:
-        """How many words it has, without code, formulas and works that it names."""
+        """How many words it has, without code, formulas and works that it names; a legend has none."""
+        if len(SYMBOL.findall(self.text)) >= SYMBOLS:
+            return 0
         return len(WORD.findall(SOURCE.sub("", CODE.sub("", self.text))))
 
 
@@ -40,8 +44,11 @@ def docstrings(file: Path) -> Iterator[tuple[int, str]]:
 
 
 def paragraphs(text: str) -> Iterator[str]:
-    """Paragraphs of prose, each in one line; tables, formulas and code stand apart and are indented."""
-    for paragraph in re.split(r"\n\s*\n", text):
+    """Paragraphs of prose and items of lists, each in one line.
+
+    Tables, formulas and code stand apart and are indented.
+    """
+    for paragraph in re.split(r"\n\s*\n|\n(?=- )", text):
         lines = [line for line in paragraph.split("\n") if not APART.search(line)]
         yield " ".join(" ".join(lines).split())
 

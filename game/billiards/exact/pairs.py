@@ -24,10 +24,12 @@ def may_meet(state, modes, pairs, i, start, count):
     with which one was foreseen so far.
 
     With x + v t + a t^2 the position of ball j seen from i, and a horizon of h s in which both keep their
-    phases. There is no contact if - the distance only grows, or the parabola that lies under its square (see
-    `detection`) stays above; or - the path keeps off: along and across v, both times |v|, it stays in a box
-    that ends before the ball; or - both lie still, apart. One expression without branches, and an index that
-    cannot be negative, so that the compiler takes several balls at a time.
+    phases. There is no contact if
+    - the distance only grows, or the parabola that lies under its square (see `detection`) stays above; or
+    - the path keeps off: along and across v, both times |v|, it stays in a box that ends before the ball; or
+    - both lie still, apart.
+    One expression without branches, and an index that cannot be negative, so that the compiler takes several
+    balls at a time.
     """
     now = state[s.TIME, i]
     xi = state[s.X, i]

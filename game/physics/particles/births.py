@@ -4,9 +4,10 @@ The n-th particle of an emitter of constant rate is born at n / rate: so after a
 floor(rate T) have been born, whatever the step. A change of rate keeps the fraction of the particle that was
 under way. The pool is a ring in the order of birth: those that die of age are always at its head.
 
-Tuples of arrays: pool fields (>= 5, n), x, y, vx, vy, birth. tags (2, n), see `encounters`. tallies
-(TALLIES,); capacity sources emitters (m, EMITTER_COLUMNS), counts (m, 2), due (m,) scratch, seed listed hits
-(LIST_ROWS, k) and who (k,), the list of those to be resolved
+Tuples of arrays:
+pool       fields (>= 5, n), x, y, vx, vy, birth; tags (2, n), see `encounters`; tallies (TALLIES,); capacity
+sources    emitters (m, EMITTER_COLUMNS), counts (m, 2), due (m,) scratch, seed
+listed     hits (LIST_ROWS, k) and who (k,), the list of those to be resolved
 """
 
 from __future__ import annotations

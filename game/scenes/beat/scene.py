@@ -26,7 +26,7 @@ from game.worlds.expectations import captions_of
 class Beat(Scene):
     """Tap a beat with B, or on the bar below the table, and rest: a stroke is found whose impacts meet it.
     Nothing is steered. For each beat a ball is laid where one that moves then will just meet it, in any of
-    many directions; the exact table says what comes of it; layouts that click between the beats fall behind.
+    many directions. The exact table says what comes of it. Layouts that click between the beats fall behind.
     The impacts are on the beat to rounding; what cushions add off the beat is counted.
     """
 

@@ -1,4 +1,4 @@
-"""Who searches: a thread, or at once where no time passes."""
+"""The searcher: a thread, or at once where no time passes."""
 
 from __future__ import annotations
 

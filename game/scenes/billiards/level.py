@@ -249,7 +249,7 @@ def _check_place(layout: Arrangement, table: Table, ball: PlacedBall) -> None:
 
 
 def _places_of(content: BilliardsContent) -> tuple[tuple[int, float, float], ...]:
-    """Ball, x, y m of all that is placed."""
+    """Ball, x, y m of everything placed."""
     return tuple(sorted((ball.number, *ball.position) for ball in content.balls))
 
 

@@ -143,8 +143,8 @@ class BilliardsModel(Part):
         self._lay_out()
 
     def rack(self, new_match: bool = False) -> None:
-        """The next rack if the game is over, else this game, or this drill, from its beginning; a position
-        of one's own is set up again.
+        """The next rack if the game is over, else this game, or this drill, from its beginning. A position of
+        one's own is set up again.
 
         new_match: no racks are won yet.
         """

@@ -36,7 +36,7 @@ class Play(Part):
 
     clock (2,) s: time of the phase, place in the replay; it belongs to the state. pending: the stroke for
     which the cue swings; practised: with strokes in the air first. grip: what the pointer holds, which a new
-    phase takes from it. rest_s: how long nobody has done anything, s. by_hand: how many strokes a hand has
+    phase takes from it. rest_s: how long nothing has been done, s. by_hand: how many strokes a hand has
     played; meant, done: the last of them as it was aimed, and as the hand did it. own: the last such pairs of
     strokes by a hand that strays. log: of all strokes.
     """

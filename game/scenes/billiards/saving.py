@@ -62,7 +62,7 @@ def _told(best: BestStroke) -> BestPlayed:
 
 
 def stroke_excerpt(play: Play, scene: Scene) -> Excerpt | None:
-    """The last stroke from the position before it, to its end as it is shown; None if there is none, or if
+    """The last stroke from the position before it, to its end as it is shown. None if there is none, or if
     balls, table or cloth have been changed since.
     """
     model = play.model

@@ -18,7 +18,7 @@ OTHERS = ("with boxes", "axis-aligned")  # tests of the trees beside
 
 class Capsules(BoundsScene):
     """The same trees with capsules: all points within a radius of a core segment. The core is laid along each
-    direction in turn, in the middle of the projection; the radius is half of the breadth; and the core is as
+    direction in turn, in the middle of the projection. The radius is half of the breadth, and the core is as
     short as its round ends allow. The least area wins.
 
     A capsule has no corners to turn: two of them overlap if their cores are nearer than both radii together,

@@ -18,7 +18,7 @@ class OrientedBoxes(BoundsScene):
     that do not overlap end a branch; of two that do, the larger one is opened; where leaves overlap, their
     segments are tested, exactly.
 
-    The boxes are oriented: their axes are turned degree by degree, the outline is projected on them, the
+    The boxes are oriented: their axes are turned degree by degree, and the outline is projected on them. The
     centre is the middle of the projections, and the least area wins. Such a box hugs a curve: half as long,
     it is a quarter as broad. Axis-aligned boxes are only half as broad, and need many more tests where
     outlines come close.

@@ -19,11 +19,11 @@ from game.stage import Equation, Readout, Strip
 
 
 class HierarchicalGridScene(ComparedScene):
-    """Boxes of very unlike sizes: most are small, a few are many times larger. One uniform grid cannot
-    serve both; here there is a grid for every size. A box stands on the level whose cells are just not
-    smaller than itself, in the cell of its lower corner. No grid is stored: cells are found by hashing, a
-    table for each level, so there is neither an edge nor a size to choose, and memory follows the boxes. The
-    tilted stack shows the levels above each other, and beside each the chains of boxes in its buckets.
+    """Boxes of very unlike sizes: most are small, a few are many times larger. One uniform grid cannot serve
+    both; here there is a grid for every size. A box stands on the level whose cells are just not smaller than
+    itself, in the cell of its lower corner. No grid is stored: cells are found by hashing, a table for each
+    level. So there is neither an edge nor a size to choose, and memory follows the boxes. The tilted stack
+    shows the levels above each other, and beside each the chains of boxes in its buckets.
 
     Pairs on one level are found as in a uniform grid. Between two levels either the smaller boxes look up
     the few large cells around them, or the large boxes run over the small cells below. The naive method,

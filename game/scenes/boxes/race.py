@@ -27,16 +27,16 @@ IN_STRIP = ("uniform", "hierarchical", "sweep", "bsp", "kinetic")
 
 
 class BroadPhaseRace(BoxesScene):
-    """Every broad phase is given the same boxes in every step, tells all pairs, and is timed: update and
-    all pairs together. The bars are logarithmic, from a microsecond to a second. Beside them stand how many
-    times the fastest's that is, the work that was done, box tests or swaps, the memory, and whether the pairs
-    are those of the others. The plot keeps what a step cost at each number of boxes that was tried; X
-    measures them all from 8 to 2048 boxes and says from where on the naive method falls behind.
+    """Every broad phase is given the same boxes in every step, tells all pairs, and is timed: update and all
+    pairs together. The bars are logarithmic, from a microsecond to a second. Beside them stand how many times
+    the fastest's that is, and the work that was done, box tests or swaps. Then come the memory, and whether
+    the pairs are those of the others. The plot keeps what a step cost at each number of boxes that was tried.
+    X measures them all from 8 to 2048 boxes and says from where on the naive method falls behind.
 
     Below, both pair managers take over the pairs and tell which began and which ended. Choose the workload:
-    equal boxes, two sizes, a heavy tail of sizes, heaps, all on one line, a lattice full of ties, or boxes
-    that all leap in every step. The kinetic sweep bounds what a box will cover for some steps, and looks at
-    it again when that is used up or the box did not go on as it did. No method wins them all. The naive
+    equal boxes, two sizes, a heavy tail of sizes, or heaps. Also all on one line, a lattice full of ties, or
+    boxes that all leap in every step. The kinetic sweep bounds what a box will cover for some steps. It looks
+    at it again when that is used up or the box did not go on as it did. No method wins them all. The naive
     method is left out above 4000 boxes, the full matrix above 4096.
     """
 

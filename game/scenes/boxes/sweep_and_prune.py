@@ -18,10 +18,10 @@ from game.stage import Equation, Readout, Strip
 
 class SweepAndPruneScene(ComparedScene):
     """The end points of all boxes are kept sorted on both axes. From one step to the next boxes move a
-    little, so a few swaps of neighbours put them in order again; and only where a lower and an upper end
-    swap can a pair begin or end. So the cost of a step follows the motion in it: boxes at rest cost one look
-    at each end. In motion the swaps grow with the speed, and with the square of the number of boxes, since
-    twice as many ends pass twice as many others. How many boxes overlap does not matter.
+    little, so a few swaps of neighbours put them in order again. Only where a lower and an upper end swap can
+    a pair begin or end. So the cost of a step follows the motion in it: boxes at rest cost one look at each
+    end. In motion the swaps grow with the speed, and with the square of the number of boxes. Twice as many
+    ends pass twice as many others. How many boxes overlap does not matter.
 
     At the edges of the world the sorted end points are shown, lower and upper ones, and marked where they
     changed places. The number of swaps is held against its mean for boxes that move in random directions.

@@ -16,17 +16,17 @@ from game.stage import Equation, Readout, Strip
 
 
 class UniformGridScene(BoxesScene):
-    """Boxes with random velocities move by explicit Euler and turn back at the boundary. A uniform grid,
-    a dense matrix of cells without any hashing, finds all pairs that overlap in every step; boxes are
-    added, removed and updated in it as they come, go and move.
+    """Boxes with random velocities move by explicit Euler and turn back at the boundary. A uniform grid, a
+    dense matrix of cells without any hashing, finds all pairs that overlap in every step. Boxes are added,
+    removed and updated in it as they come, go and move.
 
     Two pair managers are given the pairs, and say which ones began and which ended. One looks a pair up in a
     full matrix over all boxes, the other in a hash table. Their answers are compared in every step, their
     times and their memory are shown side by side. The matrix asks for one look and for memory that grows
     with the square of the boxes; above 4096 boxes it is left out here.
 
-    In the textbook's grid every box stands in all cells that it covers; here it may also stand in the cell
-    of its lower corner alone, and look further for its partners.
+    In the textbook's grid every box stands in all cells that it covers. Here it may also stand in the cell of
+    its lower corner alone, and look further for its partners.
     """
 
     name, task, title = C05.names

@@ -30,16 +30,16 @@ class BurningCloth(WorldScene):
     on it with a solution of saltpetre, which has dried. A match lights each letter at its foot: a front of
     embers creeps along what is written, and only that burns through.
 
-    No script says what burns. Treated cloth does nothing below 640 K, more than half of it stays as char,
-    and what heat it gives is less than it loses, so a fire in it goes out. Saltpetre takes fire at 500 K,
-    brings its own oxygen and leaves nothing: its front keeps itself hot. What leaves as vapour burns in the
-    air before the cloth. Where a mesh has lost its threads a hole opens, and what hangs on nothing any more
+    No script says what burns. Treated cloth does nothing below 640 K, more than half of it stays as char. The
+    heat that it gives is less than it loses, so a fire in it goes out. Saltpetre takes fire at 500 K, brings
+    its own oxygen and leaves nothing: its front keeps itself hot. What leaves as vapour burns in the air
+    before the cloth. Where a mesh has lost its threads a hole opens, and what hangs on nothing any more
     falls.
 
     Limits. The gas is solved in the plane of the cloth, as a layer 0.2 m deep with the same velocity all
-    through; the cloth itself swings in space. The gas does not feel the cloth's drag, and does not expand
-    by its warmth. Heat spreads along the threads as quickly as it does with the hot gas close to a cloth (2
-    cm²/s), and threads keep the heat capacity of a whole one until they fall.
+    through. The cloth itself swings in space. The gas does not feel the cloth's drag, and does not expand by
+    its warmth. Heat spreads along the threads as quickly as it does with the hot gas close to a cloth (2
+    cm²/s). Threads keep the heat capacity of a whole one until they fall.
 
     In the equations: u temperature above that around over what the fuel's heat would give, u_i ignition,
     f fuel left, D diffusivity, r rate of burning, h loss, c speed of the front.

@@ -1,4 +1,4 @@
-"""What is told of the cloth beside readouts: places for stories, sounds, and the cloth as a level."""
+"""What a story says of the cloth beside readouts: places for stories, sounds, and the cloth as a level."""
 
 from __future__ import annotations
 

@@ -45,10 +45,10 @@ class CaromScene(CueGameScene):
     """A carom table. A point is made when the cue ball touches both other balls; at three-cushion it must
     touch three cushions before the second of them.
 
-    The list shows every way to score from the position on the table. 18 000 strokes, over aim, speed and the
-    place of the tip, are played to their end by the exact table whenever a ball is moved; those that score
-    are grouped by the order of balls and cushions that the cue ball touches, and each group's best stroke is
-    tried again and again with the noise of a hand. Drag a ball and watch.
+    The list shows every way to score from the position on the table. Whenever a ball is moved, the exact
+    table plays 18 000 strokes over aim, speed and the place of the tip to their end. Those that score are
+    grouped by the order of balls and cushions that the cue ball touches. Each group's best stroke is tried
+    again and again with the noise of a hand. Drag a ball and watch.
     """
 
     name, task, title = CAROM.names

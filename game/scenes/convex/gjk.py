@@ -20,11 +20,11 @@ class Gjk(ConvexPairScene):
     """Two convex polygons A and B, and beside them all differences of their points: A − B, also convex. Its
     distance from the origin is that of the two; if it holds the origin, they overlap.
 
-    GJK never builds A − B. It keeps a simplex, one or two of its corners, takes the point v of it that is
-    closest to the origin, and asks both polygons for their vertices farthest along −v and v: that gives
-    the corner w farthest towards the origin. If w is no nearer than v, seen along v, v is the answer;
-    else the best simplex with w is the next one. Farthest vertices are found by climbing from the last
-    one, and the last simplex is the first one of the next query.
+    GJK never builds A − B. It keeps a simplex, one or two of its corners, and takes the point v of it that is
+    closest to the origin. It asks both polygons for their vertices farthest along −v and v: that gives the
+    corner w farthest towards the origin. If w is no nearer than v, seen along v, v is the answer; else the
+    best simplex with w is the next one. Farthest vertices are found by climbing from the last one, and the
+    last simplex is the first one of the next query.
 
     If a triangle holds the origin, the polytope is expanded from it to the border of A − B (EPA): its closest
     edge is the depth of the overlap.

@@ -27,7 +27,7 @@ GONE, NOT_YET = -1, -1.0
 
 class Table(NamedTuple):
     """Of each domino: body (GONE: taken away), row, direction of its row, distance from the one before it (m,
-    0: none), where its foot stood (m) and how it leant (rad), size (m), time at which it was struck
+    0: none), where its foot stood (m) and how it leant (rad), size (m). Time at which it was struck
     (NOT_YET), and whether it stands on the level at the height of the one before it.
     """
 
@@ -144,7 +144,7 @@ class Dominoes(Member):
         table.struck[number], table.level[number] = NOT_YET, 0
 
     def add(self, place: Standing) -> bool:
-        """Stand another domino there, like the nearest one; False if there is no more room for one."""
+        """Stand another domino there, like the nearest one; False if there is no more space for one."""
         table = self.table
         if len(table.body) >= MOST_DOMINOES:
             return False

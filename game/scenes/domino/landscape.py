@@ -91,7 +91,7 @@ class Landscape:
         self._hues: Floats = np.zeros((1, 2, 3))
 
     def draw(self, canvas: Canvas) -> None:
-        """All that is behind the world."""
+        """What is behind the world."""
         pixels, clip = canvas.raster_target
         width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
         if width <= 0 or height <= 0:

@@ -23,10 +23,9 @@ from game.worlds.scene import Parts, WorldScene
 
 
 class Domino(WorldScene):
-    """Each domino turns about the lower edge of its face, strikes the next, and leans on it from then on, so
-    that many of them push the front together. After a dozen the wave runs at a steady speed, which depends
-    on the gap, the thickness and the friction between two dominoes, and goes with the square root of their
-    height.
+    """Each domino turns about the lower edge of its face, strikes the next, and leans on it from then on. So
+    many of them push the front together. After a dozen the wave runs at a steady speed. It depends on the
+    gap, the thickness and the friction between two dominoes, and grows with the square root of their height.
 
     All bodies are rigid solids; contacts push and rub, and a step is cut into substeps: with more of them the
     measured speed comes nearer to the theory, and a step costs more. What rests is asleep until something

@@ -1,4 +1,4 @@
-"""What is told of the dominoes: readouts beside theory, places for stories, sounds, the present level."""
+"""Words of the dominoes: readouts beside theory, places for stories, sounds, the present level."""
 
 from __future__ import annotations
 

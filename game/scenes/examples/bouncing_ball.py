@@ -25,8 +25,8 @@ class BallState(NamedTuple):
 
 class BouncingBall(Scene):
     """A ball falls and is thrown back by the ground, a little lower each time. Between impacts a step is
-    exact; what is lost is lost at the impact, if it is only seen at the end of the step it falls in.
-    The dashed outline bounces exactly.
+    exact. What is lost is lost at the impact, if it is only seen at the end of the step it falls in. The
+    dashed outline bounces exactly.
     """
 
     name, task, title = BOUNCING_BALL.names

@@ -14,7 +14,7 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 SECONDS, SQUARE_SECONDS = 0.12, 0.04  # of a pendulum's length: m for m/s, m for m/s²
 BALL_SECONDS, BALL_SQUARE_SECONDS = 0.08, 0.02  # of a ball's fall, likewise
 LAW = "by the law"  # a readout
-BOUNCES = 5  # that are told of
+BOUNCES = 5  # that are counted
 
 
 def arrow_legend(scene: Scene) -> list[tuple[str, str, str]]:

@@ -104,7 +104,7 @@ class FireplaceModel(World):
         self.air.set_effects(active & COMBUSTION.known, active & GAS.known)
 
     def add_log(self, point: Point) -> bool:
-        """A log falls from a point (m); False if there is no room."""
+        """A log falls from a point (m); False if there is no space."""
         self.changed = True
         x = min(max(point[0], -0.3), 0.3)
         before_heat, before_fuel = self.wood.nodes.heat(), math.fsum(self.wood.nodes.fuel.tolist())

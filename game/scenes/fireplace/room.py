@@ -16,7 +16,7 @@ from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.backdrops import Painted, Seen
 
 Floats = NDArray[Any]  # of single precision, for pictures
-CELL = 1.0 / 200.0  # m of the room to a cell of its picture
+CELL = 1.0 / 200.0  # m of the room in a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP = -2.6, -0.75, 2.6, 2.3  # m that are painted
 SLAB, SLAB_HALF = 0.1, 0.98  # m: how thick the hearth is, and half as wide
 FLOOR = -0.1  # m, where the floor begins

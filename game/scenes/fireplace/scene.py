@@ -28,14 +28,14 @@ class Fireplace(WorldScene):
     """A match lights sticks, these light logs, and the fire grows until the logs are used up, break and fall.
     At the end embers glow, and cool as T⁴.
 
-    Wood is warmed by the gas at it, by flames and by other embers, dries first if it is wet, and above its
-    ignition temperature gives off vapour and burns itself. The vapour mixes with air and burns where it is
-    hot enough, as far as there is oxygen; hot gas expands, rises, radiates the more the more soot is in it,
-    and leaves by the flue. The logs are rigid pieces, welded together: burnt ones are thinner, and break.
+    Wood is warmed by the gas at it, by flames and by other embers, and dries first if it is wet. Above its
+    ignition temperature it gives off vapour and burns itself. The vapour mixes with air and burns where it is
+    hot enough, as far as there is oxygen. Hot gas expands, rises and leaves by the flue. It radiates the more
+    the more soot is in it. The logs are rigid pieces, welded together: burnt ones are thinner, and break.
 
-    All is in the plane, a metre deep. The wood is very light, so that an hour goes by in a minute; the
-    flames go past logs, which are no obstacles: in space they would go around them, before and behind. The
-    gas carries its heat, not its temperature, so that what mixes keeps it; the books tell what is still lost.
+    All is in the plane, a metre deep. The wood is very light, so that an hour passes in a minute; the flames
+    go past logs, which are no obstacles: in space they would go around them, before and behind. The gas
+    carries its heat, not its temperature, so that what mixes keeps it; the books tell what is still lost.
 
     In the equations: T temperature, T_a that around, b from emissivity, area and heat capacity, Y_F and Y_O
     fuel and oxygen, s oxygen for a kilogram of fuel, k rate, g gravity, u velocity, D width of the fire.

@@ -1,4 +1,4 @@
-"""What is told of the fireplace beside readouts: places for stories, sounds, and the fire as a level."""
+"""What a story says of the fireplace beside readouts: places for stories, sounds, and the fire as a level."""
 
 from __future__ import annotations
 

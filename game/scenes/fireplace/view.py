@@ -199,7 +199,7 @@ class FireplaceView:
             canvas.glow(sparks[:, :2], _embers(0.35 + 0.65 * fade).astype(np.uint32), 1, 0.9 * fade)
 
     def _draw_marks(self, canvas: Canvas, places: Floats) -> None:
-        """The temperature of each piece, where there is room for it."""
+        """The temperature of each piece, where there is space for it."""
         for number in range(0, self.model.wood.count, 2):
             kelvin = float(self.model.wood.nodes.temperature[number])
             canvas.label(places[number], canvas.figure(number, f"{kelvin:.0f} K"), "text1", 11)

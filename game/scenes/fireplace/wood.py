@@ -84,7 +84,7 @@ class Wood(Part):
     # -- making -----------------------------------------------------------------------------------------
 
     def add(self, entry: WoodEntry) -> bool:
-        """One more log or stick; False if there is no room for it."""
+        """One more log or stick; False if there is no space for it."""
         if self.count + entry.pieces > MOST_PIECES:
             return False
         turn, half = math.radians(entry.turn), 0.5 * entry.length / entry.pieces
@@ -115,7 +115,7 @@ class Wood(Part):
         return self.world.add_body(shape, at, turn)
 
     def _grow(self, entry: WoodEntry, rows: Floats) -> None:
-        """Room for the new pieces in the heat's arrays; those that are there keep what they have."""
+        """Space for the new pieces in the heat's arrays; those that are there keep what they have."""
         old, first = self.nodes, self.count - len(rows)
         links = [(i - 1, i) for i in range(self.count) if self.table[i, tables.JOINT] != tables.NONE]
         surface = 2.0 * (2.0 * rows[:, tables.HALF_LENGTH] + 2.0 * rows[:, tables.HALF_THICK])

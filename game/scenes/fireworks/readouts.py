@@ -12,7 +12,7 @@ from game.stage import Readout
 
 
 def readouts(model: FireworksModel) -> list[Readout]:
-    """All that is measured."""
+    """What is measured."""
     system, thunder, counts = model.system, model.thunder, model.counts
     newest = burst_now(model)
     heard = int(thunder.counts[t.LAST])

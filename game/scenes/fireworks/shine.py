@@ -1,6 +1,6 @@
 """Kernels of the picture: places, colours and sizes of all that shines, and of smoke in the light of bursts.
 
-A star stands at a depth behind the shore; a pinhole over the near bank sees it at a share of its distance
+A star stands at a depth behind the shore. A pinhole over the near bank sees it at a share of its distance
 from the middle of the view. So layers slide past one another as the camera goes along the show.
 """
 

@@ -35,7 +35,7 @@ class Thunder:
         self.ear = np.array((listener, distance))  # along the bank and before the shore, m
 
     def emit(self, instant: float, place: tuple[float, float, float], kind: str, loud: float) -> None:
-        """A sound leaves a place (x, y, depth m) at an instant (s); without room it is lost and counted."""
+        """A sound leaves a place (x, y, depth m) at an instant (s); without space it is lost and counted."""
         at = int(self.counts[WAITING])
         if at == MOST_WAVES:
             self.counts[LOST] += 1

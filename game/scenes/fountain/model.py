@@ -246,7 +246,7 @@ class FountainModel(Part):
             other.step(dt)
         system.step(dt)
         self._note_paths()
-        if moving:  # who was born meanwhile did not leave the nozzle where it is now
+        if moving:  # one born meanwhile did not leave the nozzle where it is now
             self.since = system.time_s
         if carried >= 0:
             system.solids.carry(carried, (0.0, 0.0))

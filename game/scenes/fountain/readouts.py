@@ -21,7 +21,7 @@ ROUNDING = 1e-12  # m: an error up to it is shown as none
 
 
 def readouts(model: FountainModel) -> list[Readout]:
-    """All that is measured. The highest particle is one of those for which the exact height holds."""
+    """What is measured. The highest particle is one of those for which the exact height holds."""
     system = model.system
     kinetic, potential, highest = _swarm(model, system)
     begin = model.first_step_in_contact()

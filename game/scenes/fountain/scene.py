@@ -40,12 +40,12 @@ MANY_PLACES = 200_000
 
 class Fountain(ModelScene):
     """Each particle is a point of 1 kg. It leaves the nozzle at its own instant within a step, in a random
-    direction inside the spread, falls, is slowed by the air, and bounces off the stone and the ground by
+    direction inside the spread. It falls, is slowed by the air, and bounces off the stone and the ground by
     Newton's law of impact.
 
     The dashed curve is exact: no particle of this speed can pass it before it has touched something. A method
     of first order shows spray above it. Without quadratic drag and vortex all particles of one age lie on a
-    circle that is known exactly; the error is how far the worst of them is off.
+    circle that is known exactly. The error is how far the worst of them is off.
 
     Handling an impact at the end of a step makes every method one of first order. Interpolating along the
     chord restores the second, and solving for the instant of the impact the full order.

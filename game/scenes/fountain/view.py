@@ -20,7 +20,7 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.curves import thinned
 
 FEW = 30  # particles that are drawn large: each is looked at by itself
-MOST_STREAKS = 30_000  # with more particles than that there is no room for trails
+MOST_STREAKS = 30_000  # with more particles than that there is no space for trails
 TRAIL = 0.017  # s, of the fading dots behind a particle
 THRICE_ROUND = (1.2, 1.5, 1.8, 2.4, 3.0, 4.5, 6.0, 7.5, 9.0, 12.0)
 SPREAD_ARM = 0.85  # m, of the two lines that show the spread
@@ -67,7 +67,7 @@ class FountainView:
         """One of them, from the back to the front."""
         model, on = self.model, self.model.active
         if model.parameters.life < model.parameters.step_length:
-            alpha = 1.0  # nobody lives through a step, so there is no way to go between two of them
+            alpha = 1.0  # none lives through a step, so there is no way to go between two of them
         canvas.grid(None, "y")
         if GROUND in on:
             canvas.ground(model.content.floor)

@@ -27,7 +27,7 @@ def limited(point: Point, most: float = level.FARTHEST) -> Point:
 
 
 def with_key(motion: Motion, key: KeyEntry) -> tuple[Motion, int]:
-    """A key more, behind those of its time; its number. ValueError if there is no room."""
+    """A key more, behind those of its time; its number. ValueError if there is no space."""
     if len(motion.keys) >= level.MOST_KEYS:
         raise ValueError(f"there is room for {level.MOST_KEYS} key-frames")
     place = sum(other.time <= key.time for other in motion.keys)

@@ -14,7 +14,7 @@ SAME_TIME = 0.004  # s: a key so near to the present time is meant by "now"
 
 
 def key_now(model: KeyFrameModel) -> int:
-    """The key at the time that is shown, made if there is none; -1 if there is no room."""
+    """The key at the time that is shown, made if there is none; -1 if there is no space."""
     part = model.player.shown_part()
     time, pose = model.animation().key_time(part), model.animation().pose(part)
     for i, key in enumerate(model.motion.keys):

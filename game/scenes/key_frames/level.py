@@ -25,7 +25,7 @@ class KeyEntry(LevelEntry, frozen=True, kw_only=True):
     """A key-frame: time s, position m, angle degrees.
 
     velocity: m/s, for Bezier curves, whose control points lie a third of the piece's duration times it before
-    and after the key; without, it is found from the neighbours. velocity_before: another one before the key,
+    and after the key. Without, it is found from the neighbours. velocity_before: another one before the key,
     which is then a corner.
     """
 

@@ -10,7 +10,7 @@ from game.stage import Readout
 
 
 def readouts_of(model: KeyFrameModel) -> list[Readout]:
-    """All that is measured, the speed first."""
+    """What is measured, the speed first."""
     animation, player = model.animation(), model.player
     x, y, angle = model.pose.tolist()
     turned = math.degrees(angle)

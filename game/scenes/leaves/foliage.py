@@ -29,8 +29,8 @@ FADES = 0.9  # m of height by which a shadow is weaker by e
 
 class Cut(NamedTuple):
     """Outlines of leaves, cut at the middle of their chords: (p, 2) along the chord and into the picture, by
-    half chords; the leaf (p,) and the half (p,) each corner belongs to; first corner of each half (2 n +
-    1,); ends of the midrib (n, 2, 2).
+    half chords. The leaf (p,) and the half (p,) each corner belongs to. First corner of each half (2 n + 1,);
+    ends of the midrib (n, 2, 2).
     """
 
     points: Floats

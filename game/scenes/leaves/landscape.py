@@ -26,7 +26,7 @@ def _ink(words: str) -> pygame.Color:
 
 class Hour(NamedTuple):
     """Colours of an hour: sky from above down, rows of trees from far to near, lawn from back to front, path,
-    wood, metal, light of the sun or lamp, strength of it, and the light on leaves (r, g, b).
+    wood, metal. Then light of the sun or lamp, strength of it, and the light on leaves (r, g, b).
     """
 
     sky: tuple[tuple[float, pygame.Color], ...]

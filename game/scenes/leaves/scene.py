@@ -22,10 +22,10 @@ class Leaves(WorldScene):
     light broad ones swing, stiff ones turn over and over, those with their weight at one end glide. In the
     end most of them are in the litter basket.
 
-    Each leaf is a plate in air by the law of Andersen, Pesavento and Wang (2005), with halves that bend
-    about the midrib. The wind is given by formulas: gusts that come, go and travel; it is taken relative to
-    each leaf, and as it changes it pushes by the air that a leaf takes along. Leaves lie on the ground and
-    on one another with friction.
+    Each leaf is a plate in air by the law of Andersen, Pesavento and Wang (2005), with halves that bend about
+    the midrib. The wind is given by formulas: gusts that come, go and travel. It is taken relative to each
+    leaf, and as it changes it pushes by the air that a leaf takes along. Leaves lie on the ground and on one
+    another with friction.
 
     In the equations: ψ stream function of a gust, S its wind, L its size, T how long it lasts, v velocity
     of a leaf, w of the wind, u through the air, q bend, σ stiffness, C_T lift.

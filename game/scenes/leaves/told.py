@@ -1,4 +1,4 @@
-"""What is told of leaves in a wind: readouts, places for stories, sounds."""
+"""What a story says of leaves in a wind: readouts, places for stories, sounds."""
 
 from __future__ import annotations
 

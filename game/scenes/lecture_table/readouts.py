@@ -12,7 +12,7 @@ LEAST_OVERLAP = 1e-12  # m; below that balls in contact overlap by rounding only
 
 
 def readouts_of(model: LectureTableModel) -> tuple[Readout, ...]:
-    """All that is shown and charted."""
+    """What is shown and charted."""
     table = model.table
     across, along = table.momentum
     cue_ball = table.velocities[0]

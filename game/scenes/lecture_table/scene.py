@@ -26,12 +26,12 @@ from game.stage import Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, 
 
 class LectureTable(Scene):
     """The billiard table as the lecture builds it. In each step a ball's velocity is added to its position;
-    what has gone wrong by then is repaired: a ball beyond a cushion is put back and turned round, two balls
-    that overlap are moved apart and exchange the parts of their velocities along the line of centres, every
+    what has gone wrong by then is repaired: a ball beyond a cushion is put back and turned round. Two balls
+    that overlap are moved apart and exchange the parts of their velocities along the line of centres. Every
     speed shrinks by a friction factor, and what is slower than a minimum stops.
 
     That is simple, and it fails in ways that can be seen here. A fast ball jumps over a ball or a cushion
-    between two steps; contacts resolved one after the other break the symmetry of a break; a friction factor
+    between two steps. Contacts resolved one after the other break the symmetry of a break. A friction factor
     per frame makes the table faster or slower with the frame rate. Substeps, joint contacts and a factor per
     second mend each of them, at the price shown under "What accuracy costs".
     """

@@ -120,7 +120,7 @@ def _draw_words(canvas: Canvas, table: Table, turns: Turns) -> None:
 
 
 def _draw_passed(canvas: Canvas, model: LectureTableModel) -> None:
-    """Where two balls went through each other between two steps, and nobody noticed."""
+    """Where two balls went through each other between two steps, unnoticed."""
     if not model.marks.passed:
         return
     when, first, second, *places = model.marks.passed

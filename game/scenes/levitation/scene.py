@@ -23,8 +23,8 @@ from game.worlds.scene import ModelScene
 
 class Levitation(ModelScene):
     """Rows of ultrasonic transducers, of 40 kHz, face each other. Where their waves meet they stand still:
-    every half wave length, 4.3 mm, is a node of the pressure, and a small light grain is pushed there from
-    both sides, harder than it weighs.
+    every half wave length, 4.3 mm, is a node of the pressure. A small light grain is pushed there from both
+    sides, harder than it weighs.
 
     By their phases the waves meet at any place one likes. Lead that place along a figure, and the grains
     draw it, until they are led faster than the sound can hold them.

@@ -30,7 +30,7 @@ LANDING = 0.25  # of its radius: so near to a track a ball that comes out of a y
 
 class Table(NamedTuple):
     """Of each ball: its body while it is loose (RIDES: it rolls on a track, or flies), gate that holds it
-    (NONE), delay s after that, time at which it was let go (NOT_YET), rod that it hangs on (NONE), where it
+    (NONE), delay s after that, time at which it was let go (NOT_YET). Rod that it hangs on (NONE), where it
     was let go (m), highest place since (m), friction of its own (NONE: the parameter's).
     """
 
@@ -108,7 +108,7 @@ class Balls(Member):
         self.tracks.riders.balls.pieces[loose] = m.FREE
 
     def change_worlds(self) -> None:
-        """Who has come into a yard or out of one; held balls stay as they are."""
+        """Balls that have come into a yard or out of one; held balls stay as they are."""
         places, table = self.rows[:, m.X : m.Y + 1], self.table
         rides, free = table.body == RIDES, table.freed != NOT_YET
         for ball in np.flatnonzero(rides & free & in_yards(self.yards, places)).tolist():

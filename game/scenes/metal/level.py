@@ -136,7 +136,7 @@ class GaugeEntry(LevelEntry, frozen=True, kw_only=True):
 class MetalContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a level of the marble run.
 
-    gates: in the order in which they open. yards: where balls meet each other and all that is solid; anywhere
+    gates: in the order in which they open. yards: where balls meet each other and everything solid; anywhere
     else each rolls on its track, or flies, by itself.
     """
 

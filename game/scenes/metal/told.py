@@ -1,4 +1,4 @@
-"""What is told of the marble run: readouts beside theory, places for stories, sounds, the present level."""
+"""Words of the marble run: readouts beside theory, places for stories, sounds, the present level."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def _of_balls(model: MetalWorld) -> list[Readout]:
 def saved(model: MetalWorld) -> MetalContent:
     """The level; where a hand has changed it, tracks point by point and balls where they are.
 
-    Balls that hang stay in their cradles, which begin anew, as towers do; gauges of balls that are gone, and
+    Balls that hang stay in their cradles, which begin anew, as towers do. Gauges of balls that are gone, and
     those of formulas that have been bent, are left out.
     """
     if not model.changed:

@@ -22,9 +22,9 @@ class FallingPlates(BuiltScene):
     both without order. What it does depends on its inertia beside that of the air it takes along.
 
     The law is that of Andersen, Pesavento and Wang (2005), put together from what the air does to a thin
-    plate: it takes air along, more broadside than edge on; it is lifted by air that turns about it, as it
-    glides and as it spins; it is dragged. Plates may bend about their middle, and may be heavier at one
-    end, which makes them glide.
+    plate: it takes air along, more broadside than edge on. It is lifted by air that turns about it, as it
+    glides and as it spins. It is dragged. Plates may bend about their middle, and may be heavier at one end,
+    which makes them glide.
 
     Distances are measured by the half chord a, speeds by U, at which the weight is about the drag: then
     falling paper and falling steel are the same but for their inertia I* and thickness β.

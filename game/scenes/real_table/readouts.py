@@ -19,7 +19,7 @@ def off_now(model: RealTableModel, name: str) -> float:
 
 
 def readouts_of(model: RealTableModel) -> tuple[Readout, ...]:
-    """All that is shown and charted."""
+    """What is shown and charted."""
     best = model.compared.models.get("han")
     return (
         Readout("track", min(model.time, model.shot.end_time), "s"),

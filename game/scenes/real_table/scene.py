@@ -41,7 +41,7 @@ class RealTable(Scene):
     cushion is far off at the sixth. The list tells how far each is off, and what a shot costs it.
 
     The shipped tracks are made by the program, with noise that the level states. Put track files of your own
-    into the folder "tracks" among your data and press O; assets/TRACKS.md says what they look like, and
+    into the folder "tracks" among your data and press O. assets/TRACKS.md says what they look like, and
     "python -m game fit" finds the table's numbers for the panel.
     """
 

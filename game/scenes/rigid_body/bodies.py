@@ -1,7 +1,7 @@
 """The bodies of the rigid body scene: A, its twin B by another method, and the exact one, pushed alike.
 
-Each has an account: the energy and angular momentum that its method alone has made, in steps without
-torque and without a wall, and how often it has turned over.
+Each has an account: the energy and angular momentum that its method alone has made, in steps without torque
+and without a wall. Also how often it has turned over.
 """
 
 from __future__ import annotations

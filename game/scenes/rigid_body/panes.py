@@ -44,6 +44,6 @@ class Panes:
         return B if B in self.shown and x > 0.0 else A
 
     def frame(self) -> Frame:
-        """All of the picture; beside the box of B there is room for the sphere of L."""
+        """All of the picture; beside the box of B there is space for the sphere of L."""
         x, y = self._half_picture
         return Frame(-x, -y, x + SPHERE_ROOM if B in self.shown else x, y)

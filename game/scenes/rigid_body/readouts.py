@@ -15,7 +15,7 @@ ROUNDING = 1e-12  # shares up to this are shown as none
 
 
 def readouts_of(model: RigidModel) -> list[Readout]:
-    """All that is shown and charted; energies are those of rotation unless another is named."""
+    """What is shown and charted; energies are those of rotation unless another is named."""
     bodies = model.bodies
     body = bodies.all[b.A]
     shift, _, momentum, _, *spin = measure(body.state, body.constants[0])

@@ -28,8 +28,8 @@ from game.worlds.expectations import captions_now, captions_of, draw_captions, w
 
 class RigidBodyScene(Scene):
     """Spheres are joined to one body. Its mass, centre and inertia tensor follow from theirs by the offset
-    theorem; its state is position, quaternion, momentum and angular momentum, and velocity and spin follow
-    from those.
+    theorem. Its state is position, quaternion, momentum and angular momentum. Velocity and spin follow from
+    those.
 
     No force turns the two hammers that the scene begins with, and yet they turn over: a spin about the middle
     axis of inertia is not stable. B, by the splitting, turns over again and again, as often as the exact

@@ -1,4 +1,4 @@
-"""A level that is over soon begins again by itself, as long as nobody takes part in it."""
+"""A level that is over soon begins again by itself, as long as no person takes part in it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Who thinks for a computer player: a thread that is asked one question at a time.
+"""The thinker for a computer player: a thread that is asked one question at a time.
 
 What it finds comes back as decisions, which the stage lets in as events; the state never waits for it. Where
 no time passes, the question is answered at once instead, with no thread and no limit of time: then the answer
@@ -96,7 +96,7 @@ class Thinker:
         return self._thought(question._replace(patient=True))
 
     def forget(self) -> None:
-        """Nobody waits for an answer any more."""
+        """An answer is no longer waited for."""
         with self._lock:
             self._key, self._answer = None, None
 

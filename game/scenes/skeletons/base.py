@@ -116,7 +116,7 @@ class FigureScene(ModelScene):
         return self.with_captions(Frame(view.left, view.bottom, view.right, view.top))
 
     def with_captions(self, frame: Frame) -> Frame:
-        """A frame with room for what is expected."""
+        """A frame with space for what is expected."""
         return with_headroom(frame, len(self.model.content.expected) + len(self.guide()))
 
     def guide(self) -> list[Caption]:

@@ -1,6 +1,6 @@
 """The bench on which a skeleton is edited: its figure, what the hand holds, and what can be taken back.
 
-A bench is frozen, and each event gives another one, so a scene keeps it as a plain attribute and the stage
+A bench is frozen, and each event gives another one. So a scene keeps it as a plain attribute and the stage
 remembers it with the step. The pose itself is not on the bench: it moves, and belongs to the scene's state.
 """
 

@@ -144,8 +144,9 @@ def _socket_at(skeleton: Skeleton, bone: int, point: Point) -> float:
 
 
 def _grow(bench: Bench, rig: Rig, point: Point, on_it: bool) -> Turn:
-    """A click on a bone chooses the parent; one beside all bones lays a new bone from its end, or from where
-    on the parent it was clicked (``on_it``)."""
+    """A click on a bone chooses the parent. One beside all bones lays a new bone from its end, or from where
+    on the parent it was clicked (``on_it``).
+    """
     figure = bench.figure
     bone = bone_at(rig.skeleton, point, 0.6 * reach_of(figure))
     if bone != NOWHERE:

@@ -21,8 +21,8 @@ from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip, WarmU
 
 class InverseKinematics(FigureScene):
     """Pull the end of a chain of bones: the joints find angles by which it gets there. Six methods solve the
-    same target, each from its own last pose and with so many iterations in each step; each figure says how
-    many it took, what error is left, and the time, some microseconds of which are the call from Python.
+    same target, each from its own last pose and with so many iterations in each step. Each figure says how
+    many it took, what error is left, and the time. Some microseconds of that are the call from Python.
 
     The gradient turns each joint a little in the direction that helps. With a fixed step it needs hundreds of
     iterations; with Buss's step, or a line search, a tenth of them. Damped least squares solves for all

@@ -22,7 +22,7 @@ MOST_POINTS = 20_000
 
 
 class SwingEntry(LevelEntry, frozen=True, kw_only=True):
-    """How a bone moves when nobody poses it: to and fro by so many degrees, at a rate and a phase (turns)."""
+    """How a bone moves when it is not posed: to and fro by so many degrees, at a rate and a phase (turns)."""
 
     by: Degrees
     rate: Annotated[float, msgspec.Meta(ge=0.0, le=20.0)] = 0.5
@@ -62,7 +62,7 @@ class SkinEntry(LevelEntry, frozen=True, kw_only=True):
 
 
 class PathEntry(LevelEntry, frozen=True, kw_only=True):
-    """How a target moves when nobody pulls it: about a centre, so far along each axis, so often a second.
+    """How a target moves when it is not pulled: about a centre, so far along each axis, so often a second.
 
     turns: how many times it goes up and down while it goes once to and fro.
     """

@@ -26,7 +26,7 @@ class Skinning(FigureScene):
 
     Weights come from the distance to all bones, none beyond the threshold; a point beyond every threshold
     follows the nearest bone. Blending matrices is quick and loses area at a bend, by the cosine of half the
-    bend in the middle of a joint; blending rotors keeps the thickness and bulges a little.
+    bend in the middle of a joint. Blending rotors keeps the thickness and bulges a little.
 
     In the equations: W frame of a bone in the world, p(i) its parent, T a shift by its place o, R a turn by
     its angle θ, B its frame when the skin was bound, P their palette, v a point of the skin and v' where it

@@ -28,8 +28,8 @@ class Smoke(ModelScene):
     """Gas on a grid, to be stirred, painted and set on fire. Each cell asks where its gas was one step ago,
     and takes over what was there; then a pressure is found that leaves nothing squeezed.
 
-    Choose how it is carried along and how the pressure is solved, and see what stays of a whirl, how sharp
-    the dye is and what divergence is left: by both papers as they were printed, and by what came after.
+    Choose how it is carried along and how the pressure is solved. See what stays of a whirl, how sharp the
+    dye is and what divergence is left: by both papers as they were printed, and by what came after.
 
     In the equations: u velocity, p pressure over density, x a place, Δt step, ν viscosity, T temperature and
     T_a that around, g gravity, q share of the pressure that is taken at the end of a step.

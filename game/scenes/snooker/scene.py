@@ -37,12 +37,12 @@ from game.stage import (
 
 class SnookerScene(CueGameScene):
     """A twelve-foot table. Red and colour in turn, a red for 1 point, the colours for 2 to 7; when the reds
-    are gone, the colours in order. Who misses, sits down.
+    are gone, the colours in order. A player that misses sits down.
 
-    The rules are those of the World Professional Billiards and Snooker Association, with free ball, touching
-    ball, foul and a miss, and the black that is put back after a tie; in six-red snooker nobody may be
-    snookered behind a nominated colour. Every stroke is computed to its end by the exact table when the tip
-    meets the ball.
+    The rules are those of the World Professional Billiards and Snooker Association. They have free ball,
+    touching ball, foul and a miss, and the black that is put back after a tie. In six-red snooker no player
+    may be snookered behind a nominated colour. Every stroke is computed to its end by the exact table when
+    the tip meets the ball.
     """
 
     name, task, title = SNOOKER.names

@@ -55,7 +55,7 @@ class MaterialEntry(LevelEntry, frozen=True, kw_only=True):
 
 
 class SwingEntry(LevelEntry, frozen=True, kw_only=True):
-    """A key-framed body goes by amplitude (m) times sin(rate t + phase); rate rad/s, phase degrees."""
+    """A key-framed body moves by amplitude (m) times sin(rate t + phase); rate rad/s, phase degrees."""
 
     amplitude: Point
     rate: Rate

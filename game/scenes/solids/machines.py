@@ -164,7 +164,7 @@ def _wheel(entry: EscapementEntry, half: float) -> tuple[ShapeEntry, ...]:
 
 def _anchor(entry: EscapementEntry, half: float, reach: float) -> tuple[ShapeEntry, ...]:
     """Two pallets and their arms, about the pivot. A tooth that slides over the slanted end of a pallet lifts
-    it by LIFT; by then the other pallet is LOCK deep between the teeth.
+    it by LIFT. By then the other pallet is LOCK deep between the teeth.
     """
     wide = entry.radius * math.pi / entry.teeth - DROP * entry.radius
     edge = math.radians(0.5 * (LOCK - LIFT))

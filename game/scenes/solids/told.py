@@ -1,4 +1,4 @@
-"""What is told of the playground: readouts, sounds, and the level as it is now."""
+"""What a story says of the playground: readouts, sounds, and the level as it is now."""
 
 from __future__ import annotations
 

@@ -17,7 +17,8 @@ Size = Annotated[float, msgspec.Meta(ge=0.01, le=3.0)]
 
 class BodyEntry(LevelEntry, frozen=True, kw_only=True):
     """A body: its outline, size (m to its farthest corner), place (m), angle (rad), velocity (m/s), rate of
-    turning (rad/s), and what it is accelerated by (m/s²), as far as the bound allows."""
+    turning (rad/s). Last what it is accelerated by (m/s²), as far as the bound allows.
+    """
 
     kind: Literal["star", "comb", "letter", "coast"]
     variant: Annotated[int, msgspec.Meta(ge=0, le=99)] = 0

@@ -200,7 +200,7 @@ class CollisionModel(Part):
         self.take_bodies(joined(bodies, new), self.world.surroundings)
 
     def remove_body_of(self, sphere: int) -> bool:
-        """Remove a sphere and all that are joined to it; False if it is of the last body, which stays."""
+        """Remove a sphere and those joined to it; False if it is of the last body, which stays."""
         bodies = self.world.bodies
         if bodies.count == 1:
             self.messages.say("The last body stays.")

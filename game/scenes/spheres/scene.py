@@ -46,7 +46,7 @@ from game.worlds.expectations import captions_now, captions_of, draw_captions, w
 
 class SphereCollisions(Scene):
     """Spheres fly, hit each other and the walls of the window, slide, roll and pile up. Each is a rigid body
-    in space, with position, orientation, momentum and angular momentum; the picture shows the plane, and the
+    in space, with position, orientation, momentum and angular momentum. The picture shows the plane, and the
     line of a radius shows how each has turned.
 
     Where two are in contact and approach, an impulse along their line of centres turns the approach around:
@@ -54,8 +54,8 @@ class SphereCollisions(Scene):
     of resting contacts are found for all of them together, in a few sweeps.
 
     Every collision is entered into a ledger: momentum and angular momentum must not change, and energy only
-    by what restitution and friction take. For 200 spheres and more in one plane there is a quicker solver,
-    which enters the energy of each collision and the momentum that all of one moment have lost together.
+    by what restitution and friction take. For 200 spheres and more in one plane there is a quicker solver. It
+    enters the energy of each collision and the momentum that all of one moment have lost together.
 
     In the equations: x position, v velocity, P momentum, q orientation as a quaternion, ω spin, h time step,
     m mass, I moment of inertia, r radius (a vector: from a centre to the contact), n normal from a to b, d

@@ -31,8 +31,8 @@ NEXT_CLICK = {
 
 
 class SpringHand(Part):
-    """What is chosen (a particle or NOBODY), the first end of a link (or NOBODY), where a cut has come to (m,
-    or None), and where the pointer was last (m, or None). What it holds is in the system.
+    """What is chosen (a particle or NOBODY), and the first end of a link (or NOBODY). Where a cut has come
+    to, and where the pointer was last (m, or None). What it holds is in the system.
 
     Methods give what there is to say about what was done, or "".
     """
@@ -118,7 +118,7 @@ class SpringHand(Part):
         return ""
 
     def _choose(self, index: int) -> None:
-        """Let a particle be the chosen one (or nobody), and the parameters say what it is."""
+        """Let a particle be the chosen one (or none), and the parameters say what it is."""
         self.chosen, parameters = index, self.parameters
         if index == NOBODY:
             return

@@ -70,9 +70,9 @@ class SpringModel(Part):
     """Particles and links.
 
     beside: the same network solved in other ways, one for each of the content's entries, until it is edited.
-    time: s. sweep_tick: steps since a sweep is shown slowed down. undisturbed: nobody has pulled, and gravity
-    is what it was. law: how stiff links are. own: (m,) stiffness of a link's own, or NOT_OWN. edited: the
-    network is not the level's any more.
+    time: s. sweep_tick: steps since a sweep is shown slowed down. undisturbed: nothing was pulled, and
+    gravity is what it was. law: how stiff links are. own: (m,) stiffness of a link's own, or NOT_OWN. edited:
+    the network is not the level's any more.
     """
 
     def __init__(

@@ -13,8 +13,8 @@ from game.stage import Equation
 
 class RigidLinks(MassSpringScene):
     """Particles are joined by links that should never change their length. In every step gravity and damping
-    move the particles where they like; then link by link, in a few sweeps, both ends are moved along the link
-    until its length is right again; what has become of the positions gives the velocities.
+    move the particles where they like. Then link by link, in a few sweeps, both ends are moved along the link
+    until its length is right again. What has become of the positions gives the velocities.
 
     A sweep mends one link and spoils its neighbours, so a long rope stretches like rubber unless there are
     very many sweeps. Taking the same work for smaller substeps is better by their number. A chain can also
@@ -23,8 +23,7 @@ class RigidLinks(MassSpringScene):
     A particle with inverse mass 0 is fixed in space. Build, pin, cut and drag while it runs.
 
     Links far from their length would shoot off: the speed limit slows each particle by itself, and what it
-    takes of the momentum nobody gets. The catenary meets it in its first step, and so does what is
-    overstretched.
+    takes of the momentum is lost. The catenary meets it in its first step, and so does what is overstretched.
 
     In the equations: x position, p predicted position, v velocity, h substep, g gravity, k_d damping,
     w inverse mass, C constraint, L length at rest, n direction of the link, α compliance, λ multiplier,

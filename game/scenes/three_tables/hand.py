@@ -1,4 +1,4 @@
-"""The hand at the three tables: one cue for all of them, and strokes of their own while nobody holds it."""
+"""The hand at the three tables: one cue for all of them, and strokes of their own while it is not held."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class ThreeTablesHand(Part):
             self.model.strike(self.cue.aim, self.cue.speed)
 
     def play_by_itself(self) -> None:
-        """Begin a stroke if nobody holds the cue and the last shot is long over."""
+        """Begin a stroke if the cue is not held and the last shot is long over."""
         model = self.model
         if self.plays_itself and model.idle_s > NEXT_STROKE_S and self.cue.phase == AIMING:
             chosen = choose_stroke(

@@ -19,7 +19,7 @@ def difference_now(model: ThreeTablesModel, name: str) -> float:
 
 
 def readouts_of(model: ThreeTablesModel) -> tuple[Readout, ...]:
-    """All that is shown and charted."""
+    """What is shown and charted."""
     time, playing = model.shown_s, model.playing
     moving = model.played.tables["exact"].state_at(time).velocities
     masses = model.masses[model.in_play]

@@ -39,7 +39,7 @@ class Steps(NamedTuple):
 class PlayedShot:
     """What has come of a shot so far. ``moved``: the same, begun elsewhere, for a second exact table.
 
-    The exact tables are computed at once, those that step as far as `compute` is told to; what is known of a
+    The exact tables are computed at once, those that step as far as `compute` is told to. What is known of a
     moment does not depend on that. tables: by model, "perturbed" the second exact one. event_times (k,) s of
     the exact one.
     """

@@ -3,7 +3,7 @@
 Floors are solids in it that move with their true velocity, at least as thick as a cell: what falls drives the
 air out from under it, and draws it in behind. Pieces of floors, which are smaller than a cell, drag the air
 along (quadratic drag). Dust is carried in flux form, so that its mass is kept but for what goes out at the
-sides, and weighs on the air it is in. What the air does to floors is left out: beside them it weighs nothing.
+sides. It weighs on the air it is in. What the air does to floors is left out: beside them it weighs nothing.
 """
 
 from __future__ import annotations
@@ -235,8 +235,8 @@ class TowerAir(Member):
         return self._veil
 
     def _lit(self) -> Floats:
-        """(ny, nx): what is left, behind the dust it has come through, of light that comes in from the right,
-        a little from above; it has gone RISES of a cell down for each one to the left (Lambert's law).
+        """(ny, nx): what is left of light that comes in from the right, behind the dust, a little from above.
+        It has gone RISES of a cell down for each one to the left (Lambert's law).
         """
         depth, behind = np.zeros_like(self.density), np.zeros(self.grid.ny)
         for i in range(self.grid.nx - 1, -1, -1):

@@ -14,7 +14,7 @@ from game.scenes.tower.world import TowerWorld
 
 
 def mass_of(model: TowerWorld) -> float:
-    """kg, of all that is in the world, by the solver's own numbers."""
+    """kg, of everything in the world, by the solver's own numbers."""
     return math.fsum((1.0 / model.world.bodies.inverse_masses[model.frame.bodies()]).tolist())
 
 

@@ -23,8 +23,8 @@ from game.worlds.scene import Parts, WorldScene
 
 
 class Tower(WorldScene):
-    """An empty tower of floors and columns. Charges cut the columns of one storey; what is above falls upon
-    the floor below, takes it along, and both go on, slower than before but with more mass. So the front runs
+    """An empty tower of floors and columns. Charges cut the columns of one storey. What is above falls upon
+    the floor below, and takes it along. Both go on, slower than before but with more mass. So the front runs
     down from floor to floor: with nothing else to resist, an even row of floors falls with a third of
     gravity, and a mass at the start makes it faster.
 
@@ -33,8 +33,8 @@ class Tower(WorldScene):
     than one and a half times that speed within a twentieth of a second, and its pieces fly apart. Pieces and
     dust together keep the mass of what they were. Columns further down are cut by the scene the moment before
     the falling floor meets theirs: a rigid column would stop the fall for a whole step before its joints
-    part. The clock of the fall and the law begin when the last column is cut, with the speed and the way that
-    the floors have by then.
+    part. The clock of the fall and the law begin when the last column is cut. They start with the speed and
+    the displacement that the floors have by then.
 
     The air flows on a coarse grid around floors that move with their true velocity: it is driven out from
     under them and carries the dust, whose mass is kept and which weighs on it. The air does not slow floors.

@@ -1,4 +1,4 @@
-"""What is told of the tower: readouts beside the law, places for stories, sounds, the tower as a level."""
+"""Words of the tower: readouts beside the law, places for stories, sounds, the tower as a level."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ class Hour(NamedTuple):
     column: int
     rubble: tuple[int, int]
     edge: int
-    glass: tuple[int, int]  # no lamp is on: nobody is there; some panes mirror the sky
+    glass: tuple[int, int]  # no lamp is on: the house is empty; some panes mirror the sky
     dust: tuple[int, int]
     sheen: int  # added where light from the sun or the moon falls on dust
 

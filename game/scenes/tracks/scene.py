@@ -25,7 +25,7 @@ from game.worlds.scene import Parts, WorldScene
 class Tracks(WorldScene):
     """A ball on a track has one coordinate, the way of its centre. The track is a smooth curve through its
     points, so it costs the ball nothing: a loop that is drawn by 50 chords is passed from the same height as
-    one of 800, where every corner of chords takes some of the speed.
+    one of 800. Every corner of chords takes some of the speed.
 
     While friction holds, the ball rolls, and its energy says how fast. Where the track presses too little for
     that, it slips. Where the track would have to pull, it leaves and flies, until it meets a track.

@@ -1,4 +1,4 @@
-"""What is told of balls on tracks: readouts, and the level as it is now."""
+"""What a story says of balls on tracks: readouts, and the level as it is now."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def fixed(value: float, digits: int) -> str:
 
 
 def readouts_of(model: TwoBalls) -> tuple[Readout, ...]:
-    """All that is shown and charted."""
+    """What is shown and charted."""
     speed_unit, momentum_unit, energy_unit, speed, energy = measures_in(model.parameters.units)
     px = sum(ball.momentum[0] for ball in model.balls)
     py = sum(ball.momentum[1] for ball in model.balls)

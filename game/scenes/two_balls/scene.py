@@ -22,11 +22,11 @@ from game.worlds.scene import ModelScene
 
 
 class LectureBalls(ModelScene):
-    """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the
-    position in every frame. A ball beyond a wall is put back by its overshoot and turned round. When the
-    circles overlap, the program finds the angle of the line of centres, moves both balls by half of the
-    overlap, turns the velocities into the frame of the collision, changes the parts along the line, and
-    turns them back.
+    """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the position
+    in every frame. A ball beyond a wall is put back by its overshoot and turned round. When the circles
+    overlap, the program finds the angle of the line of centres, and moves both balls by half of the overlap.
+    It turns the velocities into the frame of the collision, changes the parts along the line, and turns them
+    back.
 
     On the right the last collision is held and these steps are shown one by one. Choose "as printed" to
     run the listing as the slides have it: in two places x and y are not swapped, one assignment exchanges

@@ -29,7 +29,7 @@ class WindTunnel(ModelScene):
     flows out. Draw a shape of your own, or choose one, and turn it.
 
     A sweep turns it round, angle by angle, and averages drag, lift and moment of each. A Fourier series is
-    fitted to them, and the plates' law as far as it can be; then both fly beside the law as it is.
+    fitted to them, and the plates' law as far as it can be. Then both fly beside the law as it is.
 
     In the equations: U wind, c chord, ρ density, F force and M moment (nose up) on the shape, u flow, p
     pressure, τ friction, n normal outwards, P momentum in a box around it, α angle of attack, A, B, C_T

@@ -1,5 +1,5 @@
 """A drill of one's own: balls placed freely, a ball and the pocket it is for, a zone where the cue ball is to
-stop, and how many of how many tries must do it.
+stop. Last, how many of how many tries must do it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The first contact of a stroke: how thin it is, and how far friction throws the object ball off the line.
 
 Beside what is measured on the paths stands the law of Alciatore (2006), technical proof A.14: the tangent of
-the throw is the friction at the speed of the slip, or, where the slip ends during the contact, a seventh of
+the throw is the friction at the speed of the slip. Where the slip ends during the contact, it is a seventh of
 the slip over the closing speed.
 """
 

@@ -36,7 +36,7 @@ BOX = layout.Box(
 
 
 def is_shown(play: Play) -> bool:
-    """True when a rack of two players is over and nobody looks at something else."""
+    """True when a rack of two players is over and nothing else is looked at."""
     game = play.model.frame.game
     return play.phase == AIMING and game.over and len(game.players) == 2
 

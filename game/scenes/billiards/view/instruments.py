@@ -156,7 +156,7 @@ def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> No
 
 
 def _draw_options(canvas: Canvas, look: Look, frame: Frame, held: grip.Grip) -> None:
-    """Who chooses and why, and what may be chosen, in the row below the table."""
+    """The player that chooses and why, and what may be chosen, in the row below the table."""
     game, rect = frame.game, layout.rect_of(canvas, layout.FOOT)
     said = " ".join(frame.words) or f"{game.shooter} chooses."
     lines = look.fonts.wrap(said, 12, "medium", look.px(layout.ASKED - 12.0))[:MOST_LINES]

@@ -11,7 +11,7 @@ from game.ui.painters.boxes import paint_raster
 
 COLUMN_LEFT, COLUMN_RIGHT = -4.45, -0.5  # m, where it stands beside the world
 COLUMN_TOP = 5.3  # m, below the legend
-TALL = 400  # design px of a column that has room for times beside what is said of few boxes
+TALL = 400  # design px of a column that has space for times beside what is said of few boxes
 
 
 class Column:

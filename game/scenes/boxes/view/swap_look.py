@@ -49,7 +49,7 @@ def draw_look(boxes: BoxArrays, canvas: Canvas, places: Places, seen: Seen) -> N
 
 
 def write_look(boxes: BoxArrays, column: Column, seen: Seen) -> None:
-    """Rows: whom a box overlaps on each axis; a pair is in both."""
+    """Rows: what a box overlaps on each axis; a pair is in both."""
     column.head(f"Box {name_of(boxes, seen.box)} overlaps")
     for axis in range(2):
         column.row(f"on {AXES[axis]}", listed_names(boxes, seen.on[axis]) or "none")

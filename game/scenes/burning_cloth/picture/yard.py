@@ -75,7 +75,7 @@ def _between(count: int, cells: int) -> tuple[NDArray[np.int64], NDArray[np.floa
 
 
 class Yard:
-    """Paints all that is behind the cloth."""
+    """Paints what is behind the cloth."""
 
     def __init__(self) -> None:
         self._seen = Seen()

@@ -101,7 +101,7 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -
 
 
 def _draw_choices(canvas: Canvas, look: Look, drawn: Drawn, area: tuple[float, float, float, float]) -> None:
-    """The first three groups in sentences, as many lines as there is room for."""
+    """The first three groups in sentences, as many lines as there is space for."""
     x, y, right, bottom = area
     pitch = look.fonts.line_height(11) - look.px(2)
     for place, group in enumerate(drawn.map.groups[:CHOICES]):

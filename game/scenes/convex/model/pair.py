@@ -146,7 +146,7 @@ class PairModel(Part):
     # -- a step, and what is remembered -------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        """What nobody holds drifts on; then the pair is measured."""
+        """What is not held drifts on; then the pair is measured."""
         if SHAPE_MOTION in self.active:
             self.board = drifted(self.board, self.rates, self.content.view, dt)
         self.query()

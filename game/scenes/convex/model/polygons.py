@@ -72,7 +72,7 @@ class KeptPolygons:
 
 
 def drifted(board: Board, rates: Floats, view: View, dt: float) -> Board:
-    """The board a step later: shapes that nobody holds go on, and turn back at the border of the view.
+    """The board a step later: shapes that are not held go on, and turn back at the border of the view.
 
     rates: (2, 3) unit, unit, rad per s, written where a shape turns back.
     """

@@ -68,7 +68,7 @@ def draw_shapes(model: PairModel, canvas: Canvas) -> list[Floats]:
 
 
 def draw_names(model: PairModel, canvas: Canvas, shapes: list[Floats]) -> None:
-    """The letters of the polygons and their numbers of vertices: inside, or beyond if there is no room."""
+    """The letters of the polygons and their numbers of vertices: inside, or beyond if there is no space."""
     middles = [corners.mean(axis=0) for corners in shapes]
     crowded = len(shapes) == 2 and math.dist(*middles) < canvas.px(64.0)
     for k, corners in enumerate(shapes):

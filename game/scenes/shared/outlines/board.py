@@ -110,7 +110,7 @@ def telling(board: Board, words: str) -> Board:
 
 
 def with_another(board: Board, made: Outline, rules: Rules) -> Board:
-    """The board with one more outline, which is chosen; in place of the chosen one if there is no room."""
+    """The board with one more outline, which is chosen; in place of the chosen one if there is no space."""
     count = len(board.outlines)
     index = count if count < rules.most_outlines else board.chosen if board.chosen != NOBODY else count - 1
     outlines = (*board.outlines[:index], made, *board.outlines[index + 1 :])

@@ -156,7 +156,7 @@ def _draw(board: Board, point: Point, rules: Rules, reach: float) -> Board:
 
 
 def finish(board: Board, rules: Rules, closed: bool) -> Board:
-    """End the line being drawn. It takes the place of the chosen outline if there is no room for more."""
+    """End the line being drawn. It takes the place of the chosen outline if there is no space for more."""
     least = 3 if closed else 2
     if len(board.drawn) < least:
         return telling(board, f"A{' closed' if closed else 'n open'} line needs {least} points.")

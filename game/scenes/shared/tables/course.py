@@ -23,9 +23,9 @@ class CueCourse(Part):
     """In which phase the game is, and since when. Subclasses say how a stroke is made and what they choose.
 
     model: with frame, played, strike, roll, settle and go_back_to. clock (1,) s: time of the phase; it
-    belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what
-    a subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long
-    nobody has done anything, s. by_hand: strokes that a hand has played.
+    belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what a
+    subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long nothing
+    has been done, s. by_hand: strokes that a hand has played.
     """
 
     model: Any
@@ -60,7 +60,7 @@ class CueCourse(Part):
     # -- who plays ----------------------------------------------------------------------------------
 
     def grade_of(self, player: int) -> str:
-        """ "person", or the grade of a computer player; whoever practises is a person."""
+        """ "person", or the grade of a computer player; a player that practises is a person."""
         if len(self.model.frame.game.players) == 1:
             return PERSON
         return str(self.parameters.first_player if player == 0 else self.parameters.second_player)

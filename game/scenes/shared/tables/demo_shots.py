@@ -1,5 +1,5 @@
-"""What a table does by itself: balls turned as somebody left them, the cue ball put back, strokes while
-nobody holds the cue.
+"""What a table does by itself: balls turned as somebody left them, the cue ball put back, strokes while the
+cue is not held.
 
 What is random is the same for the same seed.
 """

@@ -33,7 +33,7 @@ class Course(Protocol):
 
     @property
     def plays_itself(self) -> bool:
-        """Whether the table plays, and nobody else."""
+        """Whether the table plays, and no player."""
 
     @property
     def plays_alone(self) -> bool:
@@ -44,10 +44,11 @@ class Course(Protocol):
 
 
 class TableOpponents:
-    """Who thinks for computer players, and what was considered last; no part of the state.
+    """The thinker for computer players, and what was considered last; no part of the state.
 
-    ``think`` answers for a player. A subclass says how long a game that is over stays, how many bytes of the
-    model's word make a seed, what is done when thinking failed, and what the table does by itself.
+    ``think`` answers for a player. A subclass says how long a game that is over stays, and how many bytes of
+    the model's word make a seed. It says what is done when thinking failed, and what the table does by
+    itself.
     """
 
     stays_s: ClassVar[float] = 3.0
@@ -105,7 +106,7 @@ class TableOpponents:
         return []
 
     def play_on(self) -> None:
-        """A new game when one is over and nobody is there; the table's own strokes while it plays itself."""
+        """A new game when one is over and no person plays; the table's own strokes while it plays itself."""
         course = self.course
         if course.phase != AIMING or not (course.plays_itself or course.plays_alone):
             return

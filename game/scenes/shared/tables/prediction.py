@@ -107,7 +107,7 @@ def foresee(struck: Struck, events: int) -> Sight:
 def _flown(
     struck: Struck, paths: Paths, cue: int, until: float
 ) -> tuple[tuple[Floats, ...], tuple[Floats, ...]]:
-    """Flights of the cue ball, and its path between them; hops that nobody sees are rolled."""
+    """Flights of the cue ball, and its path between them; hops too low to be seen are rolled."""
     flights = paths.in_air(cue, 0.0, until, struck.frame.physics.gravity)
     if not any(float(flight[:, 2].max()) > LEAST_HOP for flight in flights):
         return (), ()

@@ -54,8 +54,9 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
 
 
 def _draw_flown(canvas: Canvas, sight: Sight) -> None:
-    """The cue ball's path where it jumps: dashed wide in the air, with the side view of each flight folded
-    down beside it in the same measure, and how high the highest goes."""
+    """The cue ball's path where it jumps: dashed wide in the air. The side view of each flight is folded down
+    beside it in the same measure, with how high the highest goes.
+    """
     for points in sight.rolls:
         canvas.polyline(points, FELT_LINE, 1.5)
     highest = max(sight.flights, key=lambda flight: float(flight[:, 2].max()))

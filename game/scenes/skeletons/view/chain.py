@@ -229,8 +229,9 @@ class ChainView:
 def _paint_card(
     canvas: Canvas, color: str, title: str, mine: bool, words: Words | None, level: float
 ) -> pygame.Surface:
-    """Name, error, work, time and what hinders it below each other; the tolerance dashed, ``level`` design px
-    from the top of the errors, and named beside the chosen figure."""
+    """Name, error, work, time and what hinders it below each other. The tolerance dashed, ``level`` design px
+    from the top of the errors, and named beside the chosen figure.
+    """
     fonts, k = canvas.fonts, canvas.k
     card = pygame.Surface((round(CARD_WIDE * k), round(CARD_HIGH * k)), pygame.SRCALPHA, 32)
     card.fill((*canvas.halo[:3], 0))

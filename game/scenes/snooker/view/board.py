@@ -140,7 +140,7 @@ def _chip(look: Look, ball: int) -> pygame.Surface:
 
 
 def _draw_options(canvas: Canvas, look: Look, course: Course, line: Line) -> None:
-    """Who chooses and why, and what may be chosen, in the row below the table."""
+    """The player that chooses and why, and what may be chosen, in the row below the table."""
     game, rect = course.model.game, rect_of(canvas, layout.FOOT)
     said = f"{line.lead} {line.more}".strip() or f"{game.shooter} chooses."
     lines = look.fonts.wrap(said, 11, "medium", look.px(layout.ASKED - 12.0))

@@ -34,8 +34,8 @@ class SolverRace(ModelScene):
     pull. No two ways to solve it agree, and all are given the same bodies here, the same step, as many
     substeps and sweeps.
 
-    A stack sinks by the softness of its contacts and leans by what errs to one side; a chain gapes where its
-    joints give way to a load; an arch at its limit stands or falls.
+    A stack sinks by the softness of its contacts and leans by what errs to one side. A chain gapes where its
+    joints give way to a load. An arch at its limit stands or falls.
 
     In the equations: M masses, J rows of contacts and joints, λ impulses, v velocities, f forces, h substep.
     """
@@ -99,7 +99,7 @@ class SolverRace(ModelScene):
         self.model.change()
 
     def why_idle(self, name: str) -> str:
-        """Substeps go by the quality unless that is one's own."""
+        """The quality decides the substeps unless it is one's own."""
         if name == "substeps" and self.parameters.tier != "own":
             return "The quality says how many there are; choose Own."
         return ""
