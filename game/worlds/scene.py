@@ -57,9 +57,17 @@ class View(Protocol):
 
 
 class ModelScene(Scene):
-    """A scene whose state and effects are those of its ``model``."""
+    """A scene whose steps, state and effects are those of its ``model``; a ``hand`` takes pointer events."""
 
     model: Model
+    hand: Any
+
+    def advance(self, dt: float) -> None:
+        moving: Any = self.model
+        moving.advance(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        self.hand.take(event)
 
     def effects_changed(self) -> None:
         self.model.change_effects(self.active)
