@@ -7,11 +7,12 @@ import os
 import tempfile
 from collections.abc import Generator
 from pathlib import Path
+from typing import Any
 
 import hypothesis
 import pytest
 
-from game.app.fuzz.memory import resident_bytes
+from game.app.fuzz.memory import peak_bytes, resident_bytes
 from game.trust import make_private_folder, reason_to_distrust  # it knows nothing of the variables below
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
@@ -41,6 +42,8 @@ os.environ["CAROM_HOME"] = _home.name
 gc.set_threshold(20_000, 25, 25)
 _file: Path | None = None  # whose tests are run
 _held = 0  # bytes in memory after the last search for garbage
+SHOULD_PEAK = 1_500_000_000  # bytes that a process should take at most
+_peaks: dict[str, int] = {}  # bytes, by worker
 GROWN, MUCH = 64 << 20, 1 << 30  # bytes: so much more, or so much at all, is looked through
 
 # The same examples in every run, and none that fails because a machine is slow.
@@ -90,6 +93,31 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
         gc.collect()
         _held = resident_bytes()
     return done
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A worker of pytest-xdist tells how much memory it has taken at most."""
+    told = getattr(session.config, "workeroutput", None)
+    if told is not None:
+        told["peak_bytes"] = peak_bytes()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """The process that the workers report to hears of it."""
+    _peaks[node.gateway.id] = getattr(node, "workeroutput", {}).get("peak_bytes", 0)
+
+
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    """One line for each process that ran tests: its memory, and whether that is more than it should be."""
+    for name, peak in sorted((_peaks or {"all tests": peak_bytes()}).items()):
+        terminalreporter.write_line(peak_line(name, peak))
+
+
+def peak_line(name: str, peak: int) -> str:
+    """What is said of a process that has had so many bytes in memory. No failure: it depends on what ran."""
+    more = f", more than the {SHOULD_PEAK / 1e9:.1f} GB of a worker" if peak > SHOULD_PEAK else ""
+    return f"memory of {name}: {peak / 1e9:.2f} GB at most{more}"
 
 
 def pytest_unconfigure() -> None:

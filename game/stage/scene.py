@@ -301,6 +301,10 @@ class Scene(SceneDeclaration):
         """
         return {}
 
+    def story_sizes(self) -> Mapping[str, float]:
+        """How large (m, from its foot to its head) is what stands at some of these places, by their names."""
+        return {}
+
     def story_names(self) -> Sequence[tuple[tuple[float, float], str]]:
         """What single things of a story are called, and what is measured of them: place (x, y), words."""
         return ()

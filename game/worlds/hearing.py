@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -52,6 +52,8 @@ def is_due(every: float, time: float, dt: float) -> bool:
 class Heard(Member):
     """``rows`` (k, HEARD_WIDTH), those of the last moments, at most ``most`` of them."""
 
+    kept = ("rows",)
+
     def __init__(self, most: int = 24, seconds: float = REMEMBERED_S):
         self.most, self.seconds = most, seconds
         self.rows: Floats = np.zeros((0, HEARD_WIDTH))
@@ -79,12 +81,6 @@ class Heard(Member):
     def sounds(self, names: Mapping[int, str], half: float, middle: float = 0.0) -> list[Sound]:
         """By the names of kinds; ``half`` m beside the middle is all on one side."""
         return sounds_of(self.rows, names, half, middle)
-
-    def state(self) -> tuple[Any, ...]:
-        return (self.rows,)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.rows = next(fields).copy()
 
 
 def sounds_of(rows: Floats, names: Mapping[int, str], half: float, middle: float = 0.0) -> list[Sound]:

@@ -57,9 +57,17 @@ class View(Protocol):
 
 
 class ModelScene(Scene):
-    """A scene whose state and effects are those of its ``model``."""
+    """A scene whose steps, state and effects are those of its ``model``; a ``hand`` takes pointer events."""
 
     model: Model
+    hand: Any
+
+    def advance(self, dt: float) -> None:
+        moving: Any = self.model
+        moving.advance(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        self.hand.take(event)
 
     def effects_changed(self) -> None:
         self.model.change_effects(self.active)
@@ -139,6 +147,10 @@ def _nowhere(model: Any) -> Mapping[str, Point]:
     return {}
 
 
+def _sizeless(model: Any) -> Mapping[str, float]:
+    return {}
+
+
 def _nameless(model: Any) -> Sequence[tuple[Point, str]]:
     return ()
 
@@ -152,7 +164,7 @@ class Parts(NamedTuple):
 
     world(content, parameters, active, seed); hand(world); view(world, hand). readouts: what is measured;
     saved: the content as it is now; targets: what a story may look at, m; hearing: what is heard; names: of
-    single things, where they are, m.
+    single things, where they are, m; sizes: how large what stands at a target is, m.
     """
 
     world: Callable[..., Any]
@@ -163,6 +175,7 @@ class Parts(NamedTuple):
     targets: Callable[[Any], Mapping[str, Point]] = _nowhere
     hearing: Callable[[Any], Hearing | None] = _silence
     names: Callable[[Any], Sequence[tuple[Point, str]]] = _nameless
+    sizes: Callable[[Any], Mapping[str, float]] = _sizeless
 
 
 class WorldScene(BuiltScene):
@@ -232,6 +245,9 @@ class WorldScene(BuiltScene):
 
     def story_targets(self) -> Mapping[str, Point]:
         return self.parts.targets(self.model)
+
+    def story_sizes(self) -> Mapping[str, float]:
+        return self.parts.sizes(self.model)
 
     def story_names(self) -> Sequence[tuple[Point, str]]:
         return self.parts.names(self.model)

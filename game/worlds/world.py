@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar
 
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.stage import Part
+from game.worlds.tables import packed, unpacked
 
 
 class Member(Part):
-    """A thing of a world. Each method may be left as it is: then it does nothing."""
+    """A thing of a world. Each method may be left as it is: then it does nothing, or keeps what is ``kept``.
+
+    kept: names of attributes that are arrays, or tables of `game.worlds.tables`, in their order.
+    """
+
+    kept: Sequence[str] = ()
 
     def check(self) -> None:
         """All is built. ValueError if it could not go on like that."""
@@ -27,24 +33,50 @@ class Member(Part):
 
     def state(self) -> tuple[Any, ...]:
         """All that later steps depend on: its own fields of the world's state, in their order."""
-        return ()
+        return kept_fields(self, self.kept)
 
     def restore(self, fields: Iterator[Any]) -> None:
         """Take over copies of these fields, by as many calls of ``next`` as `state` gives."""
+        take_fields(self, self.kept, fields)
 
 
 class Kept(Member):
-    """Arrays that are attributes of another part, in the order of their names."""
+    """Attributes of another part, as a member keeps its own: arrays that a world has itself."""
 
     def __init__(self, owner: Part, *names: str):
         self.owner, self.names = owner, names
 
     def state(self) -> tuple[Any, ...]:
-        return tuple(getattr(self.owner, name) for name in self.names)
+        return kept_fields(self.owner, self.names)
 
     def restore(self, fields: Iterator[Any]) -> None:
-        for name in self.names:
-            setattr(self.owner, name, next(fields).copy())
+        take_fields(self.owner, self.names, fields)
+
+
+class Whole(Member):
+    """A thing of physics as one field, by its own ``state`` and ``restore``."""
+
+    def __init__(self, thing: Any):
+        self.thing = thing
+
+    def state(self) -> tuple[Any, ...]:
+        return (self.thing.state(),)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        self.thing.restore(next(fields))
+
+
+def kept_fields(part: Part, names: Sequence[str]) -> tuple[Any, ...]:
+    """Attributes of a part as fields of a state."""
+    values = (getattr(part, name) for name in names)
+    return tuple(packed(one) if isinstance(one, tuple) else one for one in values)
+
+
+def take_fields(part: Part, names: Sequence[str], fields: Iterator[Any]) -> None:
+    """Set attributes of a part to copies of what `kept_fields` gave."""
+    for name in names:
+        now, then = getattr(part, name), next(fields)
+        setattr(part, name, unpacked(type(now), then) if isinstance(now, tuple) else then.copy())
 
 
 class World(Part):

@@ -22,7 +22,8 @@ from tests.paths import ROOT, TESTS
 from tests.stage.example_scene import BouncingBall, step_ball
 from tests.stage.odd_scenes import Cloud
 
-STEPS, HALF, BACK = 600, 300, 50
+STEPS, HALF, BACK = 480, 240, 50
+AFTER = 2 * BACK  # steps past the half, to which a stage that went back goes on
 SOON = BACK  # steps from the beginning, and on both sides of the half, of which each is looked at
 ELSEWHERE = 201  # steps made in another process
 GOLDEN = TESTS / "golden" / "example.json"
@@ -95,8 +96,8 @@ def played(request: pytest.FixtureRequest) -> Played:
     return Played(scene, whole, stage, play(stage, HALF, scene.demo))
 
 
-def later(digests: dict[int, str]) -> dict[int, str]:
-    return {step: digest for step, digest in digests.items() if step > HALF}
+def later(digests: dict[int, str], until: int = STEPS) -> dict[int, str]:
+    return {step: digest for step, digest in digests.items() if HALF < step <= until}
 
 
 class TestEveryScene:
@@ -121,7 +122,7 @@ class TestEveryScene:
             assert stage.step_back()
         assert stage.step_number == before and stage.digest() == played.whole[before]
         stage.run(BACK)
-        assert play(stage, STEPS, played.scene.demo) == later(played.whole)
+        assert play(stage, HALF + AFTER, played.scene.demo) == later(played.whole, HALF + AFTER)
 
 
 def test_in_another_process_with_another_number_of_threads() -> None:

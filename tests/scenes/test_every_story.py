@@ -11,7 +11,7 @@ import pygame
 import pytest
 
 from game.app.stagehand.headless import prepare
-from game.app.stagehand.story_picture import point_camera
+from game.app.stagehand.story_picture import hidden, point_camera
 from game.app.stagehand.view import StageView
 from game.scenes import CATALOGUE
 from game.stage import Action, ParameterError, Pointer, Recording, Stage, replay_scene
@@ -19,7 +19,7 @@ from game.stage.script.course import READING, Caption
 from game.stage.script.deeds import events_of
 from game.stage.script.lines import Moment, Story
 from game.stage.story.reading import stories_of
-from game.stage.story.rehearsal import Rehearsal, result_of, stage_of
+from game.stage.story.rehearsal import MOST_IDLE_S, Rehearsal, result_of, stage_of
 from game.stage.story.runner import Runner
 from game.ui.look.look import Look
 from game.ui.look.theme import theme_named
@@ -27,6 +27,10 @@ from game.ui.look.theme import theme_named
 LEAST_S = 60.0
 MARKED_EVERY_S, MARKED_PX = 9.0, 60
 LOOK_EVERY_S = 0.1
+SMALL, OTHER = (64, 36), 20  # px of pictures that are compared; of 255, by which a colour is another one
+LARGE_CHANGE = 0.1  # of the picture, within a second
+# Stories with nothing new for longer than `MOST_IDLE_S`, or not yet looked at; may only shrink.
+IDLE = frozenset(("c04/wind", "a26/evening", "a22/steel", "a09/great-fireworks", "a10/fire"))
 REPLAYED_S = 24.0  # of a story: the rest is made twice in pieces, after each take-over
 TAKE_OVERS, BETWEEN_S, AFTER_S = 20, (0.5, 5.0), 0.4  # at least; s from one to the next, s that each lasts
 
@@ -52,6 +56,8 @@ class Performance(NamedTuple):
     beginning: Recording  # the first third or so
     changed: list[bool]  # by what the story offers at its end
     marked: list[tuple[float, int]]  # s of film; pixels that marks change there
+    hidden: list[str]  # what keeps the subject of a moment from being seen well as it comes
+    moved: list[tuple[float, float]]  # s of film; share of the picture that has changed since a second before
 
 
 def _stories() -> list[tuple[str, str]]:
@@ -65,13 +71,14 @@ def played(request: pytest.FixtureRequest) -> Performance:
     prepare()
     stage = stage_of(story, scene_type)
     runner = Runner(story, stage)
-    off, outside, harmed = [], [], []
+    off, outside, harmed, eye = [], [], [], Eye(runner)
     every = max(1, round(LOOK_EVERY_S / stage.dt))
     random, taken_over, next_s = np.random.default_rng(18), 0, 1.0
     beginning = stage.recording
     marked, next_look_s, changed = [], MARKED_EVERY_S, []
     while not runner.finished and stage.fault is None and stage.time_s < 600.0:
         stage.run(every)
+        eye.look()
         if stage.time_s >= next_s and not runner.finished:
             harmed += _take_over(runner, random)
             taken_over, next_s = taken_over + 1, stage.time_s + float(random.uniform(*BETWEEN_S))
@@ -93,8 +100,46 @@ def played(request: pytest.FixtureRequest) -> Performance:
             off.append((runner.shown_s, share))
     found = result_of(runner)
     return Performance(
-        story, stage, runner, found, off, outside, taken_over, harmed, beginning, changed, marked
-    )
+        story, stage, runner, found, off, outside, taken_over, harmed, beginning, changed, marked,
+        eye.hidden, eye.moved,
+    )  # fmt: skip
+
+
+class Eye:
+    """Looks at a story's picture: at each moment for its subject, once a second for what has changed."""
+
+    def __init__(self, runner: Runner) -> None:
+        self.runner, self.look_of = runner, Look(theme_named("dark"), 0.5)
+        self.view = StageView(runner.stage, self.look_of)
+        self.view.place(pygame.Rect(0, 0, 640, 360), self.look_of)
+        self.view.show_marks(False)
+        self.hidden: list[str] = []
+        self.moved: list[tuple[float, float]] = []
+        self._seen: set[str] = set()
+        self._picture: np.ndarray | None = None
+        self._next_s = 0.0
+
+    def look(self) -> None:
+        """After some steps."""
+        runner, shown_s = self.runner, self.runner.shown_s
+        new = [name for name in runner.course.reached if name not in self._seen]
+        if new:
+            self._seen.update(new)
+            point_camera(self.view, runner, shown_s)
+            self.hidden += [f"{new[-1]}: {why}" for why in hidden(self.look_of, self.view, runner, shown_s)]
+        if shown_s >= self._next_s:
+            self._next_s = shown_s + 1.0
+            self._compare(shown_s)
+
+    def _compare(self, shown_s: float) -> None:
+        surface = pygame.Surface((640, 360), 0, 32)
+        point_camera(self.view, self.runner, shown_s)
+        self.view.draw(surface)
+        small = pygame.surfarray.array3d(pygame.transform.smoothscale(surface, SMALL)).astype(int)
+        if self._picture is not None:
+            other = np.abs(small - self._picture).max(axis=2) > OTHER
+            self.moved.append((shown_s, float(other.mean())))
+        self._picture = small
 
 
 def _changed_by_marks(runner: Runner) -> int:
@@ -153,6 +198,21 @@ def test_marks_show_something(played: Performance) -> None:
     """With names at single things; not every moment has something to name, but most have."""
     shown = [pixels for _, pixels in played.marked if pixels >= MARKED_PX]
     assert len(shown) >= 0.6 * len(played.marked), played.marked
+
+
+def test_what_a_moment_is_about_is_seen(played: Performance) -> None:
+    """In the middle 60 %, larger than a twentieth of the picture's height, and under no words."""
+    assert played.hidden == []
+
+
+def test_there_is_something_new_every_eight_seconds(played: Performance) -> None:
+    """A moment, words, another place of the camera; or the picture itself changes."""
+    if f"{played.story.scene}/{played.story.name}" in IDLE:
+        pytest.skip("not yet")
+    for begins, ends in played.found.idle:
+        changes = [at for at, share in played.moved if begins < at < ends and share >= LARGE_CHANGE]
+        stretches = itertools.pairwise([begins, *changes, ends])
+        assert max(b - a for a, b in stretches) <= MOST_IDLE_S, (begins, ends)
 
 
 def test_chapters_lie_apart(played: Performance) -> None:

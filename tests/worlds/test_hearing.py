@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from game.physics.solids import SolidWorld, box
-from game.worlds.hearing import HEARD_SPEED, HEARD_TIME, HEARD_X, Heard, impacts
+from game.worlds.hearing import HEARD_SPEED, HEARD_TIME, HEARD_X, Heard, impacts, is_due, rows_of
 
 
 def test_sounds_are_in_the_order_of_time_and_old_ones_go() -> None:
@@ -51,3 +53,14 @@ def test_a_box_that_lands_is_heard_once_by_its_speed() -> None:
     assert sounds[0, HEARD_SPEED] == pytest.approx(0.3 * found.rows[0, 3])  # far lighter than the reference
     assert abs(sounds[0, HEARD_X] - 2.0) <= 0.5
     assert len(impacts(world, 100.0).rows) == 0
+
+
+def test_grains_of_what_goes_on_are_due_once_in_a_while() -> None:
+    """In two seconds of steps of 1/60 s, one in the first step that ends beyond each 0.22 s."""
+    due = [k for k in range(1, 121) if is_due(0.22, k / 60.0, 1.0 / 60.0)]
+    assert due == [math.ceil(0.22 * 60.0 * k) for k in range(1, 10)]
+
+
+def test_sounds_of_one_kind_have_each_its_speed_and_place() -> None:
+    rows = rows_of(2.0, 3, np.array([0.5, 0.25]), np.array([-1.0, 4.0]))
+    assert rows.tolist() == [[2.0, 3.0, 0.5, -1.0], [2.0, 3.0, 0.25, 4.0]]

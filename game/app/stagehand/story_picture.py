@@ -7,7 +7,7 @@ import math
 import pygame
 
 from game.app.stagehand.view import StageView
-from game.stage.script.camera import View
+from game.stage.script.camera import MIDDLE, View
 from game.stage.script.course import Caption
 from game.stage.script.lines import Say, Title
 from game.stage.story.runner import Runner, last_words
@@ -17,6 +17,7 @@ from game.ui.painters import story_words
 from game.ui.painters.story_words import CARD_FADE_S, CardLine, opacity_at
 
 CLEAR = 12  # design px that a caption keeps from what is followed
+LEAST_SHARE = 0.05  # of the picture's height: what is smaller is not seen
 
 
 def point_camera(view: StageView, runner: Runner, shown_s: float) -> View:
@@ -69,12 +70,56 @@ def draw_chart(
 
 
 def _hides_target(look: Look, view: StageView, runner: Runner, text: str) -> bool:
-    """Whether a caption at the foot would lie over what the camera follows."""
+    """Whether a caption at the foot would lie over what the camera follows, or what is to be seen."""
+    places = [subject_rect(view, runner)]
     target = runner.target()
-    if target is None:
-        return False
-    place = story_words.caption_rect(look, view.rect, text).inflate(2 * look.px(CLEAR), 2 * look.px(CLEAR))
-    return place.collidepoint(view.camera.to_screen(*target))
+    if target is not None:
+        places.append(pygame.Rect(view.camera.to_screen(*target), (1, 1)))
+    clear = 2 * look.px(CLEAR)
+    foot = story_words.caption_rect(look, view.rect, text).inflate(clear, clear)
+    return any(place is not None and foot.colliderect(place) for place in places)
+
+
+def subject_rect(view: StageView, runner: Runner) -> pygame.Rect | None:
+    """Where the subject of the moment that came last lies, px; None if it has none."""
+    scene, name = runner.stage.scene, runner.subject()
+    place = scene.story_targets().get(name)
+    if not name or place is None:
+        return None
+    side = max(round(scene.story_sizes().get(name, 0.0) * view.camera.scale), 1)
+    rect = pygame.Rect(0, 0, side, side)
+    x, y = view.camera.to_screen(*place)
+    rect.center = round(x), round(y)
+    return rect
+
+
+def hidden(look: Look, view: StageView, runner: Runner, shown_s: float) -> list[str]:
+    """What keeps the subject of the moment that came last from being seen well, in words.
+
+    It is to be in the middle 60 % of the picture, under no words and no chart. If the scene says how large
+    it is, that is at least a twentieth of the picture's height.
+    """
+    subject, name, picture = subject_rect(view, runner), runner.subject(), view.rect
+    if subject is None:
+        return []
+    found = []
+    if abs(subject.centerx - picture.centerx) > MIDDLE * picture.w + 1:
+        found.append(f"{name} is too far to the side")
+    if abs(subject.centery - picture.centery) > MIDDLE * picture.h + 1:
+        found.append(f"{name} is too high or too low")
+    if name in runner.stage.scene.story_sizes() and subject.h < LEAST_SHARE * picture.h:
+        found.append(f"{name} is {subject.h / picture.h:.3f} of the picture's height")
+    caption = caption_at(runner, shown_s)
+    if caption is None:
+        return found
+    above = _hides_target(look, view, runner, caption.text)
+    if story_words.caption_rect(look, picture, caption.text, above).collidepoint(subject.center):
+        found.append(f"{name} is under the words {caption.text!r}")
+    line = runner.story.lines[caption.line]
+    chart = line.chart if isinstance(line, Say) else None
+    if chart is not None and chart_rect(look, picture, chart.corner).colliderect(subject):
+        found.append(f"{name} is under the chart of {caption.text!r}")
+    return found
 
 
 def _card(runner: Runner, number: int, player: str) -> list[CardLine]:

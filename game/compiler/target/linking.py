@@ -19,11 +19,13 @@ import llvmlite.binding as llvm
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult
 from numba.core.environment import lookup_environment
-from numba.core.typed_passes import NativeLowering
+from numba.core.typed_passes import NativeLowering, NopythonRewrites
 
 from game.compiler.target.short_lowering import ShortLowering
+from game.compiler.target.short_rewrites import ShortRewrites
 
 _ENVIRONMENT = "_ZN08NumbaEnv"  # how the name of a function's environment begins, numba's table of constants
+_OWN_STEPS = {NativeLowering: ShortLowering, NopythonRewrites: ShortRewrites}  # by those of numba's
 _CIRCLE = ".numba.unresolved$"  # and that of a function that is called before it is there
 
 
@@ -169,12 +171,10 @@ class OuterCompiler(Compiler):
         super().__init__(typing, target, library, arguments, returned, flags, local)
 
     def define_pipelines(self) -> list[Any]:
-        """numba's steps, with the last one of this package."""
+        """numba's steps, two of them in this package's form."""
         found: list[Any] = super().define_pipelines()
         for pipeline in found:
-            pipeline.passes = [
-                (ShortLowering if step is NativeLowering else step, said) for step, said in pipeline.passes
-            ]
+            pipeline.passes = [(_OWN_STEPS.get(step, step), said) for step, said in pipeline.passes]
             pipeline.finalize()
         return found
 
@@ -200,7 +200,8 @@ def kept_form(result: Any) -> tuple[list[str], tuple[Any, ...]]:
     """Symbols that a compiled function calls, and what `rebuilt` makes it of; to be pickled."""
     library = result.library
     if not isinstance(library, InnerLibrary):
-        return symbols_of(library._get_module_for_linking()), tuple(result._reduce())
+        bare = result._replace(type_annotation="")  # or numba writes down the type of each statement
+        return symbols_of(library._get_module_for_linking()), tuple(bare._reduce())
     whole = library.whole()
     result.fndesc.typemap = result.fndesc.calltypes = None  # large, and not to be pickled
     environments = [one for one in environments_of(whole) if one.can_cache()]

@@ -182,6 +182,9 @@ class Billiards(CueGameScene):
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return self.seen.targets()
 
+    def story_sizes(self) -> dict[str, float]:
+        return self.seen.sizes()
+
     def story_names(self) -> list[tuple[tuple[float, float], str]]:
         return self.seen.names()
 

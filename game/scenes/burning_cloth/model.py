@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from game.scenes.burning_cloth.match import WATT, Match
 from game.scenes.burning_cloth.parameters import BurningClothParameters
 from game.worlds.hearing import HEARD_TIME, Heard
 from game.worlds.members.burning_air import AirState
-from game.worlds.world import World
+from game.worlds.world import Kept, Whole, World
 
 STROKE = 0.064  # m, of the brush
 WINDOW_S, FRONT_EVERY = 1.2, 6  # s over which the front's speed is taken; steps from one look to the next
@@ -52,6 +52,7 @@ class BurningClothModel(World):
     (-1: never), m of the highest flame.
     """
 
+    state_type = BurningClothState
     content: BurningClothContent
     parameters: BurningClothParameters
 
@@ -84,6 +85,9 @@ class BurningClothModel(World):
         )
         self.air.wind = parameters.wind
         self.match, self.ashes = Match(), Ashes(seed)
+        self.members = (
+            Whole(self.cloth), self.air, Kept(self.ashes, "table"), self.heard, Kept(self, "seen"),
+        )  # fmt: skip
         patches = self.cloth.patches
         patches[layout.WATER] = content.wet
         self.water_at_first = content.wet * tables.WIDTH * tables.HEIGHT
@@ -290,14 +294,3 @@ class BurningClothModel(World):
     def hottest(self) -> float:
         """K, of the cloth in the last step."""
         return float(self.cloth.totals[charring.HOTTEST])
-
-    def state(self) -> BurningClothState:
-        """All that later steps depend on."""
-        air, sounds = self.air.state()[0], self.heard.rows
-        return BurningClothState(self.cloth.state(), air, self.ashes.table, sounds, self.seen)
-
-    def restore(self, state: Any) -> None:
-        """Take over a copy of a state."""
-        self.cloth.restore(state.cloth)
-        self.air.restore(iter([state.air]))
-        self.ashes.table[:], self.heard.rows, self.seen[:] = state.ashes, state.heard.copy(), state.seen

@@ -17,7 +17,7 @@ from game.scenes.cavity.model import CavityModel
 from game.scenes.cavity.parameters import OF_MAKING, OF_PICTURE, CavityParameters
 from game.scenes.cavity.readouts import readouts_of
 from game.scenes.cavity.view import CavityView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip
+from game.stage import Equation, Frame, Hint, Readout, Strip
 from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
@@ -77,12 +77,6 @@ class Cavity(ModelScene):
 
     def save_content(self) -> CavityContent:
         return self.content
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def readouts(self) -> list[Readout]:
         return list(readouts_of(self.model))

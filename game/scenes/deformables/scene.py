@@ -16,7 +16,7 @@ from game.scenes.deformables.model import DeformablesModel, exercise
 from game.scenes.deformables.parameters import OF_PICTURE, DeformablesParameters
 from game.scenes.deformables.readouts import readouts_of
 from game.scenes.deformables.view import DeformablesView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, Readout, Strip, WarmUp
 from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
@@ -83,12 +83,6 @@ class Deformables(ModelScene):
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE and name != "step_length":
             self.model.change_parameter(name)
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def readouts(self) -> list[Readout]:
         return list(readouts_of(self.model))

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,7 +14,7 @@ from game.physics.solids import Material, SolidWorld, box
 from game.scenes.domino.course import Standing, height_at
 from game.scenes.domino.dominoes import NOT_YET, centre_of
 from game.scenes.domino.level import DominoContent, SliderEntry
-from game.worlds.tables import NO_FLOATS, NO_LONGS, extended, packed, unpacked
+from game.worlds.tables import NO_FLOATS, NO_LONGS, extended
 from game.worlds.world import Member
 
 ALL = 2**62 - 1  # bits of all that a block may meet
@@ -37,6 +36,8 @@ class Table(NamedTuple):
 
 class Blocks(Member):
     """``table`` of all, each upright or flat at its place of the lane."""
+
+    kept = ("table",)
 
     def __init__(self, world: SolidWorld, content: DominoContent, floors: list[Floats], grips: list[float]):
         """grips: friction of each lane, so that the block and it come to what is wanted."""
@@ -102,12 +103,6 @@ class Blocks(Member):
         if not math.isfinite(far):
             return math.nan
         return float(self.table.x[number]) + far * elementary.cos(self.slope(number))
-
-    def state(self) -> tuple[Any, ...]:
-        return (packed(self.table),)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.table = unpacked(Table, next(fields))
 
 
 def block_grip(wanted: float, lane: float) -> float:

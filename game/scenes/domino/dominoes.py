@@ -15,7 +15,7 @@ from game.physics.solids import Material, SolidWorld, box
 from game.scenes.domino.course import Standing, height_at, row_places
 from game.scenes.domino.level import MOST_DOMINOES, DominoContent, PlankEntry, RowEntry, SingleEntry
 from game.scenes.domino.parameters import DominoParameters
-from game.worlds.tables import NO_FLOATS, NO_LONGS, extended, packed, unpacked
+from game.worlds.tables import NO_FLOATS, NO_LONGS, extended
 from game.worlds.world import Member
 
 LEAST_FRICTION = 1e-6  # of a pair the geometric mean counts: what is rough enough makes up for the smooth
@@ -66,6 +66,8 @@ class Dominoes(Member):
     """``table`` of all; last: number of the one that was struck last, -1 before. changed: by a hand, so that
     they are no longer as the level says. ValueError: too many.
     """
+
+    kept = ("table",)
 
     def __init__(
         self, world: SolidWorld, content: DominoContent, floors: list[Floats], parameters: DominoParameters
@@ -224,12 +226,6 @@ class Dominoes(Member):
         pitch = max(float(table.pitch[k]), float(table.thick[k]))
         ahead = min(max(time - float(table.struck[k]), 0.0) * 4.0, pitch) if self.last >= 0 else 0.0
         return float(table.x[k]) + float(table.to[k]) * ahead, float(table.y[k]) + 0.6 * float(table.tall[k])
-
-    def state(self) -> tuple[Any, ...]:
-        return (packed(self.table),)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.table = unpacked(Table, next(fields))
 
 
 def surface_at(floor: Floats, planks: list[PlankEntry], x: float) -> Point:

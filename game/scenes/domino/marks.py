@@ -11,7 +11,7 @@ from game.physics.solids.arrays.state import ASLEEP, DYNAMIC
 from game.scenes.domino.course import height_at
 from game.scenes.domino.world import DominoWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
-from game.worlds.members.solids import contact_places
+from game.worlds.painting.marks import draw_contacts, draw_velocities
 
 SECONDS = 0.15  # s: a velocity is drawn as the way of this time
 SLOW = 0.15  # m/s, no mark
@@ -20,14 +20,11 @@ SLOW = 0.15  # m/s, no mark
 def draw_marks(canvas: Canvas, model: DominoWorld, places: Floats) -> None:
     """All of them."""
     world = model.world
-    points = contact_places(world)
-    if len(points):
-        canvas.discs(points, canvas.px(2.2), "amber")
+    draw_contacts(canvas, world, 2.2)
     rows = world.bodies
     awake = np.flatnonzero(rows.flags & (DYNAMIC | ASLEEP) == DYNAMIC)
     moving = awake[np.hypot(*rows.velocities[awake].T) > SLOW]
-    if len(moving):
-        canvas.segments(places[moving], places[moving] + SECONDS * rows.velocities[moving], "chalk", 1.8)
+    draw_velocities(canvas, places[moving], rows.velocities[moving], SECONDS, 1.8)
     wave = model.dominoes.wave.speed
     if model.dominoes.last >= 0:
         x, y = model.front()

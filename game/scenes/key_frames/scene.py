@@ -142,9 +142,6 @@ class KeyFraming(ModelScene):
         self.view = KeyFramingView(self.model)
         captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
     # -- events -------------------------------------------------------------------------------------
 
     def parameter_changed(self, name: str) -> None:

@@ -21,7 +21,7 @@ from game.scenes.leaves.sounds import blowing, landings, rubbing
 from game.scenes.leaves.species import SPECIES
 from game.scenes.leaves.ways import WAY, follow_ways, seen_of
 from game.worlds.hearing import Heard
-from game.worlds.world import Kept, Member, World
+from game.worlds.world import Kept, Member, Whole, World
 
 LAYER = 0.4  # m of the lawn's slow air
 HOLLOW = 0.35  # m below the lawn where gusts are mirrored: air also flows in from before and behind the plane
@@ -49,26 +49,6 @@ class LeavesState(NamedTuple):
 
 
 KIND, YAW, SHADE, DEPTH, FLIP, GROWN = range(6)
-
-
-class Flight(Member):
-    """Plates in the air."""
-
-    def __init__(self, plates: Plates):
-        self.plates = plates
-
-    def step(self, dt: float) -> None:
-        self.plates.step(dt)
-        self.plates.check()
-
-    def change_effects(self, active: EffectSet) -> None:
-        self.plates.effects = active
-
-    def state(self) -> tuple[Any, ...]:
-        return (self.plates.state(),)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.plates.restore(next(fields))
 
 
 class Gusts(Member):
@@ -118,7 +98,7 @@ class LeavesModel(World):
         self.chance = seed
         self._lay()
         self.members = (
-            Flight(self.plates), Kept(self, "ways"), self.gusts, Kept(self, "own", "airborne"), self.heard,
+            Whole(self.plates), Kept(self, "ways"), self.gusts, Kept(self, "own", "airborne"), self.heard,
             Kept(self, "tally"),
         )  # fmt: skip
 
@@ -181,6 +161,10 @@ class LeavesModel(World):
             balance=min(max(kind.balance + chosen.balance, -0.8), 0.8),
         )  # fmt: skip
 
+    def change_effects(self, active: EffectSet) -> None:
+        super().change_effects(active)
+        self.plates.effects = active
+
     def change_parameter(self, name: str) -> None:
         """Take over a parameter's new value."""
         chosen = self.parameters
@@ -212,7 +196,8 @@ class LeavesModel(World):
         plates = self.plates
         before = plates.rows.copy()
         self.wind.forget(plates.time)
-        said = super().advance(dt)
+        plates.step(dt)
+        plates.check()
         free = plates.touched <= 0.0
         follow_ways(self.ways, plates.rows, plates.air, free, dt)
         landed = np.flatnonzero(~free & (self.airborne > ALOFT_S))
@@ -233,7 +218,7 @@ class LeavesModel(World):
             share = dt / (FOLLOWS_S + dt)
             self.tally[2] += share * (x - self.tally[2])
             self.tally[3] += share * (max(y, 0.7) - self.tally[3])
-        return said
+        return ""
 
     # -- what is there --------------------------------------------------------------------------------
 

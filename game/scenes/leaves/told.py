@@ -50,6 +50,11 @@ def targets(model: LeavesModel) -> dict[str, Point]:
     return {"cloud": (float(model.tally[2]), float(model.tally[3])), "basket": (model.basket.x, 0.75)}
 
 
+def sizes(model: LeavesModel) -> dict[str, float]:
+    """The height of the basket, m."""
+    return {"basket": model.basket.height}
+
+
 def hearing(model: LeavesModel) -> Hearing:
     """What was heard in the last moments."""
     return Hearing("leaves", model.plates.time, model.heard.sounds(NAMES, HALF))

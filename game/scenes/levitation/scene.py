@@ -16,7 +16,7 @@ from game.scenes.levitation.model import APART, LevitationModel
 from game.scenes.levitation.parameters import OF_PICTURE, LevitationParameters
 from game.scenes.levitation.readouts import readouts_of
 from game.scenes.levitation.view import LevitationView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip
+from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip
 from game.worlds.expectations import captions_now, captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
@@ -86,9 +86,6 @@ class Levitation(ModelScene):
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.place)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def action(self, name: str) -> None:
         self.model.clear()

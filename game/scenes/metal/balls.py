@@ -6,8 +6,8 @@ What a ball has (place, velocity, spin) goes over unchanged, so nothing is gaine
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from game.physics.solids.tracks import motion as m
 from game.scenes.metal.level import MOST_BALLS, BallEntry, Box
 from game.scenes.metal.making import STEEL
 from game.worlds.members.tracks import REACH, Tracks
-from game.worlds.tables import NO_FLOATS, NO_LONGS, extended, packed, unpacked
+from game.worlds.tables import NO_FLOATS, NO_LONGS, extended
 from game.worlds.world import Member
 
 RIDES, NONE, NOT_YET = -1, -1, -1.0
@@ -47,6 +47,8 @@ class Table(NamedTuple):
 
 class Balls(Member):
     """``table`` of all; their rows are those of the tracks' riders. grips: friction and restitution now."""
+
+    kept = ("table",)
 
     def __init__(self, world: SolidWorld, tracks: Tracks, yards: Sequence[Box], grips: Point):
         self.world, self.tracks, self.yards, self.grips = world, tracks, yards, grips
@@ -179,12 +181,6 @@ class Balls(Member):
         """Which have not been taken away."""
         found: Flags = (self.table.freed != NOT_YET) | (self.table.gate != NONE)
         return found
-
-    def state(self) -> tuple[Any, ...]:
-        return (packed(self.table),)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.table = unpacked(Table, next(fields))
 
 
 def _mass(radius: float) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.arrays import Flags
 from game.physics.kernels import elementary
 from game.physics.solids.tracks.motion import RADIUS
 from game.scenes.metal.balls import NONE
@@ -17,9 +18,13 @@ LANDING = 0.6  # m: so near to a track a ball that is put down lies on it, in pa
 TOOLS = TrackTools(0.02, 0.3, 0.3, MOST_TRACKS, MOST_POINTS)
 
 
+def _there(model: MetalWorld) -> Flags:
+    return model.balls.there()
+
+
 def ball_at(hand: Hand) -> int:
     """The ball under the pointer, or NOBODY."""
-    return TOOLS.ball_at(hand, hand.model.balls.there())
+    return TOOLS.ball_at(hand, _there(hand.model))
 
 
 def _grab(hand: Hand) -> str:
@@ -66,15 +71,6 @@ def _size(hand: Hand) -> str:
     return ""
 
 
-def _delete(hand: Hand) -> str:
-    ball = ball_at(hand)
-    if ball == NOBODY:
-        return TOOLS.take_away(hand)
-    hand.point = None
-    hand.model.remove(ball)
-    return ""
-
-
 def _drop(hand: Hand) -> None:
     if hand.model.held != NOBODY:
         hand.model.put_down(hand.model.held, 0.0)
@@ -83,7 +79,8 @@ def _drop(hand: Hand) -> None:
 
 USES = {
     "hand": Use(_grab, _move, _put_down), "ball": Use(_make, _move, _put_down),
-    "size": Use(_take_size, _size), "draw": TOOLS.draw(), "bend": TOOLS.bend(), "delete": Use(_delete),
+    "size": Use(_take_size, _size), "draw": TOOLS.draw(), "bend": TOOLS.bend(),
+    "delete": TOOLS.delete(_there),
 }  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from game.scenes.metal.gauges import VALUE
 from game.scenes.metal.told import exact_now
 from game.scenes.metal.world import MetalWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
-from game.worlds.members.solids import contact_places
+from game.worlds.painting.marks import draw_contacts, draw_velocities
 
 SECONDS = 0.12  # s: a velocity is drawn as the way of this time
 SLOW = 0.15  # m/s, no mark
@@ -27,15 +27,10 @@ def draw_marks(canvas: Canvas, model: MetalWorld, places: Floats) -> None:
             [(one.left, one.bottom), (one.right, one.bottom), (one.right, one.top), (one.left, one.top)]
         )
         canvas.polygon(corners, outline="text3", width=1.0, dash=EXACT_DASH, alpha=0.6)
-    points = contact_places(model.world)
-    if len(points):
-        canvas.discs(points, canvas.px(2.6), "amber")
+    draw_contacts(canvas, model.world, 2.6)
     rows, balls = model.balls.rows, model.balls
     fast = (np.hypot(rows[:, VX], rows[:, VY]) > SLOW) & (balls.table.freed != NOT_YET) & balls.there()
-    if fast.any():
-        canvas.segments(
-            places[fast], places[fast] + SECONDS * rows[fast][:, [VX, VY]], "chalk", 2.0
-        )  # fmt: skip
+    draw_velocities(canvas, places[fast], rows[fast][:, [VX, VY]], SECONDS, 2.0)
     _draw_limits(canvas, model)
     _draw_times(canvas, model)
 

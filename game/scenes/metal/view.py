@@ -16,11 +16,12 @@ from game.scenes.metal.making import LEDGE, cradle_places
 from game.scenes.metal.marks import draw_marks
 from game.scenes.metal.parameters import TOOLS
 from game.scenes.metal.world import MetalState, MetalWorld
-from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
+from game.ui.canvas.canvas import Canvas
 from game.ui.painters.steel import draw_steel
 from game.ui.painters.wall import Wall, is_dark
 from game.worlds.entries.track_forms import curve_of
-from game.worlds.hands.hand import NOBODY, Hand, legend_of
+from game.worlds.hands.hand import Hand, legend_of
+from game.worlds.hands.marks import draw_track_hand
 from game.worlds.members.solids import bodies_between
 from game.worlds.members.tracks import balls_between
 from game.worlds.painting.boards import WHOLE, boards_of, moved, paint_quads, paint_shapes, placed
@@ -94,7 +95,7 @@ class MetalView:
         self._asked = canvas.asked
         if canvas.marks(self.model.parameters.marks):
             draw_marks(canvas, self.model, places)
-        self._draw_hand(canvas)
+        draw_track_hand(canvas, self.hand, 2.4)
 
     # -- painting -------------------------------------------------------------------------------------
 
@@ -202,19 +203,6 @@ class MetalView:
             )
             paint_shapes(canvas, whole, body)
             paint_shapes(canvas, upper, edge)
-
-    def _draw_hand(self, canvas: Canvas) -> None:
-        hand = self.hand
-        if len(hand.path) > 1:
-            canvas.polyline(np.array(hand.path), "accent", 2.4)
-        if hand.point is None:
-            return
-        if hand.held != NOBODY and hand.verb != "bend":
-            canvas.ring(hand.point, 9.0, "amber", 1.8)
-        elif hand.held != NOBODY:
-            canvas.circle(
-                hand.point, self.model.parameters.bending, outline="amber", width=1.2, dash=PREDICTION_DASH
-            )
 
 
 def bench_of(content: MetalContent) -> float:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -49,29 +48,20 @@ class MetalState(NamedTuple):
 class Sides(Member):
     """``rows`` (k, 2): track and body, of tracks that reach into yards."""
 
+    kept = ("rows",)
     rows: Longs = np.zeros((0, 2), dtype=np.int64)
-
-    def state(self) -> tuple[Any, ...]:
-        return (self.rows,)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.rows = next(fields).copy()
 
 
 class Machine(Member):
     """gates (g,): s at which each opened, NOT_YET; plugs: bodies, -1 where one has gone; gauges (n, 3)."""
+
+    kept = ("gates", "plugs", "gauges")
 
     def __init__(self, content: MetalContent, plugs: list[int]):
         self.gates: Floats = np.full(len(content.gates), NOT_YET)
         self.plugs: Longs = np.array(plugs, dtype=np.int64)
         self.gauges: Floats = np.zeros((len(content.gauges), g.GAUGE_WIDTH))
         self.gauges[:, g.VALUE] = NOT_YET
-
-    def state(self) -> tuple[Any, ...]:
-        return self.gates, self.plugs, self.gauges
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.gates, self.plugs, self.gauges = (next(fields).copy() for _ in range(3))
 
 
 class MetalWorld(World):

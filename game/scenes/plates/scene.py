@@ -91,9 +91,6 @@ class FallingPlates(BuiltScene):
         self.view = PlatesView(self.model, self.hand)
         self.check_content(content)
 
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
     def action(self, name: str) -> None:
         model = self.model
         if name == "next":

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +26,8 @@ class Gauges(Member):
     """values (g,): what they show; marks (g, 3): what those of periods remember; blocks: ids of bodies of
     structures, of which "fallen" counts. ValueError: of nothing.
     """
+
+    kept = ("values", "marks")
 
     def __init__(
         self,
@@ -59,13 +60,6 @@ class Gauges(Member):
         for k, entry in enumerate(self.entries):
             if entry.until == 0.0 or self.world.time <= entry.until + 0.25 * dt:
                 self.values[k] = self._measured(self.world, k, self.world.time, dt)
-
-    def state(self) -> tuple[Any, ...]:
-        return self.values, self.marks
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        np.copyto(self.values, next(fields))
-        np.copyto(self.marks, next(fields))
 
     def _measured(self, world: SolidWorld, k: int, time: float, dt: float) -> float:
         entry, of, before = self.entries[k], self._of[k], float(self.values[k])

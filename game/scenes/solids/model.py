@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -49,6 +48,8 @@ class ModelState(NamedTuple):
 class Tints(Member):
     """``rows`` (n,): colour of each body, and which of its materials are its own."""
 
+    kept = ("rows",)
+
     def __init__(self) -> None:
         self.rows: Longs = np.zeros(0, dtype=np.int64)
 
@@ -57,12 +58,6 @@ class Tints(Member):
         if body >= len(self.rows):
             self.rows = np.concatenate([self.rows, np.zeros(body + 1 - len(self.rows), dtype=np.int64)])
         self.rows[body] = tint
-
-    def state(self) -> tuple[Any, ...]:
-        return (self.rows,)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.rows = next(fields).copy()
 
 
 class Shake(NamedTuple):

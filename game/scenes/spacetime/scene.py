@@ -16,7 +16,7 @@ from game.scenes.spacetime.model import HALF, SpaceTimeModel
 from game.scenes.spacetime.parameters import OF_PICTURE, SpaceTimeParameters
 from game.scenes.spacetime.readouts import readouts_of
 from game.scenes.spacetime.view import SpaceTimeView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Strip
+from game.stage import Equation, Frame, Hint, Readout, Strip
 from game.worlds.expectations import captions_of, draw_captions
 from game.worlds.scene import ModelScene
 
@@ -79,9 +79,6 @@ class SpaceTime(ModelScene):
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.held, (self.hand.x, self.hand.y))
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def readouts(self) -> list[Readout]:
         return list(readouts_of(self.model))

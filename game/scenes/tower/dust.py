@@ -7,8 +7,7 @@ in the air's cells.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Callable
 
 import numpy as np
 
@@ -58,6 +57,8 @@ def advance_dust(dust: Floats, dt: float, wind: Callable[[Floats], Floats] | Non
 class Dust(Member):
     """``rows`` (n, DUST_WIDTH) of puffs."""
 
+    kept = ("rows",)
+
     def __init__(self) -> None:
         self.rows: Floats = np.zeros((0, DUST_WIDTH))
 
@@ -66,9 +67,3 @@ class Dust(Member):
     ) -> None:
         """New ones, see `puffs`."""
         self.rows = np.concatenate([self.rows, puffs(places, speeds, size, life, random)])
-
-    def state(self) -> tuple[Any, ...]:
-        return (self.rows,)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.rows = next(fields).copy()

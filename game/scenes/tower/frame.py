@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -12,9 +12,9 @@ from game.scenes.tower.breaking import break_up, grind, middle_of, shocks_of
 from game.scenes.tower.building import build, frame_stuff, rubble_stuff
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
-from game.scenes.tower.tables import COLUMN, GONE, NOT_YET, RUBBLE, SHARD, SLAB, PartTable, StoreyTable
+from game.scenes.tower.tables import COLUMN, GONE, NOT_YET, RUBBLE, SHARD, SLAB, StoreyTable
 from game.worlds.members.solids import Solids, nearest_box
-from game.worlds.tables import extended, packed, unpacked
+from game.worlds.tables import extended
 from game.worlds.world import Member
 
 MOST_BODIES = 1_500
@@ -26,6 +26,8 @@ FLOORS = (SLAB, SHARD)
 
 class Frame(Member):
     """``parts`` and ``storeys``; built_mass: kg, of all parts at first."""
+
+    kept = ("parts", "storeys")
 
     def __init__(self, solids: Solids, content: TowerContent, parameters: TowerParameters):
         self.solids, self.world, self.parameters = solids, solids.world, parameters
@@ -117,10 +119,3 @@ class Frame(Member):
     def change(self, name: str) -> None:
         if name == "friction":
             self.solids.set_frictions(self.bodies(), self.parameters.friction)
-
-    def state(self) -> tuple[Any, ...]:
-        return packed(self.parts), packed(self.storeys)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.parts = unpacked(PartTable, next(fields))
-        self.storeys = unpacked(StoreyTable, next(fields))

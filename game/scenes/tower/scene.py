@@ -13,7 +13,7 @@ from game.scenes.tower.figure import draw_front
 from game.scenes.tower.hand import tower_hand
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import OF_PICTURE, TOOLS, TowerParameters
-from game.scenes.tower.told import hearing, names, readouts, saved, targets
+from game.scenes.tower.told import hearing, names, readouts, saved, sizes, targets
 from game.scenes.tower.view import TowerView
 from game.scenes.tower.world import TowerWorld
 from game.stage import Equation, Hint, SceneAction, Strip
@@ -47,7 +47,7 @@ class Tower(WorldScene):
     parameters_type = TowerParameters
     parameters: TowerParameters
     model: TowerWorld
-    parts = Parts(TowerWorld, tower_hand, TowerView, readouts, saved, targets, hearing, names)
+    parts = Parts(TowerWorld, tower_hand, TowerView, readouts, saved, targets, hearing, names, sizes)
     tool_prefix = "tool-"
     painters = (("polygons", warm_up_painter),)
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS | AIR

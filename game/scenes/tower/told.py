@@ -86,6 +86,12 @@ def targets(model: TowerWorld) -> dict[str, Point]:
     }
 
 
+def sizes(model: TowerWorld) -> dict[str, float]:
+    """A storey where floors meet and where charges lie, and the height of what stands; m."""
+    storey = model.content.storey
+    return {"front": storey, "charges": storey, "rubble": roof_of(model)}
+
+
 def names(model: TowerWorld) -> list[tuple[Point, str]]:
     """The roof by its height, and where the floors meet."""
     roof, (x, y) = roof_of(model), front_of(model)

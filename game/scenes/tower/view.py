@@ -18,9 +18,10 @@ from game.scenes.tower.world import TowerState, TowerWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
 from game.worlds.hands.hand import Hand
-from game.worlds.members.solids import bodies_between, contact_places
+from game.worlds.members.solids import bodies_between
 from game.worlds.painting.boards import paint_quads
 from game.worlds.painting.inks import color_of
+from game.worlds.painting.marks import draw_contacts
 from game.worlds.painting.polygons import NO_EDGE, paint
 
 BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the camera's way, of its size
@@ -234,9 +235,7 @@ class TowerView:
 
     def _marks(self, canvas: Canvas) -> None:
         model = self.model
-        points = contact_places(model.world)
-        if len(points):
-            canvas.discs(points, canvas.px(2.0), "amber")
+        draw_contacts(canvas, model.world, 2.0)
         half = half_width(model.content) + 3.0
         struck = np.flatnonzero(model.frame.storeys.struck != NOT_YET)
         for k in struck.tolist():

@@ -43,15 +43,6 @@ def _put_down(hand: Hand) -> str:
     return ""
 
 
-def _delete(hand: Hand) -> str:
-    ball = TOOLS.ball_at(hand)
-    if ball == NOBODY:
-        return TOOLS.take_away(hand)
-    hand.point = None
-    hand.model.remove(ball)
-    return ""
-
-
 def _drop(hand: Hand) -> None:
     model: TracksWorld = hand.model
     if 0 <= model.held < len(model.balls.energies):
@@ -61,7 +52,7 @@ def _drop(hand: Hand) -> None:
 
 USES = {
     "hand": Use(_grab, _move, _put_down), "ball": Use(_make, _move, _put_down), "draw": TOOLS.draw(),
-    "bend": TOOLS.bend(), "delete": Use(_delete),
+    "bend": TOOLS.bend(), "delete": TOOLS.delete(),
 }  # fmt: skip
 
 

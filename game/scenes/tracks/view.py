@@ -11,8 +11,9 @@ from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import RADIUS, VX, VY
 from game.scenes.tracks.parameters import TOOLS
 from game.scenes.tracks.world import BEYOND, COLOURS, TRAIL, TracksState, TracksWorld
-from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
-from game.worlds.hands.hand import NOBODY, Hand, legend_of
+from game.ui.canvas.canvas import Canvas
+from game.worlds.hands.hand import Hand, legend_of
+from game.worlds.hands.marks import draw_track_hand
 from game.worlds.members.tracks import balls_between
 from game.worlds.painting.rails import lines_of
 
@@ -48,7 +49,7 @@ class TrackView:
         if self.model.parameters.trails and len(rows) <= SHOWN_BALLS:
             self._draw_trails(canvas, places)
         self._draw_balls(canvas, places, angles)
-        self._draw_hand(canvas)
+        draw_track_hand(canvas, self.hand, 2.0)
 
     def _tracks(self) -> list[Floats]:
         """Each track as points along its smooth curve."""
@@ -89,16 +90,3 @@ class TrackView:
                 scale = 0.15 * (view.top - view.bottom) / fastest
                 for ball, place in enumerate(places.tolist()):
                     canvas.arrow(place, rows[ball, VX : VY + 1].tolist(), "chalk", None, scale)
-
-    def _draw_hand(self, canvas: Canvas) -> None:
-        hand = self.hand
-        if len(hand.path) > 1:
-            canvas.polyline(np.array(hand.path), "accent", 2.0)
-        if hand.point is None:
-            return
-        if self.model.held != NOBODY:
-            canvas.ring(hand.point, 9.0, "amber", 1.8)
-        elif hand.verb == "bend" and hand.held != NOBODY:
-            canvas.circle(
-                hand.point, self.model.parameters.bending, outline="amber", width=1.2, dash=PREDICTION_DASH
-            )

@@ -52,6 +52,8 @@ class Balls(Member):
     spent (1,): J that were lost before the balls were let go as they are now.
     """
 
+    kept = ("tints", "energies", "gauges", "trail", "begun", "spent")
+
     def __init__(self, gauges: int):
         self.tints: Longs = np.zeros(0, dtype=np.int64)
         self.energies: Floats = np.zeros(0)
@@ -59,13 +61,6 @@ class Balls(Member):
         self.trail: Floats = np.zeros((TRAIL, 0, 2))
         self.begun: Floats = np.zeros((0, BEGIN_WIDTH))
         self.spent: Floats = np.zeros(1)
-
-    def state(self) -> tuple[Any, ...]:
-        return self.tints, self.energies, self.gauges, self.trail, self.begun, self.spent
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.tints, self.energies, self.gauges, self.trail = (next(fields).copy() for _ in range(4))
-        self.begun, self.spent = (next(fields).copy() for _ in range(2))
 
 
 class TracksWorld(World):

@@ -16,7 +16,7 @@ from game.scenes.two_balls.level import FRAME_RATE, LectureBallsContent
 from game.scenes.two_balls.model import TwoBalls
 from game.scenes.two_balls.parameters import LectureBallsParameters
 from game.scenes.two_balls.readouts import readouts_of
-from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip, WarmUp
 from game.ui.painters import ball as ball_painter
 from game.worlds.scene import ModelScene
 
@@ -120,9 +120,6 @@ class LectureBalls(ModelScene):
         ]
 
     # -- the hand, and what is shown ----------------------------------------------------------------
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def action(self, name: str) -> None:
         if name == "release":

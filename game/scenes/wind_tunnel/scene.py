@@ -123,9 +123,6 @@ class WindTunnel(ModelScene):
             outline=corners, sweep=self.model.sweep.running, expected=content.expected,
         )  # fmt: skip
 
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
     def pointer(self, event: Pointer) -> None:
         said = self.hand.take(event)
         if said:

@@ -266,6 +266,12 @@ class Course:
             found.append(Caption(begun.text, begun.film_s, ends, number))
         return found
 
+    def news(self) -> list[float]:
+        """When something new begins, s of film: words, a moment, another picture; and when the film ends."""
+        kinds = (Say, Title, HandOver, Look, Follow)
+        begun = (one.film_s for i, one in self.begun.items() if isinstance(self.story.lines[i], kinds))
+        return sorted([0.0, *begun, *(one.film_s for one in self.reached.values()), self.end_s])
+
     def cards(self) -> list[tuple[int, float, float]]:
         """Title cards and the end card so far: line, from, to, s of film."""
         return [

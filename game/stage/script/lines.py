@@ -126,7 +126,7 @@ class Moment(Line, frozen=True, kw_only=False):
     """Waits until the state is so. when: one or more of "READOUT > NUMBER" (or <, >=, <=), all at a time.
 
     deadline: s of simulated time that it may take. chapter: how the film calls what begins then; quiet: no
-    chapter begins.
+    chapter begins. subject: the place, as the scene calls it, that has to be seen well then.
     """
 
     moment: Name
@@ -134,6 +134,7 @@ class Moment(Line, frozen=True, kw_only=False):
     deadline: Annotated[float, msgspec.Meta(gt=0.0, le=3600.0)]
     chapter: Annotated[str, msgspec.Meta(max_length=60)] = ""
     quiet: bool = False
+    subject: Annotated[str, msgspec.Meta(max_length=60)] = ""
 
     @property
     def conditions(self) -> tuple[str, ...]:

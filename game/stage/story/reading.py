@@ -297,6 +297,8 @@ def _readouts_in(line: Line) -> list[str]:
 def _targets_in(line: Line) -> list[str]:
     if isinstance(line, Follow):
         return [line.follow]
+    if isinstance(line, Moment):
+        return [line.subject] if line.subject else []
     places = [line.look] if isinstance(line, Look) else []
     if isinstance(line, Do):
         places += [place for place in (line.do.place, line.do.to) if place is not None]

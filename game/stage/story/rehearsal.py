@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from game.stage.stage import Stage
 
 MOST_S = 1800.0  # s of simulated time that a story may take
+MOST_IDLE_S = 8.0  # s of film without a moment, words or another place of the camera
 PART_S = 0.25  # s between looks whether it has ended
 BEGINNING = "Beginning"
 
@@ -78,6 +80,9 @@ class Rehearsal(msgspec.Struct, frozen=True):
     ended: bool
     paces: tuple[tuple[float, float, float], ...] = ((0.0, 0.0, 1.0),)  # see `Course.paces`
     dropped: tuple[str, ...] = ()  # words that were over before they could be said
+    idle: tuple[
+        tuple[float, float], ...
+    ] = ()  # from, to, s of film: longer than `MOST_IDLE_S` without anything new to read
 
     @property
     def failures(self) -> list[str]:
@@ -144,6 +149,7 @@ def result_of(runner: Runner) -> Rehearsal:
         expectations=tuple(_outcome(runner, i) for i in range(len(story.expectations))),
         ended=ended,
         paces=course.paces(),
+        idle=tuple((a, b) for a, b in itertools.pairwise(course.news()) if MOST_IDLE_S < b - a < math.inf),
         dropped=tuple(line.say for i in course.dropped if isinstance(line := story.lines[i], Say)),
     )
 

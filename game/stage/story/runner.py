@@ -15,7 +15,7 @@ from game.stage.script.camera import AHEAD_S, Aim, CameraPath, View, kept_inside
 from game.stage.script.course import SLACK_S, Course
 from game.stage.script.deeds import RATE_HZ, begin_of, end_of, on_the_way
 from game.stage.script.entries import Begun, Dropped, Ended
-from game.stage.script.lines import WHOLE, Do, Follow, HandOver, Look, Say, Story, Title
+from game.stage.script.lines import WHOLE, Do, Follow, HandOver, Look, Moment, Say, Story, Title
 from game.stage.script.readouts import filled
 from game.stage.story.charts import ChartWatch
 from game.stage.story.moments import MomentWatch
@@ -157,6 +157,12 @@ class Runner:
     def target(self) -> Point | None:
         """Where what the camera follows is now; None if it follows nothing."""
         return self.stage.scene.story_targets().get(self._aim.target) if self._aim.target else None
+
+    def subject(self) -> str:
+        """What has to be seen well now: the subject of the moment that came last; "" if it has none."""
+        last = next(reversed(self.course.reached.values()), None)
+        line = self.story.lines[last.line] if last is not None else None
+        return line.subject if isinstance(line, Moment) else ""
 
     def view(self, shown_s: float) -> View:
         """What the picture of a moment of the film is to show: what is followed is in its middle 60 %."""

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from game.arrays import Flags
@@ -65,6 +68,21 @@ class TrackTools:
         track, tracks = self.track_at(hand), hand.model.tracks
         hand.point = None
         return "" if track == NOBODY else self.lay(hand, _without(tracks, track))
+
+    def delete(self, there: Callable[[Any], Flags | None] = lambda model: None) -> Use:
+        """Takes away the ball under the pointer, or else the track near it. there: which balls of a model can
+        be taken, as of `ball_at`.
+        """
+
+        def press(hand: Hand) -> str:
+            ball = self.ball_at(hand, there(hand.model))
+            if ball == NOBODY:
+                return self.take_away(hand)
+            hand.point = None
+            hand.model.remove(ball)
+            return ""
+
+        return Use(press)
 
     def _draw(self, hand: Hand) -> str:
         if elementary.dist(hand.at, hand.path[-1]) > self.dense * self.reach(hand):

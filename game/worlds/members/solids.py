@@ -174,19 +174,3 @@ def nearest_box(
     outside = np.maximum(across, along)
     best = int(np.argmin(outside))
     return best, float(outside[best])
-
-
-def contact_places(world: SolidWorld) -> Floats:
-    """Points (k, 2) m at which solids touch."""
-    contacts, rows = world.contacts, world.bodies
-    touching = contacts.marks[:, s.TOUCHING] == 1
-    marks, manifolds = contacts.marks[touching], contacts.manifolds[touching]
-    a = contacts.bodies[touching, 0]
-    c, sine = rows.rotations[a, 0], rows.rotations[a, 1]
-    found = [np.zeros((0, 2))]
-    for k in range(2):
-        here, at = marks[:, s.POINTS] > k, s.FIRST_POINT + k * s.POINT_WIDTH
-        x, y = manifolds[here, at], manifolds[here, at + 1]
-        cos, sin = c[here], sine[here]
-        found.append(np.stack([cos * x - sin * y, sin * x + cos * y], axis=1) + rows.positions[a[here]])
-    return np.concatenate(found)

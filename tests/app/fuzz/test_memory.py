@@ -5,10 +5,12 @@ from __future__ import annotations
 import gc
 import weakref
 
+import numpy as np
 import pygame
 import pygame_gui
 import pytest
 
+from game.app.fuzz.memory import peak_bytes, resident_bytes
 from tests.app.tests_app import Driver
 
 ROUNDS = 6
@@ -76,3 +78,14 @@ def test_what_an_element_of_the_panel_posted_is_let_go(scene: Driver):
     scene.resize(1000, 700)
     scene.frames(1)
     assert posted() is None
+
+
+def test_the_most_is_remembered_when_it_is_given_back():
+    much, slack = 64 << 20, 4 << 20  # bytes; the system counts its pages in batches
+    before = max(peak_bytes(), resident_bytes())
+    taken = np.ones(before - resident_bytes() + much, dtype=np.uint8)
+    held = peak_bytes()
+    assert held >= before + much - slack
+    del taken
+    assert peak_bytes() >= held - slack
+    assert resident_bytes() < held - much + slack

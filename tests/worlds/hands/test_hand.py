@@ -75,3 +75,12 @@ def test_tools_are_keys_hints_and_legend() -> None:
     ]
     assert hint_of(TOOLS, "push") == () and "drag a line" in hint_of(TOOLS, "draw")[0]
     assert legend_of(TOOLS, "draw") == [("ring:accent", "drag a line", "")] and legend_of(TOOLS, "look") == []
+
+
+def test_a_hand_without_a_choice_of_tools_has_one_in_each_button(told) -> None:
+    model = SimpleNamespace(parameters=SimpleNamespace())
+    uses = {name: Use(lambda hand: told.append(hand.verb) or "") for name in ("blow", "drop")}
+    hand = Hand(model, uses, (-5.0, 0.0), (5.0, 9.0), left="blow", right="drop")
+    for button in (1, 3, 2):
+        hand.take(Pointer("down", 1.0, 2.0, button))
+    assert told == ["blow", "drop"]

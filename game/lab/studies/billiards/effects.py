@@ -44,14 +44,14 @@ def shot_of(balls: int, active: EffectSet) -> Shot:
     return few.struck(0, (1.154, 2.104), (-27.0, 14.8, -35.0))
 
 
-class WithoutEffect:
-    """A shot under some effects, played many times; error: farthest ball from where all effects put it."""
+class ShotWithout:
+    """A shot without some effect, played many times; error: farthest ball from where the full shot has it."""
 
     simulated_s = SHOTS_IN_A_RUN * TIME
 
-    def __init__(self, active: EffectSet, balls: int) -> None:
-        self.shot = shot_of(balls, active)
-        self.full = simulate(shot_of(balls, EXACT_EFFECTS), until=TIME)
+    def __init__(self, shot: Shot, full: Shot) -> None:
+        self.shot = shot
+        self.full = simulate(full, until=TIME)
 
     def reset(self) -> None:
         pass
@@ -63,6 +63,11 @@ class WithoutEffect:
     def outcome(self) -> Outcome:
         apart = self.played.state_at(TIME).positions - self.full.state_at(TIME).positions
         return Outcome(math.sqrt(float((apart * apart).sum(axis=1).max())), len(self.played.times))
+
+
+def _trial(setting: Setting) -> ShotWithout:
+    balls = int(setting.knob)
+    return ShotWithout(shot_of(balls, active_of(setting.scene)), shot_of(balls, EXACT_EFFECTS))
 
 
 def switches(active: EffectSet) -> dict[str, bool]:
@@ -108,7 +113,7 @@ effects_study = Study(
     ),
     settings=_settings,
     short="Effects",
-    trial=lambda setting: WithoutEffect(active_of(setting.scene), int(setting.knob)),
+    trial=_trial,
     present=present_setting,
     workload=Workload("a break of so many balls"),
     reference="the exact table with all effects.",

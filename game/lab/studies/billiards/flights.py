@@ -13,14 +13,11 @@ from collections.abc import Mapping, Sequence
 from game.billiards.shot.cue import strike
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot_effects import AIRBORNE, EXACT_EFFECTS, GAME_EFFECTS, physics_of
-from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
-from game.lab.studies.billiards.effects import effects_study
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.studies.billiards.effects import ShotWithout, effects_study
+from game.lab.study import Axes, Knob, Method, Setting, Study, Workload
 
 SPEED = 3.0  # m/s, of the cue
-TIME = 1.5  # s
-SHOTS_IN_A_RUN = 20  # one takes about the tick of the clock
 PLACES = [[0.635, 0.5], [0.64, 0.75], [0.6, 1.3], [0.3, 2.0]]
 LEVEL = 0.1  # degrees; so little makes no ball leave the slate
 RAISED = (LEVEL, 5.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # degrees
@@ -34,25 +31,8 @@ def stroke_at(elevation: float, airborne: bool) -> Shot:
     return make_shot(Table.pool(), PLACES, physics=physics).struck(0, made.pressed(raised), made.spin)
 
 
-class RaisedStroke:
-    """A stroke, played many times; error: farthest ball from where it is if balls may leave the slate."""
-
-    simulated_s = SHOTS_IN_A_RUN * TIME
-
-    def __init__(self, elevation: float, airborne: bool) -> None:
-        self.shot = stroke_at(elevation, airborne)
-        self.full = simulate(stroke_at(elevation, True), until=TIME)
-
-    def reset(self) -> None:
-        pass
-
-    def run(self) -> None:
-        for _ in range(SHOTS_IN_A_RUN):
-            self.played = simulate(self.shot, until=TIME)
-
-    def outcome(self) -> Outcome:
-        apart = self.played.state_at(TIME).positions - self.full.state_at(TIME).positions
-        return Outcome(math.sqrt(float((apart * apart).sum(axis=1).max())), len(self.played.times))
+def _trial(setting: Setting) -> ShotWithout:
+    return ShotWithout(stroke_at(setting.knob, setting.method == "air"), stroke_at(setting.knob, True))
 
 
 def _setting(elevation: float, airborne: bool) -> Setting:
@@ -80,7 +60,7 @@ flights_study = Study(
     methods=(Method("air", "airborne balls"), Method("slate", "all stay on the slate")),
     settings=_settings,
     short="Flights",
-    trial=lambda setting: RaisedStroke(setting.knob, setting.method == "air"),
+    trial=_trial,
     present=_present,
     workload=Workload("a stroke at 3 m/s with a ball in its way"),
     reference="the exact table with balls that leave the slate.",

@@ -15,7 +15,8 @@ from game.scenes.billiards.story.throw import Contact, first_contact
 
 Point = tuple[float, float]
 AHEAD_S, BACK_S = 0.4, 0.3  # s of the shot to each side of the present moment that the play is taken from
-ROOM = (0.3, 0.5)  # m across and along the table that the middle of the play keeps from the cushions
+TURN_S, THERE_S = 1.3, 0.5  # s before a ball falls that one begins to look at the pocket, and does
+ROOM = (0.25, 0.45)  # m across and along the table that the middle of the play keeps from the cushions
 
 
 class StrokeSeen:
@@ -72,7 +73,9 @@ class StrokeSeen:
         return play.model.frame.layout.place_of(number)
 
     def play_now(self) -> Point:
-        """The middle of the balls that a stroke is about while it rolls; else the cue ball, m."""
+        """The middle of the balls that a stroke is about while it rolls, and then the pocket; else the cue
+        ball, m.
+        """
         played, falling = self._look(), self.falling
         if self.play.phase != ROLLING or played is None or falling is None:
             return self._kept(np.array(self.place_of(CUE_BALL) or self.middle()))
@@ -81,7 +84,11 @@ class StrokeSeen:
         points = np.concatenate(
             [played.trajectory.state_at(max(at + d, 0.0)).positions[rows] for d in (-BACK_S, 0.0, AHEAD_S)]
         )
-        return self._kept(0.5 * (points.min(axis=0) + points.max(axis=0)))
+        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        share = min(max((at - self._falls[0][0] + TURN_S) / (TURN_S - THERE_S), 0.0), 1.0)
+        share *= share * (3.0 - 2.0 * share)
+        pocket = self.play.model.frame.table.pockets[falling.pocket, :2]
+        return self._kept(middle + share * (pocket - middle))
 
     def _kept(self, place: Floats) -> Point:
         """The nearest place about which a picture has little beside the table, m."""
@@ -110,6 +117,19 @@ class StrokeSeen:
             "pocket": pocket,
             "object ball": struck or cue_ball,
         }
+
+    def sizes(self) -> dict[str, float]:
+        """Diameters of the balls and of the pocket, m."""
+        falling, contact = self.falling, self.contact
+        frame = self.play.model.frame
+        radii = frame.layout.balls.radii.tolist()
+        found = {"cue ball": 2.0 * radii[CUE_BALL]}
+        if falling is not None:
+            found["ball"] = 2.0 * radii[falling.ball]
+            found["pocket"] = 2.0 * float(frame.table.pockets[falling.pocket, 2])
+        if contact is not None:
+            found["object ball"] = 2.0 * radii[contact.ball]
+        return found
 
     def names(self) -> list[tuple[Point, str]]:
         """The cue ball by its speed, the object ball by cut and throw, the others of the play by number."""
