@@ -15,7 +15,7 @@ from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
 from game.scenes.burning_cloth import tables
 from game.worlds.members.burning_air import FIELDS, BurningAir
-from game.worlds.painting.flames import FlameLook
+from game.worlds.painting.glowing import GlowLook
 
 FRESH = 0.27  # kg/m³ of oxygen
 MIXES = 1.3  # 1/s at which the layer takes on the wind before and behind it
@@ -23,7 +23,7 @@ VAPOUR = {
     "ignition": 560.0, "rate": 24.0, "oxygen": 1.3, "heat": 1.5e7, "capacity": 1212.0, "soot": 0.06,
     "soot_rate": 1.6, "glow": 1.2e-11, "soot_glow": 3.2e-7, "ambient": tables.ROOM,
 }  # fmt: skip
-LOOK = FlameLook(560.0, 1250.0, 0.25, 1.2e-4, 2.2e-3, 0.7, 900.0)
+LOOK = GlowLook(620.0, 1300.0, 0.05, 2.0e-4, 2.2e-3, 0.7, 900.0)
 SLANT, SWELL, WAVE, RUNS = 0.55, 0.4, 3.4, 0.55  # of the wind: across the plane, its swell, 1/m, its speed
 PRESS, BRUSH = 0.72, 0.15  # kg/m³, half the density of air times a coefficient of drag, through and along
 GUSTS = ((0.9, 0.22), (2.3, 0.13), (3.7, 0.07))  # rad/s, share of the wind

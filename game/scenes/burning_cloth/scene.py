@@ -20,7 +20,7 @@ from game.scenes.burning_cloth.told import hearing, names, saved, targets
 from game.scenes.burning_cloth.view import BurningClothView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
-from game.worlds.painting.flames import warm_up_gas
+from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.scene import Parts, WorldScene
 
@@ -55,7 +55,7 @@ class BurningCloth(WorldScene):
     tiny = {"tier": "own", "meshes": 16}
     painters = (
         ("polygons", warm_up_painter), ("cloth", warm_up_sheet), ("backdrop", warm_up_backdrop),
-        ("gas", warm_up_gas), ("yard", warm_up_yard),
+        ("gas", warm_up_glowing), ("yard", warm_up_yard),
     )  # fmt: skip
     effects = ADVECTION | PRESSURE | BUOYANCY | FLAMES | SOOT_LOSS | HEAT.known | CLOTH.known
     content_type = BurningClothContent

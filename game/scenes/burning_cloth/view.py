@@ -8,6 +8,7 @@ import pygame
 from game.arrays import Floats, Singles
 from game.physics.cloth import layout
 from game.scenes.burning_cloth import ashes as ash
+from game.scenes.burning_cloth.air import LOOK
 from game.scenes.burning_cloth.ashes import X as ASH_X
 from game.scenes.burning_cloth.ashes import Y as ASH_Y
 from game.scenes.burning_cloth.model import BurningClothModel, BurningClothState
@@ -19,7 +20,7 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
 from game.worlds.painting.boards import paint_quads
-from game.worlds.painting.flames import FLAME, HEAT_STOPS, draw_firelight
+from game.worlds.painting.flames import HEAT_STOPS, draw_firelight, glow_stops
 
 BOX = ((-HALF, 0.0), (HALF, TALL))
 SMOKE = {True: pygame.Color(64, 62, 64), False: pygame.Color(104, 100, 98)}
@@ -109,7 +110,7 @@ class BurningClothView:
         canvas.veil(
             veil[low:high, left:right], (-HALF + cell * left, cell * low),
             (-HALF + cell * right, cell * high),
-            smoke, FLAME,
+            smoke, glow_stops(LOOK.dark, LOOK.bright),
         )  # fmt: skip
 
     def _draw_light(self, canvas: Canvas, nodes: Floats, veil: Singles, glow: Floats) -> None:

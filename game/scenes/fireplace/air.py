@@ -11,36 +11,41 @@ from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings
 from game.physics.gas.effects import BUOYANCY, EXPANSION
 from game.physics.grid import Border, Borders, Grid
+from game.physics.grid.obstacles import GridObstacles
 from game.physics.kernels import elementary
-from game.physics.solids import Material, Polygon, SolidWorld
-from game.physics.surfaces import SolidSurface
 from game.scenes.fireplace import tables as t
 from game.scenes.fireplace.tables import HALF, ROOM, TALL
+from game.worlds.members.boxes import Boxes, box_rows
 from game.worlds.members.burning_air import FIELDS, BurningAir
-from game.worlds.painting.flames import FlameLook
+from game.worlds.members.openings import Openings
+from game.worlds.painting.glowing import GlowLook
 
 FRESH = 0.27  # kg/m³ of oxygen
 SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
 VAPOUR = {
     "ignition": 580.0, "rate": 30.0, "oxygen": 1.3, "heat": 1.6e7, "capacity": 1212.0, "soot": 0.05,
-    "soot_rate": 2.0, "glow": 8e-12, "soot_glow": 3.2e-7, "ambient": ROOM,
+    "soot_rate": 1.4, "glow": 8e-12, "soot_glow": 1.2e-7, "ambient": ROOM,
 }  # fmt: skip
 HEAD = 0.026  # m about the head of a match that its flame fills
 MATCH_HOT = 1500.0  # K at most, of its flame
-LOOK = FlameLook(520.0, 1150.0, 0.3, 2.0e-4, 4.0e-3, 0.85, 950.0)
+LOOK = GlowLook(680.0, 1450.0, 0.05, 4.0e-4, 4.0e-3, 0.85, 950.0)
 COLDEST = 250.0  # K to which wood can cool gas
 QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
+PLATE = 0.017  # m, half the thickness of a plate of the damper
 SIDES = 0.62  # m beside the middle: beyond, a draught takes the air along
+MOVED = 0.25  # cells: by so much logs move before the gas looks at them again
+SLIT = 0.5  # of a face: through what is narrower no gas goes, else it would be a jet without bound
 
 
 class Air(BurningAir):
     """cells: across.
 
-    Its flows: J/m from the match (less what water took), through the sides, lost in carrying, asked of gas
-    that was too cold to give it.
+    Its flows: J/m from the match (less what water took), through the sides, lost in carrying. Then those
+    asked of gas that was too cold to give them, and lost where logs cover and uncover gas. ``logs``: solids
+    of the gas beside hood and damper.
     """
 
-    vapour, flame_look = VAPOUR, LOOK
+    vapour, flame_look, counts = VAPOUR, LOOK, 5
 
     def __init__(
         self, cells: int, cycles: int, damper: float, sealed: bool, active: EffectSet, gas_effects: EffectSet
@@ -55,18 +60,8 @@ class Air(BurningAir):
         )  # fmt: skip
         super().__init__(gas, _edge_of(gas.grid.shape), active, BUOYANCY in gas_effects)
         self.wind, self.damper = 0.0, -1.0
-        self._shell = SolidWorld()
-        stone = Material(density=2000.0)
-        for side in (-1.0, 1.0):
-            out = [
-                (side * t.HOOD_OUT, t.HOOD_FOOT), (side * (t.HOOD_OUT + t.WALL), t.HOOD_FOOT),
-                (side * (t.HOOD_IN + t.WALL), t.THROAT), (side * (t.HOOD_IN + t.WALL), TALL + 0.2),
-                (side * t.HOOD_IN, TALL + 0.2), (side * t.HOOD_IN, t.THROAT),
-            ]  # fmt: skip
-            self._shell.add_body(Polygon(out, 0.0, stone), kind="fixed")
-        self._plates = [
-            self._shell.add_body(Polygon(_plate(side, 0.5), 0.0, stone), kind="fixed") for side in (-1.0, 1.0)
-        ]
+        self.logs, self._solids = Boxes(), Boxes()
+        self._obstacles, self.openings = GridObstacles(gas.grid), Openings(gas.grid.shape)
         x, _ = self.gas.grid.centres()
         self._rise = np.zeros(self.gas.grid.shape)  # K that wood and match have warmed cells by in this step
         self._outside = np.abs(x) > SIDES
@@ -79,9 +74,26 @@ class Air(BurningAir):
         if share == self.damper:
             return
         self.damper = share
-        for side, body in zip((-1.0, 1.0), self._plates, strict=True):
-            self._shell.set_pose(body, (side * _plate_middle(share), t.DAMPER_AT), 0.0)
-        self.gas.set_solids(SolidSurface(self._shell))
+        self._take_solids()
+
+    def set_logs(self, rows: Floats) -> None:
+        """Flow about logs (k, BOX_WIDTH of `worlds.members.boxes`) from now on, if they have moved."""
+        if self.logs.differ(rows, MOVED * self.cell):
+            before = self.heat()
+            self.restore_logs(rows)
+            self.flows[4] += before - self.heat()
+
+    def restore_logs(self, rows: Floats) -> None:
+        """Logs as they are in a state whose gas is restored next."""
+        self.logs.rows = rows
+        self._take_solids()
+
+    def _take_solids(self) -> None:
+        """Sample hood, damper and logs; to the gas they are at rest."""
+        self._solids.rows = np.concatenate([_shell(self.damper), self.logs.rows])
+        faces = self._obstacles.update(self._solids)
+        self.openings.take(faces.ax, faces.ay, SLIT)
+        self.gas.set_open_parts(faces.ax, faces.ay)
 
     def plates(self) -> list[Floats]:
         """Corners (4, 2) m of the damper's two plates."""
@@ -91,32 +103,36 @@ class Air(BurningAir):
 
     def around(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """K (of the three hottest), share of fresh air and m/s of the gas, means over points (n, k, 2) m."""
-        j, i = self.cells_at(points)
+        j, i = self.openings.nearest_to(*self.cells_at(points))
         cells = self.gas.scalars[j, i]
         along = 0.5 * (self.gas.u[j, i] + self.gas.u[j, i + 1])
         upward = 0.5 * (self.gas.v[j, i] + self.gas.v[j + 1, i])
         speed = np.sqrt(along * along + upward * upward)
         hottest = np.sort(cells[..., 0], axis=1)[:, -3:]
-        return (
-            np.mean(hottest, axis=1), np.clip(np.mean(cells[..., 2], axis=1) / FRESH, 0.0, 1.0),
-            np.mean(speed, axis=1),
-        )  # fmt: skip
+        fresh = np.sum(self._free(points) * cells[..., 2], axis=1) / FRESH
+        return np.mean(hottest, axis=1), np.clip(fresh, 0.0, 1.0), np.mean(speed, axis=1)
+
+    def _free(self, points: Floats) -> Floats:
+        """(n, k) shares, 1 together, in which a piece meets gas at its points (n, k, 2) m: those that another
+        lies on have none, unless all are so.
+        """
+        j, i = self.cells_at(points)
+        free = (self.openings.nearest[j, i] == j * self.gas.grid.nx + i).astype(np.float64)
+        free[np.sum(free, axis=1) == 0.0] = 1.0
+        return np.asarray(free / np.sum(free, axis=1)[:, None])
 
     def take(self, points: Floats, joule: Floats, vapour: Floats) -> None:
-        """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, in equal parts."""
-        j, i = self.cells_at(points)
-        volume, share = self.cell * self.cell, 1.0 / points.shape[1]
-        warmth = np.repeat(joule[:, None] * share / (VAPOUR["capacity"] * volume), points.shape[1], axis=1)
-        np.add.at(self._rise, (j, i), warmth)
-        np.add.at(
-            self.gas.scalars[..., 1], (j, i),
-            np.repeat(vapour[:, None] * share / volume, points.shape[1], axis=1),
-        )  # fmt: skip
+        """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, where these are free."""
+        j, i = self.openings.nearest_to(*self.cells_at(points))
+        volume, share = self.cell * self.cell, self._free(points)
+        np.add.at(self._rise, (j, i), joule[:, None] * share / (VAPOUR["capacity"] * volume))
+        np.add.at(self.gas.scalars[..., 1], (j, i), vapour[:, None] * share / volume)
 
     def heat_match(self, head: Point, power: float, dt: float) -> None:
         """The flame of a match of so many W/m at its head."""
         x, y = self.gas.grid.centres()
         near = elementary.square(x - head[0]) + elementary.square(y - head[1] - 0.012) < HEAD * HEAD
+        near &= self.openings.open
         count = int(np.count_nonzero(near))
         if not count:
             return
@@ -209,6 +225,11 @@ class Air(BurningAir):
         return float(self.flows[2])
 
     @property
+    def covered(self) -> float:
+        """J/m that was in gas where logs came to lie, less what is in gas where they lay."""
+        return float(self.flows[4])
+
+    @property
     def refused(self) -> float:
         """J/m (below 0) that wood took from gas which was too cold to give it."""
         return float(self.flows[3])
@@ -249,11 +270,27 @@ def _plate_middle(share: float) -> float:
 
 def _plate(side: float, share: float) -> list[Point]:
     """Corners of a plate of the damper."""
-    middle, half, thick = side * _plate_middle(share), 0.5 * t.HOOD_IN, 0.017
+    middle, half, thick = side * _plate_middle(share), 0.5 * t.HOOD_IN, PLATE
     return [
         (middle - half, t.DAMPER_AT - thick), (middle + half, t.DAMPER_AT - thick),
         (middle + half, t.DAMPER_AT + thick), (middle - half, t.DAMPER_AT + thick),
     ]  # fmt: skip
+
+
+def _shell(damper: float) -> Floats:
+    """(6, BOX_WIDTH) hood, flue and the damper's plates, both sides; slanted walls end where others begin."""
+    along, up = t.HOOD_IN - t.HOOD_OUT, t.THROAT - t.HOOD_FOOT
+    long = elementary.length(along, up)
+    c, s, half = along / long, up / long, 0.5 * t.WALL
+    places, directions, halves = [], [], []
+    for side in (-1.0, 1.0):
+        slant = 0.5 * (t.HOOD_IN + t.HOOD_OUT) + half * s, 0.5 * (t.THROAT + t.HOOD_FOOT) - half * c
+        flue = t.HOOD_IN + half, 0.5 * (t.THROAT + TALL + 0.2)
+        places += [(side * slant[0], slant[1]), (side * flue[0], flue[1])]
+        places.append((side * _plate_middle(damper), t.DAMPER_AT))
+        directions += [(side * c, s), (0.0, 1.0), (1.0, 0.0)]
+        halves += [(0.5 * long, half), (0.5 * (TALL + 0.2 - t.THROAT), half), (0.5 * t.HOOD_IN, PLATE)]
+    return box_rows(np.array(places), np.array(directions), np.array(halves))
 
 
 def _edge_of(shape: tuple[int, int]) -> Floats:

@@ -39,9 +39,10 @@ class FireplaceContent(LevelEntry, frozen=True, kw_only=True):
 
 
 LOGS = (
-    WoodEntry(at=(-0.02, 0.2), turn=0.0, length=0.6, thick=0.1, pieces=6),
-    WoodEntry(at=(0.04, 0.305), turn=2.0, length=0.52, thick=0.095, pieces=5),
-    WoodEntry(at=(-0.235, 0.375), turn=52.0, length=0.44, thick=0.075, pieces=5),
+    WoodEntry(at=(-0.015, 0.318), turn=9.0, length=0.5, thick=0.085, pieces=6),
+    WoodEntry(at=(-0.21, 0.19), turn=0.0, length=0.27, thick=0.08, pieces=3),
+    WoodEntry(at=(0.17, 0.205), turn=0.0, length=0.29, thick=0.11, pieces=3),
+    WoodEntry(at=(0.05, 0.415), turn=-14.0, length=0.36, thick=0.07, pieces=5),
 )
 KINDLING = tuple(
     WoodEntry(at=(x, 0.066), turn=turn, length=0.155, thick=0.014, pieces=2)

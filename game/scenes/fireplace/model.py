@@ -32,6 +32,7 @@ SEES_FLAMES = 0.5  # most of what a piece sees that flames are
 BRIGHT = 6.0e4  # W/m of flames at which it is so
 FAR = 0.35  # m from the middle of the fire at which it is half of that
 BEAT_S, LEAST_BEATS = 5.0, 4  # s over which the puffs are counted, and how many it takes
+UNDER_ASH = 0.75  # share of its surface that coal still shows when it has burnt out
 EMBER_FROM = 520.0  # K: hotter, a burnt out piece is an ember
 HEARD_S = 0.25
 LOG = WoodEntry(at=(0.0, 0.0), length=0.44, thick=0.085, pieces=5)
@@ -41,10 +42,13 @@ GRIP, QUICKEST = 0.12, 2.0  # m, m/s of a hand
 
 
 class FireplaceState(NamedTuple):
-    """wood, air; sparks (MOST, 6); heard (k, HEARD_WIDTH), see `tables`; ember (4,): see `FireplaceModel`."""
+    """wood, air; logs (k, BOX_WIDTH) as the gas knows them; sparks (MOST, 6); heard (k, HEARD_WIDTH), see
+    `tables`; ember (4,): see `FireplaceModel`.
+    """
 
     wood: WoodState
     air: AirState
+    logs: Floats
     sparks: Floats
     heard: Floats
     ember: Floats
@@ -80,6 +84,7 @@ class FireplaceModel(World):
             active & COMBUSTION.known, active & GAS.known,
         )  # fmt: skip
         self.air.wind = parameters.wind
+        self.air.set_logs(self.wood.boxes(self.air.cell))
         self.match = Match(self.wood.world)
         self.sparks = Sparks(seed)
         self.fuel_at_first = math.fsum(self.wood.nodes.fuel.tolist())
@@ -192,6 +197,7 @@ class FireplaceModel(World):
             self._burn_wood(dt)
         else:
             self.wood.world.step(dt)
+        self.air.set_logs(self.wood.boxes(self.air.cell))
         self.air.advance(dt)
         self.time += dt
         self._see(dt)
@@ -231,6 +237,7 @@ class FireplaceModel(World):
             self.given_up += float(fuel[piece])
             wood.nodes.nodes[1, piece] += laws.fuel_heat * float(fuel[piece])  # its warmth stays, as ash
             fuel[piece] = 0.0
+            wood.nodes.nodes[n.AREA, piece] *= UNDER_ASH
             if self.ember[0] < 0.0 and hot[piece] > EMBER_FROM and wood.is_log()[piece]:
                 self.ember[:] = piece, hot[piece], hot[piece], self.time
 
@@ -301,9 +308,9 @@ class FireplaceModel(World):
 
     def books(self) -> dict[str, float]:
         """J/m: made by burning and the match; radiated, gone with steam and through the sides, in gas and
-        wood; "carrying": what the gas's way of carrying temperatures has lost of it, step by step; "refused":
-        see `Air`; "open": what is missing of all that. It is rounding only if what was booked as made, given
-        and radiated is what the cells were warmed by, which is measured by itself.
+        wood; "carrying": what the gas's way of carrying temperatures has lost of it, step by step; "refused",
+        "covered": see `Air`; "open": what is missing of all that. It is rounding only if what was booked as
+        made, given and radiated is what the cells were warmed by, which is measured by itself.
         """
         flames, wood, air = self.air.flames.books_now(), self.wood.nodes, self.air
         made = flames.released + float(wood.totals[n.OF_FUEL]) + air.of_match
@@ -315,6 +322,7 @@ class FireplaceModel(World):
             "wood": wood.heat() - self.heat_at_first,
             "carrying": air.lost,
             "refused": air.refused,
+            "covered": air.covered,
         }
         return {"made": made, **found, "open": made - sum(found.values())}
 
@@ -326,10 +334,13 @@ class FireplaceModel(World):
     def state(self) -> FireplaceState:
         """All that later steps depend on."""
         air, sounds = self.air.state()[0], self.heard.rows
-        return FireplaceState(self.wood.state(), air, self.sparks.table, sounds, self.ember)
+        return FireplaceState(
+            self.wood.state(), air, self.air.logs.rows, self.sparks.table, sounds, self.ember
+        )
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.wood.restore(state.wood)
+        self.air.restore_logs(state.logs.copy())
         self.air.restore(iter([state.air]))
         self.sparks.table[:], self.heard.rows, self.ember[:] = state.sparks, state.heard.copy(), state.ember

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -14,6 +13,7 @@ from game.compiler.decorator import inner_kernel, lean_kernel
 from game.scenes.fireplace import tables
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.backdrops import Painted, Seen
+from game.worlds.painting.inks import opaque
 
 Floats = NDArray[Any]  # of single precision, for pictures
 CELL = 1.0 / 200.0  # m of the room in a cell of its picture
@@ -22,32 +22,49 @@ SLAB, SLAB_HALF = 0.1, 0.98  # m: how thick the hearth is, and half as wide
 FLOOR = -0.1  # m, where the floor begins
 BRICK, COURSE, MORTAR = 0.19, 0.066, 0.007  # m
 MIDDLE = (0.0, 0.3)  # m, of the light of a fire
-# night, day: plaster, brick, mortar, stone, boards; light of the room itself (256: all)
-NIGHT = (0x6A5A4C, 0x7A4430, 0x2E2520, 0x6A6259, 0x6A4630, 92)
-DAY = (0xE9DFCB, 0xA8624A, 0xB9A894, 0xA8A198, 0x9A6B44, 232)
+# night, day: plaster, brick, mortar, stone, boards; light of the room itself, red, green, blue (256: all)
+NIGHT = (0x6A5A4C, 0x7A4430, 0x2E2520, 0x6A6259, 0x6A4630, (58, 64, 80))
+DAY = (0xE9DFCB, 0xA8624A, 0xB9A894, 0xA8A198, 0x9A6B44, (232, 232, 232))
 WARM = (400, 240, 120)  # red, green, blue of firelight where it is strongest, at full strength
 
 MOST, OPAQUE = np.int32(255), np.uint32(0xFF000000)  # of a channel; the alpha of a pixel
 
 
+Piece = tuple[NDArray[np.bool_], Floats, Floats]  # where it is, its colours (h, w, 3), firelight (h, w)
+LEATHER, RATTAN = (92.0, 44.0, 34.0), (122.0, 92.0, 58.0)
+BARK, SAWN = (78.0, 54.0, 38.0), (176.0, 134.0, 90.0)
+# m: boxes with round corners of which the chair is made: middle, half width and height, radius, how light
+CUSHIONS = (
+    (-1.24, 0.14, 0.2, 0.42, 0.11, 0.8), (-1.02, -0.3, 0.2, 0.3, 0.06, 0.66),
+    (-1.06, -0.02, 0.15, 0.07, 0.065, 1.0),
+)  # fmt: skip
+ENDS = ((0.94, -0.045), (1.05, -0.05), (1.16, -0.045), (0.995, 0.045), (1.105, 0.04), (1.05, 0.13))  # m
+END = 0.055  # m, radius of a log in the basket
+BASKET = (1.05, -0.3, 0.2, 0.22)  # m: middle, half width at its foot, half height
+FLARES = 0.18  # how much wider it is above
+RIM = 0.05  # m over which what is turned to the fire catches its light
+
+
 class RoomPicture(NamedTuple):
-    """colors (h, w) 0xFFRRGGBB; lit (h, w) 0 to 255: how much firelight comes there; own: light of the
-    room.
+    """colors (h, w) 0xFFRRGGBB; lit (h, w) 0 to 255: how much firelight comes there; own: red, green, blue
+    of the light of the room itself.
     """
 
     colors: Inks
     lit: NDArray[np.uint8]
-    own: int
+    own: tuple[int, int, int]
 
 
 @inner_kernel
-def _lay_row(row, colors, lit, own, red_warm, green_warm, blue_warm):
+def _lay_row(row, colors, lit, own, warm):
     """In 32 bits throughout, which compilers make vector instructions of; no product is beyond 2 ** 20."""
+    red_own, green_own, blue_own = own
+    red_warm, green_warm, blue_warm = warm
     for x in range(row.size):
         ink, near = np.int32(colors[x] & np.uint32(0xFFFFFF)), np.int32(lit[x])
-        red = np.int32(own + np.int32(np.int32(red_warm * near) >> 8))
-        green = np.int32(own + np.int32(np.int32(green_warm * near) >> 8))
-        blue = np.int32(own + np.int32(np.int32(blue_warm * near) >> 8))
+        red = np.int32(red_own + np.int32(np.int32(red_warm * near) >> 8))
+        green = np.int32(green_own + np.int32(np.int32(green_warm * near) >> 8))
+        blue = np.int32(blue_own + np.int32(np.int32(blue_warm * near) >> 8))
         red = np.int32(np.int32(np.int32(ink >> 16) * red) >> 8)
         green = np.int32(np.int32(np.int32(np.int32(ink >> 8) & 255) * green) >> 8)
         blue = np.int32(np.int32(np.int32(ink & 255) * blue) >> 8)
@@ -57,12 +74,13 @@ def _lay_row(row, colors, lit, own, red_warm, green_warm, blue_warm):
 
 @lean_kernel
 def paint_room(pixels, clip, colors, lit, own, warm):
-    """Lay colors (h, w) into the clip, times own + warm (3,) lit (h, w) / 256 (256: as it is)."""
+    """Lay colors (h, w) into the clip, times own (3,) + warm (3,) lit (h, w) / 256 (256: as it is)."""
     left, top, wide = clip[0], clip[1], colors.shape[1]
-    red, green, blue = np.int32(warm[0]), np.int32(warm[1]), np.int32(warm[2])
+    lamp = np.int32(own[0]), np.int32(own[1]), np.int32(own[2])
+    fire = np.int32(warm[0]), np.int32(warm[1]), np.int32(warm[2])
     for y in range(colors.shape[0]):
         row = pixels[top + y, left : left + wide]
-        _lay_row(row, colors[y], lit[y], np.int32(own), red, green, blue)
+        _lay_row(row, colors[y], lit[y], lamp, fire)
 
 
 class Room:
@@ -77,14 +95,14 @@ class Room:
         pixels, clip = canvas.raster_target
         colors, lit = self._seen.of(canvas, Painted(LEFT, TOP, CELL), (picture.colors, picture.lit))
         warm = np.array([int(part * strength) for part in WARM], dtype=np.int64)
-        paint_room(pixels, clip, colors, lit, picture.own, warm)
+        paint_room(pixels, clip, colors, lit, np.array(picture.own, dtype=np.int64), warm)
 
 
 def warm_up_room() -> None:
     """Compile what paints, on a tiny picture."""
     paint_room(
         np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((4, 4), np.uint32),
-        np.zeros((4, 4), np.uint8), 256, np.zeros(3, np.int64),
+        np.zeros((4, 4), np.uint8), np.zeros(3, np.int64), np.zeros(3, np.int64),
     )  # fmt: skip
 
 
@@ -111,7 +129,8 @@ def room_picture(dark: bool) -> RoomPicture:
     colors = plaster * (1.0 + 0.05 * cloud + 0.012 * grain)[..., None]
     wall = _bricks(x, y, brick, mortar, random)
     back = (np.abs(x) < tables.HOOD_OUT + 0.05) & (y < tables.HOOD_FOOT + 0.02)
-    _lay(colors, back & (y > 0.0), wall * (0.5 + 0.1 * cloud)[..., None])
+    recess = 0.45 + 0.55 * np.clip((tables.HOOD_OUT + 0.05 - np.abs(x)) / 0.22, 0.0, 1.0)
+    _lay(colors, back & (y > 0.0), wall * ((0.5 + 0.1 * cloud) * recess)[..., None])
     half = hood_half(y)
     inner = (y >= tables.HOOD_FOOT) & (np.abs(x) < half)
     _lay(colors, inner, wall * (0.26 + 0.06 * cloud)[..., None])
@@ -144,9 +163,18 @@ def room_picture(dark: bool) -> RoomPicture:
     edge = np.clip((SLAB_HALF + 0.1 - np.abs(x)) / 0.2, 0.0, 1.0)
     shade = np.exp(-np.clip(FLOOR - y, 0.0, None) / 0.05) * edge
     colors *= np.where(ground, 1.0 - 0.45 * shade, 1.0)[..., None]
-    packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
-    inks = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
-    return RoomPicture(inks.astype(np.uint32), _light(x, y, ground), NIGHT[5] if dark else DAY[5])
+    light = _light(x, y, ground)
+    x, y = np.broadcast_arrays(x, y)
+    for piece in (chair, basket):
+        _lay_piece(colors, light, *piece(x, y, cloud))
+    lit = np.clip(255.0 * light, 0.0, 255.0).astype(np.uint8)
+    return RoomPicture(opaque(colors), lit, (NIGHT if dark else DAY)[5])
+
+
+def _lay_piece(colors: Floats, light: Floats, where: NDArray[np.bool_], over: Floats, lit: Floats) -> None:
+    """Furniture before the wall: its colours, and how much firelight comes to it."""
+    _lay(colors, where, over)
+    light[where] = lit[where]
 
 
 def _lay(colors: Floats, where: NDArray[np.bool_], over: Floats) -> None:
@@ -183,8 +211,8 @@ def _bricks(x: Floats, y: Floats, brick: Floats, mortar: Floats, random: np.rand
     return np.where(joint[..., None], mortar, tone)
 
 
-def _light(x: Floats, y: Floats, ground: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """Firelight (h, w): falls off with the distance, shaded by the pillars and the hood."""
+def _light(x: Floats, y: Floats, ground: NDArray[np.bool_]) -> Floats:
+    """Firelight (h, w), 0 to 1: falls off with the distance, shaded by the pillars and the hood."""
     away = np.sqrt((x - MIDDLE[0]) ** 2 + (1.15 * (y - MIDDLE[1])) ** 2)
     light = 1.0 / (1.0 + (away / 0.42) ** 2)
     side = np.clip((np.abs(x) - tables.HOOD_OUT) / 0.12, 0.0, 1.0)
@@ -192,5 +220,50 @@ def _light(x: Floats, y: Floats, ground: NDArray[np.bool_]) -> NDArray[np.uint8]
     light = light * (1.0 - 0.55 * side * above)
     down = np.clip(FLOOR - y, 0.0, None)
     light = np.where(ground, 0.85 * np.exp(-((x / 1.25) ** 2)) * np.exp(-down / 0.55), light)
-    light = light + 0.05 * math.exp(-1.0)
-    return np.clip(255.0 * light, 0.0, 255.0).astype(np.uint8)
+    return np.asarray(light)
+
+
+def _inside(x: Floats, y: Floats, box: tuple[float, ...]) -> Floats:
+    """(h, w) m: how deep within a box with round corners, below 0 outside."""
+    cx, cy, wide, tall, radius = box[:5]
+    dx, dy = np.abs(x - cx) - wide + radius, np.abs(y - cy) - tall + radius
+    outside = np.sqrt(np.maximum(dx, 0.0) ** 2 + np.maximum(dy, 0.0) ** 2)
+    return np.asarray(radius - outside - np.minimum(np.maximum(dx, dy), 0.0))
+
+
+def chair(x: Floats, y: Floats, cloud: Floats) -> Piece:
+    """An armchair of leather to the left, turned to the fire."""
+    where, over = np.zeros(x.shape, bool), np.zeros((*x.shape, 3), np.float32)
+    lit = np.zeros(x.shape, np.float32)
+    for box in CUSHIONS:
+        deep = _inside(x, y, box)
+        part = deep > 0.0
+        round_off = np.clip(deep / 0.06, 0.0, 1.0)
+        tone = box[5] * (0.45 + 0.55 * round_off) + 0.05 * cloud
+        over[part] = (np.array(LEATHER) * tone[..., None])[part]
+        turned = np.clip((x - box[0]) / box[2], 0.0, 1.0) ** 2
+        lit[part] = (0.05 + 0.3 * turned * np.clip(1.3 - deep / RIM, 0.15, 1.0))[part]
+        where |= part
+    return where, over, lit
+
+
+def basket(x: Floats, y: Floats, cloud: Floats) -> Piece:
+    """A basket with logs for later, to the right."""
+    where, over = np.zeros(x.shape, bool), np.zeros((*x.shape, 3), np.float32)
+    lit = np.zeros(x.shape, np.float32)
+    for cx, cy in ENDS:
+        away = np.sqrt((x - cx) ** 2 + (y - cy) ** 2)
+        part = away < END
+        rings = 0.86 + 0.1 * np.sin(away * 620.0 + 3.0 * cloud) + 0.05 * cloud
+        tone = np.where((away < 0.84 * END)[..., None], np.array(SAWN) * rings[..., None], np.array(BARK))
+        over[part] = tone[part]
+        lit[part] = (0.1 + 0.12 * np.clip((cx - x) / END, -0.6, 1.0))[part]
+        where |= part
+    cx, cy, wide, tall = BASKET
+    half = wide * (1.0 + FLARES * (y - cy) / tall)
+    part = (np.abs(x - cx) < half) & (np.abs(y - cy) < tall)
+    weave = 0.72 + 0.2 * np.sin(95.0 * x) * np.sign(np.sin(120.0 * y)) - 0.22 * (np.abs(y - cy) > 0.9 * tall)
+    across = (x - cx) / half
+    over[part] = (np.array(RATTAN) * (weave * (1.0 - 0.35 * across * across))[..., None])[part]
+    lit[part] = (0.06 + 0.16 * np.clip(-across, 0.0, 1.0) ** 2)[part]
+    return where | part, over, lit

@@ -19,7 +19,7 @@ from game.scenes.fireplace.told import hearing, names, saved, targets
 from game.scenes.fireplace.view import FireplaceView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
-from game.worlds.painting.flames import warm_up_gas
+from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.scene import Parts, WorldScene
 
@@ -33,9 +33,10 @@ class Fireplace(WorldScene):
     hot enough, as far as there is oxygen. Hot gas expands, rises and leaves by the flue. It radiates the more
     the more soot is in it. The logs are rigid pieces, welded together: burnt ones are thinner, and break.
 
-    All is in the plane, a metre deep. The wood is very light, so that an hour passes in a minute; the flames
-    go past logs, which are no obstacles: in space they would go around them, before and behind. The gas
-    carries its heat, not its temperature, so that what mixes keeps it; the books tell what is still lost.
+    All is in the plane, a metre deep. The wood is very light, so that an hour passes in a minute. Logs are
+    walls of the gas, so that flames go round them. Past sticks it goes before and behind; slits narrower
+    than half a cell are shut. What carrying the gas's heat over the grid loses stands in the books, and what
+    logs cover and uncover as well.
 
     In the equations: T temperature, T_a that around, b from emissivity, area and heat capacity, Y_F and Y_O
     fuel and oxygen, s oxygen for a kilogram of fuel, k rate, g gravity, u velocity, D width of the fire.
@@ -48,7 +49,7 @@ class Fireplace(WorldScene):
     parts = Parts(FireplaceModel, fire_hand, FireplaceView, readouts_of, saved, targets, hearing, names)
     tiny = {"tier": "own", "cells": 16}
     painters = (
-        ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_gas),
+        ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_glowing),
         ("room", warm_up_room),
     )  # fmt: skip
     effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS

@@ -16,13 +16,13 @@ from game.scenes.fireplace.model import FireplaceModel
 from game.stage import Hearing
 from game.worlds.hearing import ROOM, fire
 
-LOUD_FIRE = 250e3  # W/m
+LOUD_FIRE, LOUD_COAL = 250e3, 6e3  # W/m: of flames, and of those that are as loud as a bed of coal
 NAMES = {1: "wood", 2: "thud"}
 
 
 def hearing(model: FireplaceModel) -> Hearing:
-    """Pops and breaks of the last moments, from the left or the right; the flames."""
-    steady = (ROOM, fire(model.shine, LOUD_FIRE))
+    """Pops and breaks of the last moments, from the left or the right; the flames, and coal that hisses."""
+    steady = (ROOM, fire(max(model.shine, LOUD_COAL * model.embers_shine()), LOUD_FIRE))
     return Hearing("fireplace", model.time, model.heard.sounds(NAMES, tables.HALF), steady)
 
 

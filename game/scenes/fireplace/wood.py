@@ -21,6 +21,7 @@ from game.scenes.fireplace import tables
 from game.scenes.fireplace.level import MOST_PIECES, FireplaceContent, WoodEntry
 from game.scenes.fireplace.tables import BARS, UPRIGHTS
 from game.stage import Part
+from game.worlds.members.boxes import box_rows
 
 DENSITY = 3.0  # kg/m³ of fuel: real wood has some 500, and takes an hour or two
 HEAT = 1.6e7  # J/kg
@@ -28,7 +29,7 @@ SKIN = 130.0  # J/(m² K): what of a log is quickly warmed with its fuel; a stic
 THIN = 0.04  # m: what is thinner warms as a whole
 GRAIN = 40.0  # W/K along the wood, from piece to piece
 OPEN, OPEN_STICK = 0.35, 0.8  # share of a piece's surface that sees the room, and meets the gas
-WEAK, SPENT = 0.34, 0.08  # share of its fuel below which its welds break; it is all ash
+WEAK, SPENT = 0.34, 0.24  # share of its fuel below which its welds break; no air comes to it through its ash
 NEAR = 0.2  # m: so near to each other pieces warm each other by their glow
 MOST_SEEN = 0.75  # of what a piece sees, other pieces and flames
 FLAME = 1200.0  # K, as flames shine
@@ -164,6 +165,16 @@ class Wood(Part):
     def is_log(self) -> NDArray[np.bool_]:
         """(n,) whether a piece is of a log, not of a stick."""
         return np.asarray(self.table[:, tables.HALF_THICK] >= 0.5 * THIN)
+
+    def boxes(self, least: float) -> Floats:
+        """(k, BOX_WIDTH) pieces of logs at least so thick (m), as solids of a gas. Sticks are none: in space
+        the gas goes past them, before and behind.
+        """
+        half = self.table[:, tables.HALF_THICK] * self.table[:, tables.SCALE]
+        kept = self.is_log() & (2.0 * half >= least)
+        rows, bodies = self.world.bodies, self.table[kept, tables.BODY].astype(np.int64)
+        halves = np.column_stack([self.table[kept, tables.HALF_LENGTH], half[kept]])
+        return box_rows(rows.positions[bodies], rows.rotations[bodies], halves)
 
     # -- a step -------------------------------------------------------------------------------------------
 

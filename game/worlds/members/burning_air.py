@@ -14,7 +14,8 @@ from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import BUOYANCY
 from game.physics.gas.forces import buoyancy
 from game.physics.kernels import elementary
-from game.worlds.painting.flames import FlameLook, flame_height, see_gas
+from game.worlds.painting.flames import flame_height
+from game.worlds.painting.glowing import GlowLook, see_glowing
 from game.worlds.world import Member
 
 GRAVITY = 9.81  # m/s²
@@ -22,7 +23,7 @@ FIELDS = ("temperature", "fuel", "oxygen", "soot")  # of the gas, in this order
 
 
 class AirState(NamedTuple):
-    """gas; books (6,) of what burnt; flows (4,): numbers of a scene's own, see its air."""
+    """gas; books (6,) of what burnt; flows (counts,): numbers of a scene's own, see its air."""
 
     gas: GasState
     books: Floats
@@ -30,19 +31,20 @@ class AirState(NamedTuple):
 
 
 class BurningAir(Member):
-    """``gas`` with FIELDS; ``flames`` in it; ``flows`` (4,), what a scene counts beside them. ``lifts``:
-    whether warm gas rises, which a scene's own forces see to.
+    """``gas`` with FIELDS; ``flames`` in it; ``flows`` (counts,), what a scene counts beside them.
+    ``lifts``: whether warm gas rises, which a scene's own forces see to.
 
     edge (ny, nx): share that is seen of each cell. ``vapour``: what burns, as GasFuel takes it.
     """
 
     vapour: ClassVar[Mapping[str, Any]]
-    flame_look: ClassVar[FlameLook]
+    flame_look: ClassVar[GlowLook]
+    counts: ClassVar[int] = 4
 
     def __init__(self, gas: Gas, edge: Floats, active: EffectSet, lifts: bool):
         self.gas, self.cell = gas, gas.grid.cell
         self.flames = Flames(range(4), self.cell, GasFuel(**self.vapour, effects=active))
-        self.flows: Floats = np.zeros(4)
+        self.flows: Floats = np.zeros(self.counts)
         self.lifts = lifts
         self._edge = edge
         self._veil = np.zeros((*gas.grid.shape, 2), np.float32)
@@ -110,7 +112,7 @@ class BurningAir(Member):
     def veil(self) -> Singles:
         """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
         cells = self.gas.scalars
-        see_gas(self.flame_look, cells[..., 0], cells[..., 3], self._edge, self._veil)
+        see_glowing(self.flame_look, cells[..., 0], cells[..., 3], self._edge, self._veil)
         return self._veil
 
     def flame_height(self) -> float:

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import math
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
 
-from game.arrays import Floats, Singles
+from game.arrays import Floats, Longs, Singles
 from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.glowing import SECOND, WAVE, WAVES, GlowLook
 
-FLAME = (
-    (0.0, pygame.Color(0, 0, 0)), (0.16, pygame.Color(70, 8, 0)), (0.36, pygame.Color(196, 52, 4)),
-    (0.6, pygame.Color(250, 130, 20)), (0.82, pygame.Color(255, 206, 92)), (1.0, pygame.Color(255, 246, 206)),
-)  # fmt: skip
 HEAT_STOPS = ((0.0, "stage"), (0.25, "violet"), (0.55, "vermilion"), (0.8, "amber"), (1.0, "yellow"))
 FIRELIGHT = 0xFF8A30
+WHITE = 6500.0  # K, of daylight, which is white
+SENSED, EXPOSURE, GAMMA = 0.3, 4.5, 2.2  # power of brightness, strength of the brightest, of the screen
+STOPS = 24  # of a table of colours
 
 
 class FlameLook(NamedTuple):
@@ -57,10 +59,40 @@ def warm_up_gas() -> None:
     see_gas(look, cells[..., 0], cells[..., 3], np.ones((2, 2)), veil)
 
 
-def flame_height(look: FlameLook, temperature: Floats, cell: float) -> float:
+def flame_height(look: FlameLook | GlowLook, temperature: Floats, cell: float) -> float:
     """m, of the highest row of gas that is seen to burn; cell: m."""
     rows = np.flatnonzero(np.max(temperature, axis=1) > look.burns)
     return float(rows[-1] + 1) * cell if len(rows) else 0.0
+
+
+@lru_cache(maxsize=8)
+def glow_stops(dark: float, bright: float) -> tuple[tuple[float, pygame.Color], ...]:
+    """Stops from 0 to 1: black bodies of temperatures from ``dark`` to ``bright``, K.
+
+    Each channel is Planck's radiance at its wavelength over that of daylight; Wien's law is near enough. How
+    bright it seems goes with a power of the luminance (Stevens 1957). Light of strength x is shown as
+    1 - exp(-x), as film takes it on.
+    """
+    stops = [(0.0, pygame.Color(0, 0, 0))]
+    for k in range(1, STOPS + 1):
+        share = k / STOPS
+        kelvin = dark + (bright - dark) * share
+        seen = EXPOSURE * math.exp(-SENSED * SECOND / WAVE * (1.0 / kelvin - 1.0 / bright))
+        seen *= min(1.0, 5.0 * share)  # to black at the dark end
+        colder = 1.0 / kelvin - 1.0 / WHITE
+        channels = [seen * math.exp(-SECOND * (1.0 / wave - 1.0 / WAVE) * colder) for wave in WAVES]
+        inks = [round(255.0 * (1.0 - math.exp(-x)) ** (1.0 / GAMMA)) for x in channels]
+        stops.append((share, pygame.Color(*inks)))
+    return tuple(stops)
+
+
+def glow_inks(shares: Floats, dark: float, bright: float) -> Longs:
+    """Colours 0xRRGGBB (...) of `glow_stops` at shares (...) 0 to 1."""
+    stops = glow_stops(dark, bright)
+    places = [place for place, _ in stops]
+    found = [np.interp(shares, places, [color[k] for _, color in stops]) for k in range(3)]
+    red, green, blue = (np.asarray(channel + 0.5).astype(np.int64) for channel in found)
+    return np.asarray(red << 16 | green << 8 | blue)
 
 
 def draw_firelight(

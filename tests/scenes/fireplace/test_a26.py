@@ -72,7 +72,7 @@ def test_a_match_lights_the_kindling():
 
 def test_the_books_close_and_less_is_lost_in_carrying_the_finer_the_gas_is():
     left = {}
-    for cells in (32, 80):
+    for cells in (32, 128):
         stage = opened("embers", tier="own", cells=cells)
         model = stage.scene.model
         fuel, wood = float(model.wood.nodes.fuel.sum()), model.wood.nodes
@@ -93,7 +93,7 @@ def test_the_books_close_and_less_is_lost_in_carrying_the_finer_the_gas_is():
         assert float(wood.fuel.sum()) < fuel and 0.0 < measured(stage, "burnt") < 100.0
         assert abs(measured(stage, "open share")) < 1e-9
         left[cells] = abs(measured(stage, "lost in carrying"))
-    assert left[80] < 0.6 * left[32] and left[80] < 12.0
+    assert left[128] < 0.6 * left[32] and left[128] < 12.0
 
 
 def test_the_books_stay_closed_whatever_the_hand_does():
@@ -116,11 +116,70 @@ def test_the_books_stay_closed_whatever_the_hand_does():
     assert books["carrying"] != 0.0 and books["flue"] > 0.0
 
 
-def test_gas_that_is_carried_in_a_shut_box_keeps_its_heat():
-    """Temperatures that mix by their mean would make heat: 14 % of what burnt; the heat itself does not."""
+def test_gas_that_is_carried_in_a_shut_box_is_off_by_a_part_of_what_burnt_and_the_books_say_it():
+    """Carried straight beside logs, heat is not kept to rounding; the row of it closes the books all the
+    same.
+    """
     stage = opened("hard-01-shut-in")
     stage.run(240)
-    assert abs(measured(stage, "lost in carrying")) < 3.0 and measured(stage, "burnt") > 10.0
+    assert abs(measured(stage, "lost in carrying")) < 20.0 and measured(stage, "burnt") > 10.0
+    assert abs(measured(stage, "open share")) < 1e-9
+
+
+def test_logs_are_walls_of_the_gas():
+    """No gas within a log, none through it; a piece that is taken away leaves its place open."""
+    stage = opened("default", tier="own", cells=64)
+    air, wood = stage.scene.model.air, stage.scene.model.wood
+    logs = wood.places()[wood.is_log()]
+    j, i = air.cells_at(logs)
+    assert not air.openings.open[j, i].any()
+    air.gas.scalars[:6, :, 0] = 1200.0
+    stage.run(30)
+    assert np.all(air.temperature[j, i] < 300.0)
+    faces = air.gas.faces
+    assert np.all(air.gas.u[faces.ax == 0.0] == 0.0) and np.all(air.gas.v[faces.ay == 0.0] == 0.0)
+    assert np.max(np.abs(air.gas.v)) > 0.3
+    air.set_logs(np.zeros((0, 8)))
+    assert air.openings.open[j, i].all()
+
+
+def test_sticks_are_no_walls():
+    stage = opened("default", tier="own", cells=64)
+    air, wood = stage.scene.model.air, stage.scene.model.wood
+    j, i = air.cells_at(wood.places()[~wood.is_log()])
+    assert air.openings.open[j, i].all()
+
+
+def test_what_logs_cover_is_in_a_row_of_its_own():
+    """The books close when a log falls into hot gas; without the row they would not."""
+    stage = opened("embers", **SMALL)
+    model = stage.scene.model
+    stage.run(40)
+    model.air.gas.scalars[..., 0] += 300.0
+    model.air.flows[0] += model.air.heat() - model.books()["gas"]  # as a match would have warmed it
+    open_before = model.books()["open"]
+    stage.post(Action("log"))
+    stage.run(30)
+    books = model.books()
+    assert abs(books["covered"]) > 100.0
+    assert abs(books["open"] - open_before) < 1e-9 * books["made"]
+
+
+def test_a_step_back_over_a_log_that_moves_comes_to_the_same():
+    stage = opened("default", **SMALL)
+    stage.post(Action("log"))
+    stage.run(30)
+    digest = stage.digest()
+    stage.run(20)
+    for _ in range(20):
+        stage.step_back()
+    assert stage.digest() == digest
+    stage.run(20)
+    forth = stage.digest()
+    for _ in range(20):
+        stage.step_back()
+    stage.run(20)
+    assert stage.digest() == forth
 
 
 def test_air_that_comes_in_brings_no_heat():

@@ -102,7 +102,7 @@ def throw_by_law(cut: float, speed: float, roll: float, side: float) -> float:
 
 def throw_chart(contact: Contact | None) -> Comparison:
     """Throw over cut angle, degrees: the law at the speed and spin of a contact, and what it came to."""
-    names, nothing = ("this stroke", "Alciatore 2006"), np.zeros((0, 2))
+    names, nothing = ("this stroke", "by the law"), np.zeros((0, 2))
     if contact is None:
         return Comparison(nothing, nothing, names, "°", "cut angle", "°", single=True)
     cuts = [THINNEST * i / (POINTS - 1) for i in range(POINTS)]
