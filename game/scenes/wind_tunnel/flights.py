@@ -115,7 +115,9 @@ class Flights(Part):
         return tuple(float(down[k]) if k < len(down) else math.nan for k in range(3))  # type: ignore[return-value]
 
     def glides(self) -> tuple[float, float, float]:
-        """Way along for each metre down since each was let go; 0 for what has not fallen, NaN for what does not fly."""
+        """Way along for each metre down since each was let go; 0 for what has not fallen, NaN for what is not
+        there.
+        """
         poses = self.poses()
         found = [0.0 if k < poses.shape[1] else math.nan for k in range(3)]
         for k in range(poses.shape[1]):

@@ -171,7 +171,8 @@ def apart_words(model: WindTunnelModel) -> str:
     if abs(more) < NEAR:
         return ""
     cells = int(model.parameters.cells)
-    return f"drag at the wall {abs(more):.0f} % {'more' if more > 0.0 else 'less'}: read in {cells} cells a chord"
+    side = "more" if more > 0.0 else "less"
+    return f"drag at the wall {abs(more):.0f} % {side}: read in {cells} cells a chord"
 
 
 def _draw_plate(
