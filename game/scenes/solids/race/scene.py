@@ -60,7 +60,6 @@ class SolverRace(ModelScene):
     strips = (
         Strip("Sinks", "m", _series("sinks"), sometimes=_series("sinks")),
         Strip("Overlap or gap", "m", _series("off"), sometimes=_series("off")),
-        Strip("A step", "s", _series("step"), sometimes=_series("step")),
     )
     figure = staticmethod(draw_loop_of_impulses)
     equations = (
