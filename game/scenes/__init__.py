@@ -38,6 +38,7 @@ from game.scenes import (
     three_tables,
     tower,
     tracks,
+    trebuchet,
     two_balls,
     wind_tunnel,
 )
@@ -80,5 +81,6 @@ CATALOGUE = Catalogue(
         *leaves.ENTRIES,
         *tower.ENTRIES,
         *burning_cloth.ENTRIES,
+        *trebuchet.ENTRIES,
     )
 )

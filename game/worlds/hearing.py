@@ -105,6 +105,10 @@ class Impacts(NamedTuple):
         kinds = np.asarray(kinds, dtype=np.float64)
         return np.stack([began + self.rows[:, 4], kinds, speeds, self.rows[:, 0]], axis=1)
 
+    def take(self, which: Any) -> Impacts:
+        """Only those (numbers or flags)."""
+        return Impacts(self.rows[which], self.bodies[which], self.shapes[which])
+
     def by_impulse(self, reference: float, most: float) -> Floats:
         """Speeds (k,) m/s, a heavy one as a light one (of ``reference`` kg) that is faster."""
         fast = self.rows[:, 3]

@@ -24,6 +24,7 @@ class Shown(Protocol):
 
 
 MARGIN = 20.0  # design px round the scene's frame
+LEAST_SEEN = 16.0  # design px of that frame, or the scene is out of view
 
 
 class StageView:
@@ -66,6 +67,17 @@ class StageView:
                 draw_names(self._canvas, self.stage.scene)
         finally:
             self._canvas.end()
+
+    @property
+    def lost(self) -> bool:
+        """Whether nothing of the scene's own frame is left in view, or less than `LEAST_SEEN` px across."""
+        frame, camera = self.stage.scene.frame(), self.camera
+        corners = camera.to_screen(frame.left, frame.bottom), camera.to_screen(frame.right, frame.top)
+        for low, high, axis in ((self.rect.left, self.rect.right, 0), (self.rect.top, self.rect.bottom, 1)):
+            first, last = sorted((corners[0][axis], corners[1][axis]))
+            if min(last, high) - max(first, low) < min(LEAST_SEEN * self.look.k, high - low):
+                return True
+        return False
 
     def show_marks(self, asked: bool, otherwise: bool = False) -> None:
         """Marks and names on what is seen, or the bare picture; ``otherwise``: what explains stays."""

@@ -10,7 +10,6 @@ from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, 
 from game.scenes.domino import A01
 from game.scenes.domino.figure import draw_leaning
 from game.scenes.domino.hand import domino_hand
-from game.scenes.domino.landscape import warm_up_landscape
 from game.scenes.domino.level import DominoContent, FloorEntry, PieceEntry, RowEntry, View
 from game.scenes.domino.parameters import OF_PICTURE, TOOLS, DominoParameters
 from game.scenes.domino.told import hearing, names, readouts, saved, targets
@@ -18,6 +17,7 @@ from game.scenes.domino.view import DominoView
 from game.scenes.domino.world import DominoWorld
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.hands.hand import tool_keys
+from game.worlds.painting.landscape import warm_up_landscape
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.painting.spheres import warm_up_spheres
 from game.worlds.scene import Parts, WorldScene

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from game.arrays import Flags, Floats, Longs
-from game.scenes.domino.landscape import GROUND, Landscape
 from game.scenes.domino.marks import draw_marks
 from game.scenes.domino.shapes import (
     BAND,
@@ -24,10 +23,20 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import NOBODY, Hand
 from game.worlds.members.solids import bodies_between
-from game.worlds.painting.boards import WHOLE, boards_of, moved, paint_quads, paint_shapes, placed
+from game.worlds.painting.boards import (
+    WHOLE,
+    boards_of,
+    moved,
+    paint_quads,
+    paint_shadows,
+    paint_shapes,
+    placed,
+)
 from game.worlds.painting.inks import color_of, lighter, scaled
+from game.worlds.painting.landscape import Landscape
 from game.worlds.painting.spheres import draw_spheres
 
+GROUND = -2.0  # m, of the meadow that all stands on
 NAMED_PX = 60.0  # design px to a m from which blocks are named
 GRAIN_PX = 26.0  # px to a m at which grain can be seen
 LANE_STEP = (0.12, 0.17)  # m: how much farther right and up each lane behind the first is seen
@@ -46,7 +55,7 @@ class DominoView:
     def __init__(self, model: DominoWorld, hand: Hand):
         self.model, self.hand = model, hand
         self._asked = False  # marks are asked for by key
-        self._landscape = Landscape()
+        self._landscape = Landscape(GROUND)
         floors, points = model.content.floors, model.floors
         boards = [one for one, floor in zip(points, floors, strict=True) if floor.look == "board"]
         others = [one for one, floor in zip(points, floors, strict=True) if floor.look != "ground"]
@@ -105,21 +114,6 @@ class DominoView:
 
     # -- painting -------------------------------------------------------------------------------------
 
-    def _shadows(self, canvas: Canvas, corners: Floats, ink: int) -> None:
-        """Soft shadows on the floor below boxes (4 n, 2) m, towards the right."""
-        if not len(corners):
-            return
-        boxes = corners.reshape(-1, 4, 2)
-        low, high = boxes.min(axis=1), boxes.max(axis=1)
-        foot = low[:, 1]
-        for wider, deep, share in ((0.0, 0.05, 0.3), (0.1, 0.1, 0.2)):
-            left, right = low[:, 0] - 0.4 * wider, high[:, 0] + 0.22 * (high[:, 1] - foot) + wider
-            quads = np.stack(
-                [np.stack([left, foot], 1), np.stack([right, foot], 1),
-                 np.stack([right - 0.06, foot - deep], 1), np.stack([left + 0.06, foot - deep], 1)], axis=1
-            )  # fmt: skip
-            paint_quads(canvas, quads.reshape(-1, 2), ink, share)
-
     def _draw_bridges(self, canvas: Canvas, tones: tuple[int, ...]) -> None:
         """An arch below each bridge, and struts up to it; water in gaps."""
         for left, bottom, right, top in self._pools:
@@ -164,7 +158,7 @@ class DominoView:
         at, turn = places[bodies], turned[bodies]
         colours = rainbow(len(table.body), dark)[there]
         whole = placed(WHOLE, sizes, at, turn)
-        self._shadows(canvas, whole, tones[4])
+        paint_shadows(canvas, whole, tones[4])
         paint_quads(
             canvas, whole, tones[0], edges=tones[4] if canvas.pixels_per_unit > GRAIN_PX else tones[1]
         )

@@ -13,7 +13,8 @@ from game.physics.solids.arrays.state import DYNAMIC
 from game.scenes.solids.bodies import entry_of, joint_entry, whole_joints
 from game.scenes.solids.level import BodyEntry, Point, ShapeEntry
 from game.scenes.solids.model import ANCHOR, SolidModel
-from game.scenes.solids.picking import NOBODY, body_at
+from game.worlds.hands.hand import NOBODY
+from game.worlds.hands.picking import body_at
 
 ROUND = 28  # corners of a disc that is cut
 LEAST = 1e-4  # m², of a piece

@@ -15,8 +15,11 @@ from game.scenes.solids.bodies import entry_of
 from game.scenes.solids.cutting import cut_bodies
 from game.scenes.solids.level import MOST_BODIES, BodyEntry, JointEntry, Point, ShapeEntry
 from game.scenes.solids.model import ANCHOR, SolidModel
-from game.scenes.solids.picking import NOBODY, bodies_at, body_at, joint_at, joints_across
+from game.scenes.solids.picking import bodies_at, joint_at, joints_across
 from game.stage import Part, Pointer
+from game.worlds.hands.grab import grip
+from game.worlds.hands.hand import NOBODY
+from game.worlds.hands.picking import body_at
 from game.worlds.hands.simplify import simplified
 
 REACH = 0.02  # of the height in view: how near to something the pointer takes it
@@ -105,9 +108,8 @@ class SolidHand(Part):
         world = self.model.world
         if not world.bodies.flags[body] & DYNAMIC:
             return
-        mass = 1.0 / float(world.bodies.inverse_masses[body])
         self.held = body
-        self.grip = world.add_joint("mouse", ANCHOR, body, point, hertz=4.0, damping=0.9, most=600.0 * mass)
+        self.grip = grip(world, ANCHOR, body, point)
 
     def _move(self, point: Point) -> None:
         self.point = point

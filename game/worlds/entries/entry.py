@@ -17,3 +17,12 @@ Index = Annotated[int, msgspec.Meta(ge=0, le=1_000)]
 
 class LevelEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """Strict: a field that it does not know is refused; what is as by default is not written."""
+
+
+class View(LevelEntry, frozen=True, kw_only=True):
+    """The part of the world in view, m."""
+
+    left: Metre
+    bottom: Metre
+    right: Metre
+    top: Metre

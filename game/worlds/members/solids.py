@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from game.arrays import Floats, Longs
+from game.arrays import Floats, Longs, Point
 from game.physics.effects import EffectSet
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids import (
     IMPACT_LAWS,
     SOLVERS,
@@ -18,6 +20,7 @@ from game.physics.solids import (
     SolidSettings,
     SolidState,
     SolidWorld,
+    box,
 )
 from game.physics.solids.arrays import state as s
 from game.physics.solids.effects import SOLIDS
@@ -25,6 +28,9 @@ from game.physics.solids.settings import USUAL_HERTZ
 from game.stage import Choice, Param, ParameterError, Parameters
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Member
+
+ROPE = 0.05  # m: radius of the discs in which rods of a rope meet
+AIR_DENSITY, SPHERE_DRAG = 1.2, 0.47  # kg/m³; coefficient of a smooth sphere at 1e4 to 1e5 (Hoerner 1965)
 
 # -- controls, each declared once; a scene's parameters take those that it offers ---------------------------
 
@@ -88,6 +94,13 @@ def substeps_of(parameters: Parameters) -> int:
 # -- the member ---------------------------------------------------------------------------------------------
 
 
+class Links(NamedTuple):
+    """What a rope is made of, from its start to its end."""
+
+    bodies: list[int]
+    joints: list[int]
+
+
 class Solids(Member):
     """``world``: bodies, joints and contacts; ``watch``: what a step takes."""
 
@@ -109,6 +122,40 @@ class Solids(Member):
     def anchor(self) -> int:
         """A body that touches nothing and never moves, for joints to hang on."""
         return self.world.add_body(Disc(0.01, material=Material(mask=0, category=0)), kind="fixed")
+
+    def hang_rope(self, ends: tuple[int, int], start: Point, end: Point, parts: int, mass: float) -> Links:
+        """A rope of rods between two bodies, from one's point to the other's (m). The rods meet in discs that
+        touch nothing, each of ``mass`` kg.
+        """
+        small = Disc(ROPE, material=Material(mass / (math.pi * ROPE * ROPE), 0.0, 0.0, 0, 0))
+        before, place, bodies, joints = ends[0], start, list[int](), list[int]()
+        for k in range(1, parts + 1):
+            at = (start[0] + (end[0] - start[0]) * k / parts, start[1] + (end[1] - start[1]) * k / parts)
+            body = ends[1] if k == parts else self.world.add_body(small, at)
+            joints.append(self.world.add_joint("distance", before, body, place, at))
+            before, place = body, at
+            bodies += [body] * (k < parts)
+        return Links(bodies, joints)
+
+    def lay_courses(
+        self, left: float, counts: tuple[int, int], size: Point, material: Material
+    ) -> tuple[Longs, Floats]:
+        """A wall on the ground, of so many courses and blocks in each: its bodies (n,), their sizes (n, 2) m.
+
+        Every other course has half a block at both ends; two merlons stand on top. size: of a block, m.
+        """
+        (rows, columns), made, sizes = counts, list[int](), list[Point]()
+        for row in range(rows + 1):
+            shares = [0.5, *[1.0] * (columns - 1), 0.5] if row % 2 else [1.0] * columns
+            x = left
+            for k, share in enumerate(shares):
+                wide = share * size[0]
+                if row < rows or k in (0, len(shares) - 1):
+                    shape = box(wide, size[1], material=material)
+                    made.append(self.world.add_body(shape, (x + 0.5 * wide, (row + 0.5) * size[1])))
+                    sizes.append((wide, size[1]))
+                x += wide
+        return np.array(made, dtype=np.int64), np.array(sizes)
 
     def check(self) -> None:
         self.world.check_solver()
@@ -156,6 +203,34 @@ def bodies_between(world: SolidWorld, before: SolidState | None, alpha: float) -
     share = np.where(same, 1.0 - alpha, 0.0)
     places = rows.positions - share[:, None] * (rows.positions - old.positions)
     return places, rows.angles - share * (rows.angles - old.angles)
+
+
+def turned_between(world: SolidWorld, before: SolidState | None, alpha: float) -> tuple[Floats, Floats]:
+    """As `bodies_between`, with cosine and sine (n, 2) of the angles."""
+    places, angles = bodies_between(world, before, alpha)
+    return places, np.stack([elementwise.cos(angles), elementwise.sin(angles)], axis=1)
+
+
+def momentum(world: SolidWorld, bodies: Any) -> float:
+    """kg m/s along x, of some dynamic bodies."""
+    rows = world.bodies
+    return float((rows.velocities[bodies, 0] / rows.inverse_masses[bodies]).sum())
+
+
+def energy(world: SolidWorld, bodies: Any) -> float:
+    """J of motion and height, of some dynamic bodies; height by the gravity of the settings."""
+    rows = world.bodies
+    masses, inertias = 1.0 / rows.inverse_masses[bodies], 1.0 / rows.inverse_inertias[bodies]
+    speeds, spins, pull = rows.velocities[bodies], rows.spins[bodies], world.settings.gravity[1]
+    moving = 0.5 * (masses * (speeds * speeds).sum(axis=1) + inertias * spins * spins)
+    return float((moving - masses * pull * rows.positions[bodies, 1]).sum())
+
+
+def drag_sphere(world: SolidWorld, body: int, radius: float) -> None:
+    """The force of still air on a body that is a sphere, for the next step: c rho A v² / 2 (Newton 1687)."""
+    vx, vy = world.bodies.velocities[body].tolist()
+    force = -0.5 * AIR_DENSITY * SPHERE_DRAG * math.pi * radius * radius * elementary.hypot(vx, vy)
+    world.add_force(body, (force * vx, force * vy))
 
 
 def nearest_box(

@@ -14,6 +14,7 @@ from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.polygons import NO_EDGE, paint
 
 WHOLE = (-1.0, -1.0, 1.0, 1.0)  # of a box, in shares of its half sizes
+LIT_SIDE, SHADED_SIDE = (-1.0, 0.55, 1.0, 1.0), (-1.0, -1.0, 1.0, -0.6)
 SMOOTH = 0.5  # rad: where a floor turns by more, its board ends
 
 
@@ -64,6 +65,14 @@ def placed(box: tuple[float, float, float, float], sizes: Floats, places: Floats
     return corners.reshape(-1, 2)
 
 
+def beams(ends: Floats, breadth: float) -> Floats:
+    """Corners (4 n, 2) m of straight beams between ends (n, 2, 2) m."""
+    along = ends[:, 1] - ends[:, 0]
+    lengths = elementwise.hypot(along[:, 0], along[:, 1])
+    sizes = 0.5 * np.stack([lengths, np.full(len(ends), breadth)], axis=1)
+    return placed(WHOLE, sizes, ends.mean(axis=1), along / np.maximum(lengths, 1e-9)[:, None])
+
+
 def paint_quads(
     canvas: Canvas, corners: Floats, inks: Any, shares: Any = 1.0,
     edges: Any = NO_EDGE,
@@ -85,8 +94,37 @@ def paint_quads(
         paint(canvas, kept, np.arange(0, 4 * count + 1, 4), own, veils, rims, np.zeros((4, 2)))
 
 
+def paint_timber(canvas: Canvas, ends: Floats, breadth: float, inks: tuple[int, int, int]) -> None:
+    """Straight beams between ends (n, 2, 2) m: wood, its lit upper edge, its outline."""
+    paint_quads(canvas, beams(ends, breadth), inks[0], edges=inks[2])
+    paint_quads(canvas, beams(ends + np.array((0.0, 0.2 * breadth)), 0.25 * breadth), inks[1], 0.5)
+
+
+def paint_blocks(canvas: Canvas, sizes: Floats, places: Floats, turned: Floats, inks: Any, edge: int) -> None:
+    """Boxes of half sizes (n, 2) m, lit on one long side and shaded on the other."""
+    paint_quads(canvas, placed(WHOLE, sizes, places, turned), inks, edges=edge)
+    paint_quads(canvas, placed(LIT_SIDE, sizes, places, turned), 0xFFFFFF, 0.14)
+    paint_quads(canvas, placed(SHADED_SIDE, sizes, places, turned), 0x000000, 0.16)
+
+
 def paint_shapes(canvas: Canvas, shapes: Shapes, ink: int, share: float = 1.0) -> None:
     """Polygons of one colour."""
     count = len(shapes.starts) - 1
     inks, none = np.full(count, ink, dtype=np.int64), np.full(count, NO_EDGE, dtype=np.int64)
     paint(canvas, shapes.corners, shapes.starts, inks, np.full(count, share), none, np.zeros((4, 2)))
+
+
+def paint_shadows(canvas: Canvas, corners: Floats, ink: int) -> None:
+    """Soft shadows on the floor below boxes (4 n, 2) m, towards the right."""
+    if not len(corners):
+        return
+    boxes = corners.reshape(-1, 4, 2)
+    low, high = boxes.min(axis=1), boxes.max(axis=1)
+    foot = low[:, 1]
+    for wider, deep, share in ((0.0, 0.05, 0.3), (0.1, 0.1, 0.2)):
+        left, right = low[:, 0] - 0.4 * wider, high[:, 0] + 0.22 * (high[:, 1] - foot) + wider
+        quads = np.stack(
+            [np.stack([left, foot], 1), np.stack([right, foot], 1),
+             np.stack([right - 0.06, foot - deep], 1), np.stack([left + 0.06, foot - deep], 1)], axis=1
+        )  # fmt: skip
+        paint_quads(canvas, quads.reshape(-1, 2), ink, share)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pygame
 import pytest
-
 from game.scenes.domino.landscape import _crests
+
 from game.scenes.domino.scene import Domino
 from game.stage.declarations import Frame
 from game.ui.canvas.camera import Camera

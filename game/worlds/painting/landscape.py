@@ -1,5 +1,5 @@
-"""The landscape behind the dominoes: a sky with its light, and hills that lie the farther back the less they
-move with the camera.
+"""A landscape behind a world: a sky with its light, and hills that lie the farther back the less they move
+with the camera.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from game.ui.raster.pixels import blend
 from game.worlds.painting.inks import channels, opaque
 
 USUAL_SCALE = 14.0  # px to a m, at which hills are as large as they say
-GROUND = -2.0  # m, of the meadow that all stands on
+LIFTED = 11.0  # m above the meadow: a camera there sees the hills where they say
 
 
 class Hill(NamedTuple):
@@ -83,15 +83,16 @@ def smooth_crest(pixels, left, top, crest, shades, height):
 
 
 class Landscape:
-    """Paints the background of a canvas; keeps the sky of its size and theme."""
+    """Paints the background of a canvas; keeps the sky of its size and theme. ground: m, of the meadow."""
 
-    def __init__(self) -> None:
+    def __init__(self, ground: float = 0.0) -> None:
+        self._ground = ground
         self._key: object = None
         self._sky: Inks = np.zeros((1, 1), np.uint32)
         self._hues: Floats = np.zeros((1, 2, 3))
 
     def draw(self, canvas: Canvas) -> None:
-        """What is behind the world."""
+        """Paint what lies behind the world."""
         pixels, clip = canvas.raster_target
         width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
         if width <= 0 or height <= 0:
@@ -101,7 +102,7 @@ class Landscape:
         if key != self._key:
             self._key = key
             self._sky, self._hues = _sky(width, height, dark), _hues(dark)
-        crests = _crests(canvas, width, height)
+        crests = _crests(canvas, width, height, self._ground)
         paint_landscape(
             pixels, clip, self._sky, crests, _shades(self._hues, crests, height), spans_of(crests, height)
         )
@@ -155,7 +156,7 @@ def _shades(hues: Floats, crests: Floats, height: int) -> Inks:
     return opaque(hues[:, None, 0] + (hues[:, None, 1] - hues[:, None, 0]) * share)
 
 
-def _crests(canvas: Canvas, width: int, height: int) -> Floats:
+def _crests(canvas: Canvas, width: int, height: int, ground: float) -> Floats:
     """Crests (l, w), px down, of all hills and the meadow as the camera stands."""
     (x, y), scale = canvas.camera.center, canvas.pixels_per_unit
     across = np.arange(width) - 0.5 * width
@@ -173,7 +174,7 @@ def _crests(canvas: Canvas, width: int, height: int) -> Floats:
                 * (np.abs(np.sin(1.9 * u)) + 0.7 * np.abs(np.sin(3.1 * u + 0.7)))
                 * (0.4 + 0.6 * np.clip(0.5 + 2.5 * (np.sin(0.37 * u + k) + 0.3), 0.0, 1.0))  # clearings
             )
-        found[k] = height * hill.base + hill.near * (y - 9.0) * scale * 0.6 - own * tall
-    _, foot = canvas.camera.to_screen(x, GROUND)
+        found[k] = height * hill.base + hill.near * (y - ground - LIFTED) * scale * 0.6 - own * tall
+    _, foot = canvas.camera.to_screen(x, ground)
     found[-1] = foot - canvas.rect.top + 0.02 * scale * np.sin(across / scale * 9.0 + 9.0 * x)
     return found

@@ -1,0 +1,122 @@
+"""How the trebuchet is drawn: timber, ropes, counterweight, stone, wall, the trail of a shot."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from game.arrays import Floats
+from game.scenes.trebuchet.machine import BEAM, COCKED, LONG, LOOSE, LOW, PIVOT, SHORT, THROWING, stone_radius
+from game.scenes.trebuchet.parameters import TOOLS
+from game.scenes.trebuchet.world import TrebuchetState, TrebuchetWorld
+from game.ui.canvas.canvas import EXACT_DASH, Canvas
+from game.ui.painters.wall import is_dark
+from game.worlds.hands.hand import Hand, legend_of
+from game.worlds.members.solids import turned_between
+from game.worlds.painting.boards import (
+    WHOLE,
+    beams,
+    paint_blocks,
+    paint_quads,
+    paint_shadows,
+    paint_timber,
+    placed,
+)
+from game.worlds.painting.inks import color_of, scaled
+from game.worlds.painting.landscape import Landscape
+from game.worlds.painting.marks import draw_contacts
+from game.worlds.painting.spheres import draw_spheres
+
+# by day and at night: timber, its lit edge, edge, rope, iron, stone, mortar
+TONES = (
+    (0x8A6038, 0xC29460, 0x2A1D10, 0xD8C6A0, 0x4C5258, 0xB8AB96, 0x8F836F),
+    (0x6A4E36, 0x94724E, 0x06080C, 0x9A8C70, 0x3A4046, 0x8C8478, 0x57524A),
+)
+SPREAD = 2.2  # m: of the frame's legs
+SHARES = (1.0, 0.93, 1.06, 0.88, 0.98, 1.04)  # of the wall's colour, block after block
+
+
+class TrebuchetView:
+    """Draws a model and its hand."""
+
+    def __init__(self, model: TrebuchetWorld, hand: Hand):
+        self.model, self.machine, self.hand = model, model.machine, hand
+        self._asked = False  # marks are asked for by key
+        self._landscape = Landscape()
+
+    def legend(self) -> list[tuple[str, str, str]]:
+        """What the hand does, and what the marks mean."""
+        rows = legend_of(TOOLS, self.model.parameters.tool)
+        marks = [("dash:text1", "parabola, without air", ""), ("disc:amber", "contact", "")]
+        return [*rows, *marks] if self._asked else rows
+
+    def draw(self, canvas: Canvas, previous: TrebuchetState | None, alpha: float) -> None:
+        """All of it, ``alpha`` of the way from the state ``previous`` to now."""
+        self._landscape.draw(canvas)
+        model, tones = self.model, TONES[is_dark(canvas)]
+        places, turned = turned_between(model.world, previous and previous.world, alpha)
+        self._draw_wall(canvas, places[model.blocks], turned[model.blocks], tones)
+        self._draw_frame(canvas, turned, tones)
+        self._draw_arm(canvas, places, turned, tones)
+        if model.trail:
+            canvas.discs(np.array(model.trail), canvas.px(2.2), "text1", 0.55)
+        stones = self.machine.stones
+        radii = [stone_radius(1.0 / one) for one in model.world.bodies.inverse_masses[stones].tolist()]
+        least, inks = canvas.px(2.4), np.full(len(stones), tones[5], dtype=np.int64)
+        draw_spheres(canvas, places[stones], np.maximum(radii, least), turned[stones], inks)
+        self._asked = canvas.asked
+        if canvas.marks(False):
+            self._draw_marks(canvas)
+        if self.hand.point is not None:
+            canvas.ring(self.hand.point, 9.0, "amber", 2.0)
+
+    def _draw_wall(self, canvas: Canvas, at: Floats, turn: Floats, tones: tuple[int, ...]) -> None:
+        sizes = 0.5 * self.model.sizes
+        inks = np.array([scaled(tones[5], SHARES[(5 * k) % 6]) for k in range(len(at))], dtype=np.int64)
+        paint_shadows(canvas, placed(WHOLE, sizes, at, turn), tones[2])
+        paint_blocks(canvas, sizes, at, turn, inks, tones[6])
+
+    def _draw_frame(self, canvas: Canvas, turned: Floats, tones: tuple[int, ...]) -> None:
+        """Shadow, braces, legs, sill and winch behind the arm; its rope while it holds."""
+        x, wood = self.machine.tip[0], (tones[0], tones[1], tones[2])
+        shadow = np.array([(x, 0.0), (SPREAD + 2.2, 0.0), (SPREAD + 1.4, -0.35), (x + 0.5, -0.35)])
+        canvas.polygon(shadow, fill=color_of(tones[2]), fill_alpha=0.3)
+        legs = np.array([[(k * SPREAD, 0.0), (0.12 * k, PIVOT + 0.15)] for k in (-1.0, 1.0, -0.55, 0.55)])
+        brace = np.array([[(-0.62 * SPREAD, 1.35), (0.62 * SPREAD, 1.35)]])
+        sill = np.array([[(1.15 * x, 0.12), (SPREAD + 0.8, 0.12)], [(x, 0.12), (x, LOW)]])
+        for ends, breadth in ((brace, 0.2), (legs[2:], 0.2), (sill, 0.24), (legs[:2], 0.3)):
+            paint_timber(canvas, ends, breadth, wood)
+        canvas.circle((x, 0.35), 0.3, color_of(tones[0]), outline=color_of(tones[2]), width=1.2)
+        if self.machine.phase not in (LOOSE, THROWING):
+            c, s = turned[self.machine.arm].tolist()
+            canvas.line((x, 0.35), (LONG * c, PIVOT + LONG * s), color_of(tones[3]), 2.4)
+
+    def _draw_arm(self, canvas: Canvas, places: Floats, turned: Floats, tones: tuple[int, ...]) -> None:
+        """The weight on its hinge, the beam, the sling."""
+        machine, (c, s) = self.machine, turned[self.machine.arm].tolist()
+        hinge, tip = (np.array((far * c, PIVOT + far * s)) for far in (-SHORT, LONG))
+        at, turn, half = places[machine.weight], turned[machine.weight], 0.5 * machine.side
+        up = half * np.array((-turn[1], turn[0]))
+        straps = np.array([[hinge, at + up + side * 0.7 * half * turn] for side in (-1.0, 1.0)])
+        paint_quads(canvas, beams(straps, 0.09), tones[4], edges=tones[2])
+        for low, high, ink in ((-1.0, 1.0, 0.8), (-0.92, -0.4, 1.0), (-0.3, 0.22, 1.0), (0.32, 0.86, 1.0)):
+            plank = placed((-ink, low, ink, high), np.full((1, 2), half), at[None], turn[None])
+            paint_quads(canvas, plank, scaled(tones[0], ink), edges=tones[2])
+        beam = np.array([[hinge - 0.2 * turned[machine.arm], tip]])
+        paint_timber(canvas, beam, BEAM, (tones[0], tones[1], tones[2]))
+        for place, radius in (((0.0, PIVOT), 0.2), ((float(hinge[0]), float(hinge[1])), 0.13)):
+            canvas.circle(place, radius, color_of(tones[4]), outline=color_of(tones[2]), width=1.2)
+        held = [machine.stones[-1]] if machine.phase in (COCKED, THROWING) else []
+        line = np.concatenate([tip[None], places[[*machine.links, *held]]])
+        canvas.polyline(line, color_of(tones[2]), 3.6, alpha=0.6)
+        canvas.polyline(line, color_of(tones[3]), 2.2)
+
+    def _draw_marks(self, canvas: Canvas) -> None:
+        """Contacts, the stone's velocity, and the parabola that began as the stone did."""
+        model, shot, gravity = self.model, self.machine.shot, self.model.gravity()
+        draw_contacts(canvas, model.world, 2.2)
+        (x, y), (vx, vy) = (rows[self.machine.stones[-1]].tolist() for rows in model.world.bodies[:4:3])
+        canvas.arrow((x, y), (vx, vy), "chalk", "v", 0.2)
+        if shot is not None and model.trail:
+            t = np.linspace(0.0, 10.0, 200)
+            curve = np.stack([shot.x + shot.vx * t, shot.y + t * (shot.vy - 0.5 * gravity * t)], axis=1)
+            canvas.polyline(curve[curve[:, 1] > 0.0], "text1", 1.6, dash=EXACT_DASH)
