@@ -47,7 +47,7 @@ def draw_words(
     if caption is not None:
         opacity = opacity_at(shown_s, caption.begins, caption.ends)
         draw_chart(surface, look, view, runner, caption, opacity)
-        above = _hides_target(look, view, runner, caption.text)
+        above = _stands_above(look, view, runner, caption)
         story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
     for number, begins, ends in runner.course.cards():
         stays = not leaves and number == len(runner.story.lines) - 1
@@ -67,6 +67,13 @@ def draw_chart(
     shown = runner.charts.comparison(caption.line)
     if shown is not None:
         draw_comparison(surface, look, chart_rect(look, view.rect, line.chart.corner), shown, opacity)
+
+
+def _stands_above(look: Look, view: StageView, runner: Runner, caption: Caption) -> bool:
+    """Whether a caption stands at the head: the script says so, or it would hide something at the foot."""
+    line = runner.story.lines[caption.line]
+    told = isinstance(line, Say) and line.above
+    return told or _hides_target(look, view, runner, caption.text)
 
 
 def _hides_target(look: Look, view: StageView, runner: Runner, text: str) -> bool:
@@ -112,7 +119,7 @@ def hidden(look: Look, view: StageView, runner: Runner, shown_s: float) -> list[
     caption = caption_at(runner, shown_s)
     if caption is None:
         return found
-    above = _hides_target(look, view, runner, caption.text)
+    above = _stands_above(look, view, runner, caption)
     if story_words.caption_rect(look, picture, caption.text, above).collidepoint(subject.center):
         found.append(f"{name} is under the words {caption.text!r}")
     line = runner.story.lines[caption.line]

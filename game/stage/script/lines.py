@@ -67,8 +67,8 @@ class Follow(_Camera, frozen=True, kw_only=False):
 class Deed(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
     """One of: an action; a parameter set to a value; an effect on or off; a pointer at a place.
 
-    over: s of simulated time in which a parameter goes to its value, or a drag ``to`` a place. Without it
-    both are there at once.
+    over: s of simulated time in which a parameter goes to its value, or a drag or move ``to`` a place.
+    Without it they are there at once.
     """
 
     action: str = ""
@@ -114,11 +114,12 @@ class Say(Line, frozen=True, kw_only=False):
     """A caption; {readout} stands for its value with its unit, {readout:.1f} for the number alone.
 
     until: the moment at which it goes, once it could be read; without one it stays as long as reading takes.
-    chart: what is drawn in a corner meanwhile.
+    above: it stands at the picture's head. chart: what is drawn in a corner meanwhile.
     """
 
     say: Words
     until: str = ""
+    above: bool = False
     chart: Chart | None = None
 
 
