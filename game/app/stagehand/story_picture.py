@@ -21,8 +21,11 @@ LEAST_SHARE = 0.05  # of the picture's height: what is smaller is not seen
 
 
 def point_camera(view: StageView, runner: Runner, shown_s: float) -> View:
-    """Let the camera look where the story says at a moment of the film."""
+    """Let the camera look where the story says at a moment of the film, and name what its caption names."""
     wanted = runner.view(shown_s)
+    caption = caption_at(runner, shown_s)
+    line = runner.story.lines[caption.line] if caption is not None else None
+    view.named = isinstance(line, Say) and line.names
     view.camera.show(wanted.frame(runner.turned))
     return wanted
 
