@@ -39,6 +39,7 @@ class StageView:
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.teaching = True  # whether what explains is drawn: grids, exact curves, vectors, their words
         self.asked = False  # whether marks are asked for by key, beside those that the scene shows by itself
+        self.named = False  # whether a story names single things now
         self.camera = Camera(y_up=scene_type.y_up, quarter_turns=scene_type.quarter_turns)
         self._canvas = self._make_canvas()
 
@@ -63,7 +64,7 @@ class StageView:
         self._canvas.begin(surface, self.rect, self.camera)
         try:
             self.stage.scene.draw(self._canvas, self.stage.alpha if alpha is None else alpha)
-            if self.asked:
+            if self.asked or self.named:
                 draw_names(self._canvas, self.stage.scene)
         finally:
             self._canvas.end()
