@@ -33,6 +33,7 @@ ACTIONS = (
     SceneAction("rack", "next rack, or the same again", "N"),
     keys.PLAY_ITSELF,
     keys.CENTRE,
+    keys.HOLD_BREATH,
     SceneAction("safety", "announce a safety or a push-out", "B"),
     SceneAction("hint", "show how a puzzle is solved", "H"),
     keys.LOCK,

@@ -136,6 +136,7 @@ class Buttons(Part):
                 "demo": self._play_itself,
                 "hint": self._show_hint,
                 "centre": aiming.centre,
+                "breath": play.push.breathe,
             }[name]()
 
     def _strike_or_skip(self) -> None:

@@ -220,7 +220,7 @@ class Billiards(CueGameScene):
 
 def _warm_up(scene: Billiards) -> None:
     """Play one stroke and look at it, so that all kernels of the table are compiled."""
-    scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call(), practised=False)
+    scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call())
     for _ in range(100):
         scene.advance(0.02)
     scene.readouts()

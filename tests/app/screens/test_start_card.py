@@ -127,7 +127,7 @@ def test_a_game_under_way_can_be_gone_on_with(begin: Callable[..., Driver]):
     driver.key(pygame.K_RETURN)
     scene = opened(driver)
     stroke = scene.aiming.stroke
-    scene.play.begin_stroke(stroke, scene.aiming.call, practised=False)
+    scene.play.begin_stroke(stroke, scene.aiming.call)
     driver.frames(20, 0.08)
     driver.key(pygame.K_RETURN)
     driver.frames(2)
