@@ -40,6 +40,7 @@ ACTIONS = (
     SceneAction("map", "map: every pot, and where the cue ball may end", "M"),
     SceneAction("log", "log: go back to any stroke", "G"),
     SceneAction("record", "what was practised, over time", "T"),
+    SceneAction("lesson", "the next lesson", "O"),
     SceneAction("cloud", "landing cloud of a hand's noise", "J"),
     *keys.TURNS,
     *keys.POWERS,

@@ -28,6 +28,7 @@ from game.scenes.billiards.play import REPLAY, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PoolAdvisor
 from game.scenes.billiards.practice.columns import frame_with
 from game.scenes.billiards.practice.drill_maker import DrillMaker
+from game.scenes.billiards.practice.lessons import level_after
 from game.scenes.billiards.practice.log_text import log_in
 from game.scenes.billiards.practice.sets import drill_title, standing_set
 from game.scenes.billiards.practice.side import DECISIONS, Side
@@ -202,6 +203,11 @@ class Billiards(CueGameScene):
         if self.play.plays_itself or not isinstance(game, Drill):
             return None
         return game.best, 1 + len(game.more)
+
+    @property
+    def level_wanted(self) -> str:
+        path = self.level.path if self.level is not None else None
+        return level_after(path.stem) if self.buttons.goes_on and path is not None else ""
 
     def save_content(self) -> BilliardsContent:
         return saving.content_of(self.play, self.maker)
