@@ -5,9 +5,9 @@ offset in ball radii, and tan(phi) <= mu. (Alciatore, technical proof 2.1; Cross
 Physics 76, 205.) With chalk mu is 0.6 to 0.7, and the limit about half a radius.
 
 Beyond it the force lies on the edge of that cone, turned towards the middle of the ball. Then the ball moves
-as one that is struck at the same point by a cue along that force, with the tip just at its limit. The cue
+as one that is struck at the same point by a cue along that force. Its tip is just at the limit. The cue
 speed of that stroke is the largest that makes no energy: J = 2 V (u d) / (d K d). Here u is the axis of the
-cue, d the direction of the force, K the inverse mass of ball, cue, and the cue's end, which gives way aside.
+cue, d the direction of the force. K is the inverse mass of ball, cue and the cue's end, which gives way.
 What is left out: the work of friction, a second contact, and the hop of a ball that is scooped up.
 """
 

@@ -57,8 +57,8 @@ def pull_of(power: float) -> float:
 def stroke_motion(cue_speed: float, begins: str) -> StrokeMotion:
     """The motion of a stroke with a speed of the cue, m/s, at the hit.
 
-    begins: PRACTISED, at rest with a few strokes in the air, as a computer player does; DRAWN, where a hand
-    has drawn the cue; PUSHED, as the tip meets the ball, since a hand has brought it there.
+    begins: PRACTISED, at rest with a few strokes in the air, as a computer player does. DRAWN, where a hand
+    has drawn the cue. PUSHED, as the tip meets the ball, since a hand has brought it there.
     """
     power = power_of(cue_speed)
     if begins == PUSHED:
