@@ -111,6 +111,9 @@ class SolverRace(ModelScene):
     def parameter_changed(self, name: str) -> None:
         self.model.change()
 
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return ()
+
     def why_idle(self, name: str) -> str:
         """The quality decides the substeps unless it is one's own."""
         if name == "substeps" and self.parameters.tier != "own":
@@ -133,9 +136,6 @@ class SolverRace(ModelScene):
     def action(self, name: str) -> None:
         self.parameters.setup = name
         self.build(None)
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     def readouts(self) -> list[Readout]:
         rows = []
