@@ -103,8 +103,8 @@ class ModelScene(Scene):
     """
 
     model: Any
-    hand: Any
-    view: Any
+    hand: Any = None  # of a scene that is only watched there is none
+    view: Any = None  # a scene without one draws by functions
     told: ClassVar[Told] = Told()
     not_of_model: ClassVar[Collection[str]] = ()
     at_once: ClassVar[bool] = False
@@ -124,7 +124,8 @@ class ModelScene(Scene):
         self.said.say(self.model.advance(dt))
 
     def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
+        if self.hand is not None:
+            self.said.say(self.hand.take(event))
 
     def parameter_changed(self, name: str) -> None:
         if name not in self.not_of_model:
@@ -162,8 +163,7 @@ class ModelScene(Scene):
         return self.told.sizes(self.model)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        rows: Sequence[tuple[str, str, str]] = self.view.legend()
-        return rows
+        return self.view.legend() if self.view is not None else ()
 
     def shown(self) -> Frame:
         """The part of the world to show, without the space for what is expected."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any, ClassVar
 
 from game.billiards.lecture.slips import SLIPS
@@ -100,9 +99,6 @@ class LectureBalls(ModelScene):
     def make(self, content: LectureBallsContent) -> None:
         self.model = TwoBalls(content, self.parameters, self.active, self.seed)
         self.hand = TwoBallsHand(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return ()
 
     def parameter_changed(self, name: str) -> None:
         if name in ("bounce", "friction", "minimum_speed"):

@@ -20,7 +20,6 @@ from game.stage import (
     Equation,
     Frame,
     Hint,
-    Pointer,
     Readout,
     SceneAction,
     SetParameter,
@@ -100,9 +99,6 @@ class SolverRace(ModelScene):
         ]
         return (*rows, WarmUp("polygons", warm_up_painter))
 
-    def pointer(self, event: Pointer) -> None:
-        """A race is watched: nothing of it is in a hand."""
-
     def build(self, level: Level | None) -> None:
         self.model = RaceModel(self.parameters, self.active)
         self.view = RaceView(self.model)
@@ -110,9 +106,6 @@ class SolverRace(ModelScene):
 
     def parameter_changed(self, name: str) -> None:
         self.model.change()
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return ()
 
     def why_idle(self, name: str) -> str:
         """The quality decides the substeps unless it is one's own."""
