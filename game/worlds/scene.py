@@ -78,7 +78,7 @@ def _rowless(model: Any) -> Sequence[Any]:
 
 
 class Told(NamedTuple):
-    """What is told of a model, as functions of it.
+    """What a scene says of its model, as functions of it.
 
     readouts: what is measured; saved: the content as it is now; targets: what a story may look at, m;
     hearing: what is heard; names: of single things, where they are, m; sizes: how large what stands at a

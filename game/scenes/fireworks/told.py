@@ -1,4 +1,4 @@
-"""What is told of the show: what is measured, what a story may look at and name, what is heard."""
+"""What the show says of itself: what is measured, what a story may look at and name, what is heard."""
 
 from __future__ import annotations
 
