@@ -53,7 +53,8 @@ def _draw_heard(pen: Pen) -> None:
     taken = {beat + miss for beat, miss in zip(SHOWN, laid.misses, strict=True)}
     pen.line(((24.0, 95.0), (272.0, 95.0)), "text3", 1.2)
     for impact in laid.impacts:
-        dot(pen, (at(impact), 95.0), "chalk" if min(abs(impact - one) for one in taken) < 1e-9 else "vermilion", 4.5)
+        on_beat = min(abs(impact - one) for one in taken) < 1e-9
+        dot(pen, (at(impact), 95.0), "chalk" if on_beat else "vermilion", 4.5)
     worst = 1e3 * max(map(abs, laid.misses))
     pen.words(f"{len(laid.impacts)} impacts for {len(SHOWN)} beats", 148.0, 20.0, "text2")
     pen.words(f"at most {worst:.3g} ms beside a beat", 148.0, 172.0, "chalk")
