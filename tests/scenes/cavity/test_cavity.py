@@ -32,8 +32,8 @@ def measured(stage: Stage, name: str) -> float:
 def test_a_hard_level_comes_to_what_it_expects(path):
     stage = opened(path)
     stage.run(math.ceil(SECONDS.get(path.stem, 4.0) / stage.dt))
-    assert stage.scene.content.expected
-    assert all(caption.met for caption in captions_of(stage.scene.content.expected, stage.readouts()))
+    assert stage.scene.model.content.expected
+    assert all(caption.met for caption in captions_of(stage.scene.model.content.expected, stage.readouts()))
 
 
 def test_published_numbers_agree_with_one_another():

@@ -46,10 +46,9 @@ def shot_of(balls: int, active: EffectSet) -> Shot:
     return few.struck(0, (1.154, 2.104), (-27.0, 14.8, -35.0))
 
 
-def _trial(setting: Setting) -> Trial:
+def shot_without(shot: Shot, full: Shot) -> Trial:
     """A shot without some effect, played many times: the farthest ball from where the full shot has it."""
-    balls = int(setting.knob)
-    shot, full = shot_of(balls, active_of(setting.scene)), simulate(shot_of(balls, EXACT_EFFECTS), until=TIME)
+    exact = simulate(full, until=TIME)
 
     def work() -> Trajectory:
         for _ in range(SHOTS_IN_A_RUN):
@@ -57,10 +56,15 @@ def _trial(setting: Setting) -> Trial:
         return played
 
     def judge(played: Trajectory) -> Outcome:
-        apart = played.state_at(TIME).positions - full.state_at(TIME).positions
+        apart = played.state_at(TIME).positions - exact.state_at(TIME).positions
         return Outcome(math.sqrt(float((apart * apart).sum(axis=1).max())), len(played.times))
 
     return computation(SHOTS_IN_A_RUN * TIME, work, judge)
+
+
+def _trial(setting: Setting) -> Trial:
+    balls = int(setting.knob)
+    return shot_without(shot_of(balls, active_of(setting.scene)), shot_of(balls, EXACT_EFFECTS))
 
 
 def switches(active: EffectSet) -> dict[str, bool]:
