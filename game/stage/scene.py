@@ -314,6 +314,11 @@ class Scene(SceneDeclaration):
         """What is to be heard, and where in it the scene is now; None: nothing."""
         return None
 
+    @classmethod
+    def is_heard(cls) -> bool:
+        """Whether there is ever anything to be heard."""
+        return cls.hearing is not Scene.hearing
+
     def worth_keeping(self) -> object:
         """A value that changes whenever the content should be kept against a crash; None: never."""
         return None

@@ -153,6 +153,10 @@ class ModelScene(Scene):
     def hearing(self) -> Hearing | None:
         return self.told.hearing(self.model)
 
+    @classmethod
+    def is_heard(cls) -> bool:
+        return cls.told.hearing is not _nothing or cls.hearing is not ModelScene.hearing
+
     def story_targets(self) -> Mapping[str, Point]:
         return self.told.targets(self.model)
 
@@ -186,8 +190,10 @@ class ModelScene(Scene):
 
     def draw_expected(self, canvas: Any) -> None:
         """The captions in the middle of the frame's top."""
-        frame = self.frame()
-        draw_captions(canvas, (0.5 * (frame.left + frame.right), frame.top), self.captions())
+        captions = self.captions()
+        if captions:
+            frame = self.frame()
+            draw_captions(canvas, (0.5 * (frame.left + frame.right), frame.top), captions)
 
 
 class BuiltScene(ModelScene):
