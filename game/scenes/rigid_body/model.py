@@ -79,7 +79,7 @@ class RigidModel(Part):
                 upper=half,
             )
 
-    def parameter_changed(self, name: str) -> None:
+    def change_parameter(self, name: str) -> None:
         """Take over the new value of a parameter."""
         if name == "density":
             self.bodies.change_density(self.parameters.density, self.parameters.keep)

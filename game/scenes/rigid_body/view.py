@@ -60,7 +60,7 @@ class RigidView:
                 rows.append(("arrow:green", "angular momentum L", ""))
         return rows
 
-    def draw(self, before: RigidState | None, canvas: Canvas, alpha: float) -> None:
+    def draw(self, canvas: Canvas, before: RigidState | None, alpha: float) -> None:
         """All of it, from the back to the front, ``alpha`` of the way from the state ``before`` to now."""
         model, shown = self.model, self.model.parameters
         view = camera_matrix(shown.turn, shown.tilt)

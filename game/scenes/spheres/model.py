@@ -103,7 +103,7 @@ class CollisionModel(Part):
         if self.exact is not None and self.exact.gravity != self._acting_gravity():
             self.end_exact("gravity is another")
 
-    def parameter_changed(self, name: str) -> None:
+    def change_parameter(self, name: str) -> None:
         """Take over the new value of a parameter; ParameterError if the world refuses it."""
         if name == "freeze":
             self.frozen = 0
@@ -172,7 +172,7 @@ class CollisionModel(Part):
     def turn_over(self) -> None:
         """Turn the window over: what was below is above, as gravity now points the other way."""
         self.parameters.gravity = -self.parameters.gravity
-        self.parameter_changed("gravity")
+        self.change_parameter("gravity")
         self.messages.say(f"Turned over: gravity points {'up' if self.parameters.gravity < 0.0 else 'down'}.")
 
     def push(self, body: int, place: pushes.Place, force: tuple[float, float, float]) -> None:

@@ -14,7 +14,7 @@ from game.scenes.waves.world import WavesWorld
 from game.stage import Equation, Frame, Hint, Strip
 from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.landscape import warm_up_landscape
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Waves(WorldScene):
@@ -34,7 +34,8 @@ class Waves(WorldScene):
     parameters_type = WavesParameters
     parameters: WavesParameters
     model: WavesWorld
-    parts = Parts(WavesWorld, waves_hand, WavesView, readouts)
+    parts = Parts(WavesWorld, waves_hand, WavesView)
+    told = Told(readouts)
     effects = ROOM.known
     content_type, default_content = WavesContent, DEFAULT
     not_of_model = OF_PICTURE

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import Computation
 from game.physics.kernels import elementwise
 from game.physics.tunnel import (
     Sweep,
@@ -100,37 +101,25 @@ def plate_polar() -> tuple[np.ndarray, np.ndarray]:
     return with_images(rows, outline)
 
 
-class FitTrial:
-    """A fit to some of the angles of a slab's polar, judged at the others."""
+def fit_trial(setting: Setting) -> Trial:
+    """A fit to some of the angles of a slab's polar: root mean square of drag and lift at the others."""
+    count = int(setting.knob)
 
-    simulated_s = 1.0
-
-    def __init__(self, setting: Setting):
-        self.count, self.method = int(setting.knob), setting.method
-
-    def reset(self) -> None:
-        """The polar, measured once."""
-        self.angles, self.values = plate_polar()
-
-    def run(self) -> None:
-        """The fit."""
-        given = slice(None, None, ANGLES_OF_ALL // self.count)
-        angles, values = self.angles[given], self.values[given]
-        if self.method == "series":
-            found = fit_series(angles, values, (self.count - 1) // 2)
-            away = found.at(self.angles) - self.values
+    def work(polar: tuple[np.ndarray, np.ndarray]) -> float:
+        every, measured = polar
+        given = slice(None, None, ANGLES_OF_ALL // count)
+        if setting.method == "series":
+            away = fit_series(every[given], measured[given], (count - 1) // 2).at(every) - measured
         else:
-            plate = fit_plate(angles, values)
-            turn = 2.0 * self.angles
+            plate = fit_plate(every[given], measured[given])
+            turn = 2.0 * every
             drag = plate.drag - plate.drag_turn * elementwise.cos(turn)
-            away = np.stack([drag, plate.glide * elementwise.sin(turn)], axis=1) - self.values[:, :2]
-        left = np.ones(len(self.angles), bool)
+            away = np.stack([drag, plate.glide * elementwise.sin(turn)], axis=1) - measured[:, :2]
+        left = np.ones(len(every), bool)
         left[given] = False
-        self.error = float(np.sqrt(np.mean(away[left, :2] * away[left, :2])))
+        return float(np.sqrt(np.mean(away[left, :2] * away[left, :2])))
 
-    def outcome(self) -> Outcome:
-        """Root mean square of drag and lift at the angles that the fit was not given."""
-        return Outcome(self.error, self.count)
+    return Computation(1.0, plate_polar, work, lambda error: Outcome(error, count))
 
 
 def _fit_settings() -> list[Setting]:
@@ -155,7 +144,7 @@ fit_study = Study(
     knob=Knob("angles", "angles of a whole turn", parts=True),
     methods=(Method("series", "Fourier series", None), Method("plate", "plates' law", None)),
     settings=_fit_settings,
-    trial=FitTrial,
+    trial=fit_trial,
     reference="The same tunnel at 48 angles.",
     expectation="Three numbers of the plates' law err alike, whatever is measured. A series of a dozen "
     "angles errs by half of it; what is left is the grid, on which each angle lies in another way.",
@@ -178,29 +167,19 @@ def swinging_drag() -> tuple[np.ndarray, np.ndarray]:
     return found[:, 0], found[:, 1]
 
 
-class WindowTrial:
-    """Means over windows of a length, one after another, of the drag of a swinging wake."""
+def window_trial(setting: Setting) -> Trial:
+    """Means over windows of a length, one after another, of the drag of a swinging wake: their scatter."""
+    window = float(setting.knob)
 
-    def __init__(self, setting: Setting):
-        self.window = float(setting.knob)
-        self.simulated_s = self.window
-
-    def reset(self) -> None:
-        """The record, made once."""
-        self.times, self.drag = swinging_drag()
-
-    def run(self) -> None:
-        """All windows that there is space for."""
-        settled = self.times > BEGIN
-        drag = self.drag[settled]
-        count = round(self.window / (self.times[1] - self.times[0]))
+    def work(record: tuple[np.ndarray, np.ndarray]) -> float:
+        times, drag = record
+        drag = drag[times > BEGIN]
+        count = round(window / (times[1] - times[0]))
         parts = drag[: len(drag) // count * count].reshape(-1, count).mean(axis=1)
         away = parts - drag.mean()
-        self.error = float(np.sqrt(np.mean(away * away)) / drag.mean())
+        return float(np.sqrt(np.mean(away * away)) / drag.mean())
 
-    def outcome(self) -> Outcome:
-        """Root mean square of how far they are from the mean of all."""
-        return Outcome(self.error, round(self.window))
+    return Computation(window, swinging_drag, work, lambda error: Outcome(error, round(window)))
 
 
 def _windows() -> list[Setting]:
@@ -221,7 +200,7 @@ window_study = Study(
     knob=Knob("window", "chords that the wind goes", parts=True),
     methods=(Method("mean", "mean over a window", 1.0),),
     settings=_windows,
-    trial=WindowTrial,
+    trial=window_trial,
     reference="The mean over 160 chords of wind.",
     expectation="A window of some beats errs by the part of a beat that it cuts off: one over its length.",
     present=_present_window,
