@@ -6,7 +6,7 @@ import math
 
 from game.physics.generations.step import DROPPED, MADE
 from game.scenes.fireworks import thunder as t
-from game.scenes.fireworks.measures import burst_now, smoke_drift
+from game.scenes.fireworks.measures import burst_now, smoke_drift, wind_at_smoke
 from game.scenes.fireworks.model import BURST_COUNT, DUDS, LAUNCHED, FireworksModel
 from game.stage import Readout
 
@@ -18,11 +18,14 @@ def readouts(model: FireworksModel) -> list[Readout]:
     heard = int(thunder.counts[t.LAST])
     late = float(thunder.heard[(heard - 1) % t.KEPT, t.HEARD_AFTER]) if heard else math.nan
     smoke = system.stars("smoke").shape[1]
+    drift, blown = smoke_drift(model), wind_at_smoke(model)
     return [
         Readout("alive", len(system)),
         Readout("dropped", system.tally(DROPPED)),
         Readout("wind", model.wind, "m/s"),
-        Readout("smoke drift", smoke_drift(model), "m/s"),
+        Readout("smoke drift", drift, "m/s"),
+        Readout("wind at the smoke", blown, "m/s"),
+        Readout("smoke lag", blown - drift, "m/s"),
         Readout("burst radius", newest.radius if newest else math.nan, "m"),
         Readout("ballistics", newest.ballistics if newest else math.nan, "m"),
         Readout("radius error", abs(newest.radius - newest.ballistics) if newest else math.nan, "m"),

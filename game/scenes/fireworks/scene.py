@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -196,6 +196,9 @@ class Fireworks(Scene):
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         return self.view.targets()
+
+    def story_sizes(self) -> Mapping[str, float]:
+        return self.view.sizes()
 
     def story_names(self) -> list[tuple[tuple[float, float], str]]:
         return self.view.names()

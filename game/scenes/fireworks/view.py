@@ -55,6 +55,12 @@ class FireworksView:
             "listener": self.hand.listener_place(),
         }
 
+    def sizes(self) -> dict[str, float]:
+        """How large (m) what a story looks at is seen: the burst from side to side, the smoke in height."""
+        newest, smoke = burst_now(self.model), self.model.system.stars("smoke")
+        found = {"burst": 2.0 * newest.radius} if newest is not None else {}
+        return {**found, "smoke": 2.0 * float(smoke[Y].std())} if smoke.shape[1] else found
+
     def names(self) -> list[tuple[tuple[float, float], str]]:
         """The newest burst by its shell and radius, the listener by the distance."""
         model, newest = self.model, burst_now(self.model)
