@@ -374,6 +374,11 @@ class Scene(SceneDeclaration):
         return None
 
     @property
+    def level_wanted(self) -> str:
+        """Name of the file, without its ending, of the scene's own level that is to be opened now; or ""."""
+        return ""
+
+    @property
     def practised(self) -> Practised | None:
         """How the set stands that a person practises, to be kept with its history; None: it is no
         practice.

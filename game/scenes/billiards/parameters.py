@@ -6,6 +6,7 @@ from game.scenes.billiards.beside import BESIDE, BESIDE_LABELS
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
+from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
 TABLE_PARAMETERS = (
@@ -50,6 +51,12 @@ class BilliardsParameters(Parameters):
     hand = choices.noise_of_hand(
         "how far a person's tip, elevation, azimuth and speed stray, as a computer player's do"
     )
+    stroke_by = through.stroke_by()
+    reach = through.reach()
+    sway = through.sway()
+    miscues = through.miscues()
+    chalk = through.chalk()
+    recoil = through.recoil()
     cloud = Toggle(
         False, group="Stroke", label="Landing cloud", help="where the cue ball ends for the noise of a hand"
     )

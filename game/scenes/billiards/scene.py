@@ -28,6 +28,7 @@ from game.scenes.billiards.play import REPLAY, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PoolAdvisor
 from game.scenes.billiards.practice.columns import frame_with
 from game.scenes.billiards.practice.drill_maker import DrillMaker
+from game.scenes.billiards.practice.lessons import level_after
 from game.scenes.billiards.practice.log_text import log_in
 from game.scenes.billiards.practice.sets import drill_title, standing_set
 from game.scenes.billiards.practice.side import DECISIONS, Side
@@ -203,6 +204,11 @@ class Billiards(CueGameScene):
             return None
         return game.best, 1 + len(game.more)
 
+    @property
+    def level_wanted(self) -> str:
+        path = self.level.path if self.level is not None else None
+        return level_after(path.stem) if self.buttons.goes_on and path is not None else ""
+
     def save_content(self) -> BilliardsContent:
         return saving.content_of(self.play, self.maker)
 
@@ -220,7 +226,7 @@ class Billiards(CueGameScene):
 
 def _warm_up(scene: Billiards) -> None:
     """Play one stroke and look at it, so that all kernels of the table are compiled."""
-    scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call(), practised=False)
+    scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call())
     for _ in range(100):
         scene.advance(0.02)
     scene.readouts()

@@ -59,7 +59,7 @@ class Cavity(ModelScene):
     )
     try_this = (
         "Choose the advection of 1999: the eddy is weaker, as if the gas were thicker than it is.",
-        "Go from 64 to 128 cells: the error falls to about a third.",
+        "Go from 64 to 128 cells: the error falls to little more than a quarter.",
         "Turn the pressure off, and see that an eddy needs one.",
         "Heat a wall instead: the Nusselt number says how much more heat the eddy carries than gas at rest.",
     )

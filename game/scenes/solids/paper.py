@@ -10,7 +10,8 @@ import numpy as np
 
 from game.lab.timing import least_time
 from game.physics.solids import SUGGESTED, Material, Polygon, SolidSettings, SolidWorld, box
-from game.scenes.shared.marks import outline
+from game.scenes.shared.marks import dot, outline
+from game.scenes.solids.measures import contact_points
 from game.ui.canvas.pen import Pen
 from game.ui.widgets.paper import Comparison, Paper, Step
 
@@ -70,6 +71,29 @@ def _draw_order(pen: Pen) -> None:
             pen.arrow((148.0, y - 16.0), (148.0, y - 1.0), "text2", 1.4)
     for y, words in ((45.0, "e"), (137.0, "0")):
         pen.formula(words, 236.0, y, "text2")
+
+
+def _draw_cone(pen: Pen) -> None:
+    """Boxes on slopes from 0 to 45 degrees: friction beside the push of the ground, as shares of weight.
+
+    Up to the slope of the cone they hold; steeper ones slide, on the cone itself.
+    """
+    friction = 0.5
+    pen.line(((40.0, 16.0), (40.0, 176.0), (284.0, 176.0)), "text3", 1.0)
+    pen.line(((40.0, 176.0), (40.0 + 220.0, 176.0 - 220.0 * friction)), "text2", 1.2, dash=4.0)
+    for degrees in range(0, 46, 5):
+        world = _world(float(degrees), friction)
+        body = world.add_body(box(1.0, 1.0, material=Material(friction=friction)), (0.0, 0.5))
+        _step(world, 30)
+        found, weight = contact_points(world), G * DT / float(world.bodies.inverse_masses[body])
+        push, rub = (float(np.abs(part).sum()) / weight for part in (found.pushes, found.rubs))
+        slides = float(world.bodies.velocities[body, 0]) > 1e-3
+        dot(pen, (40.0 + 220.0 * push, 176.0 - 220.0 * rub), "amber" if slides else "green", 4.5)
+    pen.words("holds", 48.0, 24.0, "green", "left")
+    pen.words("slides", 48.0, 41.0, "amber", "left")
+    pen.formula(r"\mu j_n", 226.0, 70.0, "text2")
+    pen.formula("j_n", 272.0, 192.0, "text2")
+    pen.formula("j_t", 22.0, 24.0, "text2")
 
 
 def _draw_levels(pen: Pen) -> None:
@@ -169,7 +193,7 @@ STACKING = Paper(
         Step(
             "In a contact the impulse along the normal stops the approach, and friction acts within its "
             "cone.",
-            None,
+            _draw_cone,
             r"\abs{j_t} \le \mu j_n",
         ),
         Step(

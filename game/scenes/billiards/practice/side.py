@@ -15,6 +15,7 @@ from game.scenes.billiards.play import AIMING, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PLAY, SHOW, PoolAdvisor
 from game.scenes.billiards.practice.columns import COLUMN, ROWS, row_at
 from game.scenes.billiards.practice.hands import hand_of
+from game.scenes.billiards.stroke.motion import PRACTISED
 from game.stage import Decision, Part, Pointer
 
 DECISIONS = (SHOW, PLAY)
@@ -146,7 +147,7 @@ class Side(Part):
             counts = len(play.model.frame.game.players) == 2 or play.model.frame.game.final
             if counts:
                 stroke = play.by_own_hand(stroke, hand_of(play).noise)
-            play.begin_stroke(stroke, call, practised=True)
+            play.begin_stroke(stroke, call, PRACTISED)
         else:
             play.aiming.aim_as(stroke)
             play.aiming.call_this(call if play.model.frame.game.needs_call() else Call())

@@ -21,6 +21,7 @@ from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import OFFSETS, Odds
+from game.scenes.shared.tables.through.measured import sway_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.numerals import NOTHING
@@ -51,7 +52,8 @@ class Instruments:
         stroke = play.pending if swinging and play.pending else play.aiming.stroke
         _draw_stroke(canvas, look, stroke, play.model.frame)
         locked = play.aiming.locked and play.may_aim
-        aim = Number("Aim locked" if locked else "Aim", aim_words(play.aiming.cue.aim), locked)
+        title, sways = "Aim locked" if locked else "Aim", sway_words(play.push) if play.may_aim else ""
+        aim = Number(title, aim_words(play.aiming.cue.aim), locked, under=sways)
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == grip.button(name))

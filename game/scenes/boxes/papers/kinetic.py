@@ -8,7 +8,13 @@ import numpy as np
 
 from game.physics.broadphase import KineticSweep, NaiveBroadPhase
 from game.physics.broadphase.kinetic.kinetic_sweep import SLABS
-from game.scenes.boxes.papers.figures import draw_aligned_bounds, draw_plain_bounds, draw_queue
+from game.scenes.boxes.papers.figures import (
+    draw_aligned_bounds,
+    draw_candidates,
+    draw_plain_bounds,
+    draw_queue,
+    draw_renewed,
+)
 from game.scenes.boxes.papers.measuring import (
     beside_others,
     differing_answers,
@@ -149,11 +155,13 @@ KINETIC = Paper(
         ),
         Step(
             "What is used up, and what did not go on as foreseen, is bounded anew, taken out of the sorted "
-            "order, merged in again and swept against its neighbours. The others stay as they are."
+            "order, merged in again and swept against its neighbours. The others stay as they are.",
+            draw_renewed,
         ),
         Step(
             "Pairs of bounds that no slab parts are candidates until one of the two ends. In each step only "
-            "candidates are tested, on the boxes themselves."
+            "candidates are tested, on the boxes themselves.",
+            draw_candidates,
         ),
     ),
     showed=(
