@@ -18,7 +18,6 @@ from game.scenes.rigid_body.model import RigidModel
 from game.scenes.rigid_body.parameters import RigidBodyParameters
 from game.scenes.rigid_body.readouts import readouts_of
 from game.scenes.rigid_body.saving import content_of
-from game.scenes.rigid_body.state import RigidState, restore, state_of
 from game.scenes.rigid_body.view import RigidView
 from game.stage import Frame, Hint, Pointer, SceneAction, Stamped, Strip, WarmUp
 from game.ui.painters.spheres import WARM_UPS
@@ -124,12 +123,6 @@ class RigidBodyScene(ModelScene):
         self.said = self.model.messages
         self.hand = Hand(self.model)
         self.view = RigidView(self.model, self.hand)
-
-    def state(self) -> RigidState:
-        return state_of(self.model)
-
-    def restore(self, state: RigidState) -> None:
-        restore(self.model, state)
 
     # -- a step, and what comes in ------------------------------------------------------------------
 

@@ -23,7 +23,6 @@ from game.scenes.spheres.parameters import CollisionParameters
 from game.scenes.spheres.readouts import readouts_of
 from game.scenes.spheres.saving import content_of
 from game.scenes.spheres.sounds import hearing_of
-from game.scenes.spheres.state import SphereState, restore, state_of
 from game.scenes.spheres.view import CollisionView
 from game.stage import (
     Equation,
@@ -144,12 +143,6 @@ class SphereCollisions(ModelScene):
             self.hand.forget()
         else:
             super().parameter_changed(name)
-
-    def state(self) -> SphereState:
-        return state_of(self.model)
-
-    def restore(self, state: SphereState) -> None:
-        restore(self.model, state)
 
     # -- a step, and what comes in ------------------------------------------------------------------
 

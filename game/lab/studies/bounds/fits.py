@@ -15,7 +15,7 @@ import numpy as np
 from game.arrays import Floats
 from game.lab.studies.bounds.gap import gap_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
-from game.lab.trials import computation
+from game.lab.trials import chosen_setting, computation
 from game.physics.bounds import (
     FITS,
     fit_capsule,
@@ -117,11 +117,6 @@ def capsule_trial(setting: Setting) -> Trial:
     )
 
 
-def present_fit(parameters: Mapping[str, Any]) -> Setting:
-    """Where a scene stands."""
-    return Setting(str(parameters["fit"]), float(parameters["angle_step"]))
-
-
 box_study = Study(
     name="c08",
     title="Oriented boxes: area against the angle step",
@@ -144,7 +139,7 @@ box_study = Study(
         "Golden section goes down to that kink."
     ),
     floor=1e-9,
-    present=present_fit,
+    present=chosen_setting("fit", "angle_step"),
     workload=Workload("40 shapes"),
     cost="CPU time for one shape",
     short="Fit",
@@ -173,7 +168,7 @@ capsule_study = Study(
         "costs still more on what is nearly round. Only a search over radii too comes down, and is dear."
     ),
     floor=1e-9,
-    present=present_fit,
+    present=chosen_setting("fit", "angle_step"),
     workload=Workload("16 shapes"),
     cost="CPU time for one shape",
     short="Fit",

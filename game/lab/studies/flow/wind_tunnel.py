@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
-from game.lab.trials import Computation
+from game.lab.trials import Computation, chosen_setting, every_setting
 from game.physics.kernels import elementwise
 from game.physics.tunnel import (
     Sweep,
@@ -22,7 +22,7 @@ from game.physics.tunnel import (
     outline_of,
     shape_named,
 )
-from game.physics.tunnel.averages import Average
+from game.physics.tunnel.averages import Average, Mean
 from game.physics.tunnel.sweep import BOOK, DRAG, with_images
 
 CHANNEL_DRAG, CHANNEL_LIFT = 5.57953523384, 0.010618948146  # Schäfer and Turek 1996, 2D-1, by Nabh 1998
@@ -40,41 +40,30 @@ def channel(cells: float, courant: float = 0.5, width: float = 14.0) -> TunnelSe
     )  # fmt: skip
 
 
-class DragTrial:
-    """The cylinder in the channel on so many cells to its diameter, until the flow stands."""
+def drag_trial(setting: Setting) -> Trial:
+    """The cylinder in the channel on so many cells to its diameter: relative error of its drag."""
 
-    simulated_s = SETTLED + WINDOW
+    def begin() -> Tunnel:
+        return Tunnel(shape_named("disc"), channel(float(setting.knob)))
 
-    def __init__(self, setting: Setting):
-        self.cells, self.method = float(setting.knob), setting.method
+    def work(tunnel: Tunnel) -> tuple[Tunnel, Mean]:
+        average = Average(SETTLED, WINDOW)
+        while not average.done:
+            tunnel.step()
+            average.take(tunnel.reading, tunnel.step_length)
+        return tunnel, average.mean()
 
-    def reset(self) -> None:
-        """The wind as it begins."""
-        self.tunnel = Tunnel(shape_named("disc"), channel(self.cells))
-        self.average = Average(SETTLED, WINDOW)
-
-    def run(self) -> None:
-        """All steps."""
-        while not self.average.done:
-            self.tunnel.step()
-            self.average.take(self.tunnel.reading, self.tunnel.step_length)
-
-    def outcome(self) -> Outcome:
-        """Error of the drag coefficient, over the drag coefficient."""
-        mean = self.average.mean()
-        found = mean.book[0] if self.method == "book" else mean.wall[0]
-        steps = round(self.simulated_s / self.tunnel.step_length)
+    def judge(done: tuple[Tunnel, Mean]) -> Outcome:
+        tunnel, mean = done
+        found = mean.book[0] if setting.method == "book" else mean.wall[0]
+        steps = round((SETTLED + WINDOW) / tunnel.step_length)
         return Outcome(abs(found / CHANNEL_DRAG - 1.0), steps)
+
+    return Computation(SETTLED + WINDOW, begin, work, judge)
 
 
 def _settings(cells: tuple[int, ...]) -> list[Setting]:
-    return [
-        Setting(name, float(n), {}, {"cells": n, "measure": name}, 1.0 / n) for name in METHODS for n in cells
-    ]
-
-
-def _present(parameters: Mapping[str, Any]) -> Setting:
-    return Setting(str(parameters["measure"]), float(parameters["cells"]), {})
+    return every_setting(METHODS, cells, lambda name, n: {"cells": n, "measure": name}, lambda n: 1.0 / n)
 
 
 FIT_CELLS, FIT_RE, FIT_SETTLE, FIT_WINDOW, ANGLES_OF_ALL = 8.0, 25.0, 10.0, 1.0, 48
@@ -123,11 +112,8 @@ def fit_trial(setting: Setting) -> Trial:
 
 
 def _fit_settings() -> list[Setting]:
-    return [
-        Setting(name, float(n), {}, {"angles": n}, 1.0 / n)
-        for name in ("series", "plate")
-        for n in (4, 8, 12, 16, 24)
-    ]
+    counts = (4, 8, 12, 16, 24)
+    return every_setting(("series", "plate"), counts, lambda _, n: {"angles": n}, lambda n: 1.0 / n)
 
 
 def _present_fit(parameters: Mapping[str, Any]) -> Setting:
@@ -220,10 +206,10 @@ drag_study = Study(
         Method("wall", "pressure and friction", 1.0),
     ),
     settings=partial(_settings, (5, 7, 10, 14)),
-    trial=DragTrial,
+    trial=drag_trial,
     reference="5.57953523384, Schäfer and Turek's test 2D-1 (1996) by Nabh (1998).",
     expectation="The book of momentum does not ask what happens at the wall: from seven cells it is nearer.",
-    present=_present,
+    present=chosen_setting("measure", "cells"),
     workload=Workload("Reynolds number 20 by the mean wind, from rest for 25 diameters over wind"),
     related=(fit_study, window_study),
 )
