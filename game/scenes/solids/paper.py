@@ -156,8 +156,20 @@ def _measure() -> Iterator[Comparison]:
         "ten boxes: shock propagation, sequential impulses", "", f"{1e3 * own:.2f}, {1e3 * other:.2f} mm"
     )
     yield Comparison(
+        "five boxes: the lowest contact is said to bear, in weights, with each of the two", "",
+        f"{_borne('shock-propagation'):.2f}, {_borne('sequential-impulses'):.2f} of 5",
+    )  # fmt: skip
+    yield Comparison(
         "1,000 bodies of two parts each, coming to rest: a step of 1/60 s", "", f"{_cost_of_ls(1_000):.1f} ms"
     )
+
+
+def _borne(solver: str) -> float:
+    """Push of the lowest contact of five boxes as multiples of the uppermost, which bears one weight."""
+    world, _ = _stack(5, 1.0, solver)
+    found = contact_points(world)
+    low, high = found.places[:, 1] < 0.5, found.places[:, 1] > 3.5
+    return float(found.pushes[low].sum() / found.pushes[high].sum())
 
 
 def _cost_of_ls(count: int) -> float:
