@@ -40,6 +40,7 @@ from game.scenes import (
     tracks,
     trebuchet,
     two_balls,
+    waves,
     wind_tunnel,
 )
 from game.stage.catalogue import Catalogue
@@ -72,6 +73,7 @@ CATALOGUE = Catalogue(
         *levitation.ENTRIES,
         *wind_tunnel.ENTRIES,
         *cavity.ENTRIES,
+        *waves.ENTRIES,
         *smoke.ENTRIES,
         *depth.ENTRIES,
         *deformables.ENTRIES,

@@ -31,7 +31,7 @@ from game.app.window.commands import Actions
 from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
 from game.compiler.prebuilt import anything_taken
-from game.stage import Action, Scene, Stage, StageEvent
+from game.stage import Action, Stage, StageEvent
 from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish
 
@@ -68,7 +68,7 @@ class ScenePlay:
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
         self.lesson = Lesson(host, self.record, shell, self._offer_levels)
-        if type(stage.scene).hearing is not Scene.hearing:
+        if stage.scene.is_heard():
             host.sounds.prepare()
         story = opening.read_story(stage.scene_type)
         if story is not None:

@@ -23,6 +23,7 @@ HINTS = (
     Hint(("G",), "log"),
     Hint(("T",), "record"),
     Hint(("J",), "landing cloud"),
+    Hint(("Y",), "coach"),
 )
 ACTIONS = (
     keys.STRIKE,
@@ -40,6 +41,8 @@ ACTIONS = (
     SceneAction("map", "map: every pot, and where the cue ball may end", "M"),
     SceneAction("log", "log: go back to any stroke", "G"),
     SceneAction("record", "what was practised, over time", "T"),
+    SceneAction("coach", "coach: what the stroke was worth, why it missed", "Y"),
+    SceneAction("ask", "ask the coach before the stroke", "Q"),
     SceneAction("lesson", "the next lesson", "O"),
     SceneAction("cloud", "landing cloud of a hand's noise", "J"),
     *keys.TURNS,

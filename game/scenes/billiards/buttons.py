@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from game.billiards.game.games import Drill, Ghost, Practice
 from game.scenes.billiards import layout
-from game.scenes.billiards.beside import BESIDE
+from game.scenes.billiards.beside import BESIDE, COACH
 from game.scenes.billiards.modes import Replay, SetUp, leave
 from game.scenes.billiards.play import AIMING, REPLAY, ROLLING, SET_UP, Play
 from game.scenes.billiards.practice.drill_maker import DrillMaker
@@ -52,6 +52,7 @@ class Buttons(Part):
         game = play.model.frame.game
         if play.model.content.solution is not None:
             rows.append(("hint", "Hint", self.hint_shown))
+        rows.append(("coach", "Coach", self.side.beside == COACH))
         if lesson:
             rows.append(("lesson", "Next lesson", isinstance(game, Drill) and game.best > 0))
         if game.over:
@@ -143,6 +144,7 @@ class Buttons(Part):
                 "centre": aiming.centre,
                 "breath": play.push.breathe,
                 "lesson": self._go_on,
+                "ask": self._ask,
             }[name]()
 
     def _strike_or_skip(self) -> None:
@@ -185,6 +187,10 @@ class Buttons(Part):
         self.play.let_go()
         self.play.rest_s = 0.0
         leave(self.replay, self.set_up)
+
+    def _ask(self) -> None:
+        self.play.parameters.beside = COACH
+        self.play.ask_coach()
 
     def _go_on(self) -> None:
         self.goes_on = bool(self.play.model.content.lesson)

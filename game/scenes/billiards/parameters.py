@@ -33,7 +33,7 @@ class BilliardsParameters(Parameters):
     second_player = choices.player("Second player")
     beside = Choice(
         "none", BESIDE, labels=BESIDE_LABELS, group="Game", label="Beside the table",
-        help="strokes to go back to, every pot there is, or what was practised",
+        help="strokes to go back to, every pot there is, what was practised, or a coach",
     )  # fmt: skip
     race = Choice(
         "open", ("open", "1", "3", "5", "7"), labels=("No end", "1 rack", "3 racks", "5 racks", "7 racks"),

@@ -41,6 +41,7 @@ class Play(Part):
     phase takes from it. rest_s: how long nothing has been done, s. by_hand: how many strokes a hand has
     played; meant, done: the last of them as it was aimed, and as the hand did it. own: the last such pairs of
     strokes by a hand that strays. log: of all strokes. push: the cue of one that is pushed.
+    advised: number of strokes at which the coach was asked last, coached: how often in this rack.
     """
 
     def __init__(
@@ -64,6 +65,8 @@ class Play(Part):
         self.done: Stroke | None = None
         self.own: tuple[tuple[Stroke, Stroke], ...] = ()
         self.log = Log()
+        self.advised = -1
+        self.coached = 0
         self._seed = seed
         self.messages = Messages()
 
@@ -252,6 +255,13 @@ class Play(Part):
             self.clock[PHASE_S] = self.shown_s
             self._roll()
 
+    def ask_coach(self) -> None:
+        """Ask what to play; the score says so until the next rack."""
+        strokes = self.model.frame.strokes
+        if self.may_aim and self.advised != strokes:
+            self.advised = strokes
+            self.coached += 1
+
     def toggle_lock(self) -> None:
         """Lock the aim or free it."""
         self.aiming.toggle_lock()
@@ -311,6 +321,7 @@ class Play(Part):
         if not isinstance(self.model.frame.game, Drill):  # a shot that is tried again is aimed as it was
             self.aiming.point_along(AT_THE_RACK)
         self.pending, self.aiming.call = None, Call()
+        self.advised, self.coached = -1, 0
         self.let_go()
         self.start_phase(AIMING)
 

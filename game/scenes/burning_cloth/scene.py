@@ -22,7 +22,7 @@ from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
 from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class BurningCloth(WorldScene):
@@ -49,9 +49,8 @@ class BurningCloth(WorldScene):
     parameters_type = BurningClothParameters
     parameters: BurningClothParameters
     model: BurningClothModel
-    parts = Parts(
-        BurningClothModel, cloth_hand, BurningClothView, readouts_of, saved, targets, hearing, names
-    )
+    parts = Parts(BurningClothModel, cloth_hand, BurningClothView)
+    told = Told(readouts_of, saved, targets, hearing, names)
     tiny = {"tier": "own", "meshes": 16}
     painters = (
         ("polygons", warm_up_painter), ("cloth", warm_up_sheet), ("backdrop", warm_up_backdrop),

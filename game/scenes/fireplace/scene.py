@@ -21,7 +21,7 @@ from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
 from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Fireplace(WorldScene):
@@ -46,7 +46,8 @@ class Fireplace(WorldScene):
     parameters_type = FireplaceParameters
     parameters: FireplaceParameters
     model: FireplaceModel
-    parts = Parts(FireplaceModel, fire_hand, FireplaceView, readouts_of, saved, targets, hearing, names)
+    parts = Parts(FireplaceModel, fire_hand, FireplaceView)
+    told = Told(readouts_of, saved, targets, hearing, names)
     tiny = {"tier": "own", "cells": 16}
     painters = (
         ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_glowing),

@@ -14,6 +14,7 @@ from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.shells import BURSTS, HEADS, SHELLS
 
+NAMED_S = 3.0  # s after which a burst is not named any more
 PIECES = 64  # of Simpson's rule for stars that burn away
 
 
@@ -57,6 +58,12 @@ def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:
         return np.zeros((step.FIELDS, 0))
     stars = model.system.stars(HEADS[SHELLS[shell]].star)
     return stars[:, stars[step.BORN] == instant]
+
+
+def burst_middle(model: FireworksModel) -> tuple[float, float, float]:
+    """Where the middle of these stars is, m."""
+    x, y, z = stars_of_burst(model)[[step.X, step.Y, step.Z]].mean(axis=1).tolist()
+    return x, y, z
 
 
 def thrown_now(model: FireworksModel) -> int:

@@ -20,7 +20,7 @@ from game.scenes.solids.view import SolidView
 from game.stage import Equation, Hint, Inspected, SceneAction, Strip
 from game.worlds.hands.hand import next_of, tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Solids(WorldScene):
@@ -41,7 +41,8 @@ class Solids(WorldScene):
     parameters: SolidParameters
     model: SolidModel
     hand: SolidHand
-    parts = Parts(SolidModel, SolidHand, SolidView, readouts, saved, hearing=hearing)
+    parts = Parts(SolidModel, SolidHand, SolidView)
+    told = Told(readouts, saved, hearing=hearing)
     tools = TOOLS
     tool_prefix = ""
     edits = frozenset((*OF_CHOSEN, "delete-chosen"))

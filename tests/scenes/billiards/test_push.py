@@ -187,8 +187,8 @@ def test_the_noise_of_pushed_strokes_is_measured_and_told():
     assert len(play.own) == FEWEST
     off = [made.cue_speed - meant.cue_speed for meant, made in play.own]
     deviation = math.sqrt(sum(value * value for value in off) / FEWEST)
-    assert [words for words in told if words.startswith("Your hand, 5 strokes")] == [
-        f"Your hand, 5 strokes: ±0.00°, ±{deviation:.2f} m/s."
+    assert [words for words in told if words.startswith("Your hand")] == [
+        f"Your hand: ±0.00°, ±{deviation:.2f} m/s from 5 strokes."
     ]
 
 

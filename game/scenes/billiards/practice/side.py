@@ -9,7 +9,7 @@ from game.billiards.game.frame import Frame
 from game.billiards.game.log import Log, Logged
 from game.billiards.game.rules import Call
 from game.billiards.shot.cue import strike
-from game.scenes.billiards.beside import BESIDE, LOG, MAP, NONE
+from game.scenes.billiards.beside import BESIDE, COACH, LOG, MAP, NONE
 from game.scenes.billiards.model import as_practice
 from game.scenes.billiards.play import AIMING, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PLAY, SHOW, PoolAdvisor
@@ -86,6 +86,8 @@ class Side(Part):
             return
         if self.beside == MAP:
             self.advisor.click(row)
+        elif self.beside == COACH and row == ROWS - 1:
+            self.play.ask_coach()
         elif self.beside == LOG and self.play.phase == AIMING:
             rows = self.rows_seen()
             if row < len(rows):

@@ -17,13 +17,15 @@ def hand_words(pairs: Sequence[tuple[Stroke, Stroke]], radius: float) -> str:
     noise = noise_of(pairs, radius)
     if noise is None:
         return ""
-    return f"Your hand, {len(pairs)} strokes: ±{math.degrees(noise.azimuth):.2f}°, ±{noise.speed:.2f} m/s."
+    return f"±{math.degrees(noise.azimuth):.2f}°, ±{noise.speed:.2f} m/s from {len(pairs)} strokes"
 
 
 def news_of_hand(pairs: Sequence[tuple[Stroke, Stroke]], radius: float) -> str:
     """The same as soon as it can be told, and after each TOLD_EVERY strokes; else empty."""
     count = len(pairs)
-    return hand_words(pairs, radius) if count == FEWEST or count % TOLD_EVERY == 0 else ""
+    told = count == FEWEST or count % TOLD_EVERY == 0
+    words = hand_words(pairs, radius) if told else ""
+    return f"Your hand: {words}." if words else ""
 
 
 def stroke_words(meant: Stroke, made: Stroke, ball_per_cue: float) -> str:
