@@ -239,7 +239,12 @@ class ScenePlay:
         return begun
 
     def step_out(self) -> bool:
-        """Take back a drag, or else leave the part of the scene that one is in; False if there is neither."""
+        """Stop a jump of a story, else take back a drag, or else leave the part of the scene that one is in.
+
+        False if there is none of these.
+        """
+        if self.story is not None and self.story.journey.stop():
+            return True
         if self.cancel():
             return True
         name = "" if self.stopped else self.stage.scene.way_out
@@ -396,6 +401,7 @@ class ScenePlay:
         else:
             self.standstill.end()
             self._draw(surface)
+            errands.shown()
         if self.story is not None:
             self.story.draw_bar(surface)
         if self.story is None or self.story.journey.share is None:  # its bar says how far a jump has come

@@ -101,6 +101,15 @@ def burst_now(model: FireworksModel) -> BurstNow | None:
     )
 
 
+def wind_at_smoke(model: FireworksModel) -> float:
+    """Mean wind (m/s) at the heights of the puffs; nan without smoke. It grows with height by the shear."""
+    smoke, air = model.system.stars("smoke"), model.system.air
+    if not smoke.shape[1]:
+        return math.nan
+    heights = np.clip(smoke[step.Y], 0.0, air.ceiling)
+    return model.wind * (1.0 + air.shear * float(heights.mean()))
+
+
 def smoke_drift(model: FireworksModel) -> float:
     """Mean speed (m/s) of the smoke to the right; nan without smoke."""
     smoke = model.system.stars("smoke")

@@ -13,7 +13,7 @@ from game.scenes.fireworks.hand import FireworksHand
 from game.scenes.fireworks.level import FireworksContent
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.parameters import FireworksParameters
-from game.scenes.fireworks.told import hearing, names, readouts, targets
+from game.scenes.fireworks.told import hearing, names, readouts, sizes, targets
 from game.scenes.fireworks.view import FireworksView, warm_up_shine
 from game.stage import (
     Equation,
@@ -46,7 +46,7 @@ class Fireworks(WorldScene):
     parameters: FireworksParameters
     model: FireworksModel
     parts = Parts(FireworksModel, FireworksHand, FireworksView)
-    told = Told(readouts, targets=targets, hearing=hearing, names=names)
+    told = Told(readouts, targets=targets, hearing=hearing, names=names, sizes=sizes)
     painters = (("shine", warm_up_shine),)
     content_type = FireworksContent
     default_content: ClassVar[FireworksContent] = FireworksContent()

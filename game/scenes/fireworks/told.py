@@ -10,7 +10,7 @@ from game.arrays import Point
 from game.physics.generations.step import DROPPED, MADE, X, Y, Z
 from game.scenes.fireworks import thunder as t
 from game.scenes.fireworks.eye import projected, seen_from
-from game.scenes.fireworks.measures import NAMED_S, burst_middle, burst_now, smoke_drift
+from game.scenes.fireworks.measures import NAMED_S, burst_middle, burst_now, smoke_drift, wind_at_smoke
 from game.scenes.fireworks.model import BURST_COUNT, DUDS, LAUNCHED, FireworksModel
 from game.scenes.fireworks.shells import SHELLS
 from game.stage import Hearing, Readout
@@ -26,11 +26,14 @@ def readouts(model: FireworksModel) -> list[Readout]:
     heard = int(thunder.counts[t.LAST])
     late = float(thunder.heard[(heard - 1) % t.KEPT, t.HEARD_AFTER]) if heard else math.nan
     smoke = system.stars("smoke").shape[1]
+    drift, blown = smoke_drift(model), wind_at_smoke(model)
     return [
         Readout("alive", len(system)),
         Readout("dropped", system.tally(DROPPED)),
         Readout("wind", model.wind, "m/s"),
-        Readout("smoke drift", smoke_drift(model), "m/s"),
+        Readout("smoke drift", drift, "m/s"),
+        Readout("wind at the smoke", blown, "m/s"),
+        Readout("smoke lag", blown - drift, "m/s"),
         Readout("burst radius", newest.radius if newest else math.nan, "m"),
         Readout("ballistics", newest.ballistics if newest else math.nan, "m"),
         Readout("radius error", abs(newest.radius - newest.ballistics) if newest else math.nan, "m"),
@@ -61,6 +64,13 @@ def targets(model: FireworksModel) -> dict[str, Point]:
         "smoke": _seen_at(model, *smoke[[X, Y, Z]].mean(axis=1).tolist()) if smoke.shape[1] else NOWHERE,
         "listener": model.listener_place(),
     }
+
+
+def sizes(model: FireworksModel) -> dict[str, float]:
+    """How large (m) what a story looks at is seen: the burst from side to side, the smoke in height."""
+    newest, smoke = burst_now(model), model.system.stars("smoke")
+    found = {"burst": 2.0 * newest.radius} if newest is not None else {}
+    return {**found, "smoke": 2.0 * float(smoke[Y].std())} if smoke.shape[1] else found
 
 
 def names(model: FireworksModel) -> list[tuple[Point, str]]:

@@ -118,6 +118,21 @@ def test_a_ball_is_as_deep_as_it_is_large_and_a_heart_is_flat():
         assert found["burst depth"] == pytest.approx(share * found["burst radius"], rel=0.05, abs=1e-9)
 
 
+@pytest.mark.parametrize("shear", [0.0, 0.004, 0.01])
+def test_smoke_drifts_with_the_wind_of_its_own_height(shear):
+    """No puff overtakes the air round it: what is more than the wind at the ground is the shear."""
+    stage = open_level(Fireworks, "one-of-each", wind=9.0, shear=shear)
+    until(stage, "bursts", 1)
+    stage.run(1200)
+    found, smoke = readouts(stage), stage.scene.model.system.stars("smoke")
+    height = float(smoke[Y].mean())
+    assert height > 20.0
+    assert found["wind at the smoke"] == pytest.approx(9.0 * (1.0 + shear * height), rel=1e-9)
+    old = smoke[:, smoke[BORN] < stage.time_s - 6.0]
+    assert old.shape[1] > 100
+    assert old[VX] == pytest.approx(9.0 * (1.0 + shear * old[Y]), rel=0.01)
+
+
 def test_the_programme_is_laid_for_still_air():
     """A09.4: the wind takes its shells off the mark, and carries the smoke."""
     missed = {}
