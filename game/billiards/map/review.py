@@ -40,6 +40,7 @@ PARTS = {AIM: (AZIMUTH,), PACE: (SPEED,), SPIN: (TIP_LEFT, TIP_UP)}  # columns o
 TURNS: Floats = math.radians(0.02) * elementwise.power(1.22, np.arange(31.0))  # rad, up to 8 degrees
 PACES: Floats = 0.03 * np.arange(1.0, 17.0)  # shares of the speed
 SPINS: Floats = 0.04 * np.arange(1.0, 16.0)  # ball radii
+MISSED_BY = tuple(math.radians(size) for size in (0.25, 0.5, 1.0, 1.5))  # rad, beside a ball
 HARDER = 1.45  # times the speed, of a stroke that is too soft
 GROUPS = 6  # pots of the map that are compared
 
@@ -171,11 +172,14 @@ def _rows(strokes: Iterable[Stroke]) -> Floats:
 
 
 def _aimed_at(before: Frame, stroke: Stroke) -> int | None:
-    """Number of the ball on the straight line of a stroke; None if a cushion comes first."""
+    """Number of the ball on the straight line of a stroke, or missed by a little; None if there is none."""
     balls = before.layout
     row, every = balls.numbers.index(CUE_BALL), np.ones(len(balls.numbers), dtype=np.bool_)
-    first = first_contact(row, stroke.azimuth, balls.positions, balls.radii, every, before.table)
-    return balls.numbers[first.target] if first.kind == "ball" else None
+    for turn in (0.0, *(sign * size for size in MISSED_BY for sign in (1.0, -1.0))):
+        first = first_contact(row, stroke.azimuth + turn, balls.positions, balls.radii, every, before.table)
+        if first.kind == "ball":
+            return balls.numbers[first.target]
+    return None
 
 
 def _put_back(tried: Tried, pocket: int, meant: Stroke, done: Stroke, noise: Noise) -> tuple[Cause, ...]:

@@ -1,5 +1,6 @@
-"""Shallow water over a bed, and what is known exactly of it."""
+"""Shallow water over a bed, what is known exactly of it, and low waves of any length."""
 
+from game.physics.waves.airy import AiryTank, wave_rate
 from game.physics.waves.exact import (
     Bowl,
     DamBreak,
@@ -13,6 +14,7 @@ from game.physics.waves.shallow import ENDS, METHODS, ShallowSettings, ShallowSt
 __all__ = [
     "ENDS",
     "METHODS",
+    "AiryTank",
     "Bowl",
     "DamBreak",
     "ShallowSettings",
@@ -22,4 +24,5 @@ __all__ = [
     "conjugate_depth",
     "critical_depth",
     "dam_break",
+    "wave_rate",
 ]

@@ -8,9 +8,10 @@ Depth, level h + z and velocities go linearly through a cell, with van Leer's (1
 on before the faces meet (Hancock, in van Leer 1984). At a face the bed is the higher one of its two sides,
 and depths are reckoned from there (Audusse, Bouchut, Bristeau, Klein & Perthame 2004): water at rest stays
 at rest but for the rounding of its level, since all that acts are differences of levels.
-Two waves (Harten, Lax & van Leer 1983) give the flux, with Einfeldt's (1988) speeds and those of a dry bed. What goes across is carried by the
-side that the water comes from: the contact wave of HLLC (Toro, Spruce & Speares 1994). A cell gives away no
-more than it has.
+
+Two waves (Harten, Lax & van Leer 1983) give the flux, with Einfeldt's (1988) speeds and those of a dry bed.
+What goes across is carried by the side that the water comes from: the contact wave of HLLC (Toro, Spruce &
+Speares 1994). A cell gives away no more than it has.
 """
 
 from __future__ import annotations

@@ -98,7 +98,7 @@ class Fireplace(WorldScene):
         if name == "match":
             self.model.match.strike(self.model.time)
         elif name == "log":
-            return "" if self.model.add_log((0.0, 0.7)) else "There is no room for more wood."
+            return "" if self.model.add_log((0.0, 0.7)) else "No more wood fits in."
         elif name == "blow":
             for x in (-0.2, 0.0, 0.2):
                 self.model.blow((x, 0.1), (0.12 if x <= 0.0 else -0.12, 0.08))

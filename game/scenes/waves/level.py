@@ -24,6 +24,14 @@ class WaterEntry(LevelEntry, frozen=True, kw_only=True):
     flow: Discharge = 0.0
 
 
+class HumpEntry(LevelEntry, frozen=True, kw_only=True):
+    """A rounded hump of water on the level: a Gaussian of a height and a width (standard deviation), m."""
+
+    at: Metre = 0.0
+    height: Annotated[float, msgspec.Meta(ge=-100.0, le=100.0)] = 0.1
+    width: Size = 1.0
+
+
 class DamEntry(LevelEntry, frozen=True, kw_only=True):
     """A dam in the middle, over a flat bed, that breaks as the scene begins: depths on its sides."""
 
@@ -42,13 +50,16 @@ class BowlEntry(LevelEntry, frozen=True, kw_only=True):
 class WavesContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a level. bed: points (x, z) of which the bed goes in lines; flows, levels of both ends.
 
-    A dam or a bowl takes the place of bed and water.
+    A dam or a bowl takes the place of bed and water. airy: the same water with waves of any length is drawn
+    beside it; for a flat bed between walls, from rest.
     """
 
     bed: Annotated[tuple[Point, ...], msgspec.Meta(max_length=2000)] = ()
     water: Annotated[tuple[WaterEntry, ...], msgspec.Meta(max_length=64)] = ()
+    hump: HumpEntry | None = None
     dam: DamEntry | None = None
     bowl: BowlEntry | None = None
+    airy: bool = False
     ends: tuple[End, End] = ("wall", "wall")
     values: tuple[Discharge, Discharge] = (0.0, 0.0)
     expected: Expectations = ()

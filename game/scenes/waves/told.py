@@ -24,7 +24,7 @@ def readouts(model: WavesWorld) -> list[Readout]:
     wet = depth > THIN
     gravity = water.settings.gravity
     froude = float(np.max(speed[wet] / np.sqrt(gravity * depth[wet]))) if wet.any() and gravity else 0.0
-    exact = model.exact()
+    exact, airy = model.exact(), model.with_dispersion()
     off = float(np.mean(np.abs(depth - exact))) if exact is not None else math.nan
     front = model.front()
     known = math.nan
@@ -36,6 +36,7 @@ def readouts(model: WavesWorld) -> list[Readout]:
     return [
         Readout("front", front, "m"), Readout("exact front", known, "m"),
         Readout("depth error", off, "m"),
+        Readout("beside Airy", math.nan if airy is None else float(np.mean(np.abs(depth - airy))), "m"),
         Readout("level in the middle", float(bed[middle] + depth[middle]), "m"),
         Readout("depth in the middle", float(depth[middle]), "m"),
         Readout("deepest", float(np.max(depth)), "m"),

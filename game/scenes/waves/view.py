@@ -60,6 +60,8 @@ class WavesView:
         """The exact surface, while it is known."""
         if self.model.parameters.exact and self.model.exact() is not None:
             return [("line:vermilion", "exact surface", "")]
+        if self.model.parameters.exact and self.model.with_dispersion() is not None:
+            return [("line:vermilion", "waves of any length (Airy)", "")]
         return []
 
     def draw(self, canvas: Canvas, previous: WavesState | None, alpha: float) -> None:
@@ -73,6 +75,8 @@ class WavesView:
         self._paint(canvas, depth, water.bed[0])
         chosen = self.model.parameters
         exact = self.model.exact() if chosen.exact else None
+        if exact is None and chosen.exact:
+            exact = self.model.with_dispersion()
         if exact is not None:
             wet = np.nonzero(exact > 1e-4)[0]
             span = slice(wet[0], wet[-1] + 2) if len(wet) else slice(0, 0)

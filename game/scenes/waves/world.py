@@ -11,9 +11,18 @@ from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.kernels import elementary, elementwise, linear
-from game.physics.waves import METHODS, Bowl, DamBreak, ShallowSettings, ShallowState, ShallowWater, dam_break
+from game.physics.waves import (
+    METHODS,
+    AiryTank,
+    Bowl,
+    DamBreak,
+    ShallowSettings,
+    ShallowState,
+    ShallowWater,
+    dam_break,
+)
 from game.physics.waves.effects import BED_FRICTION, RAIN
-from game.scenes.waves.level import WavesContent
+from game.scenes.waves.level import HumpEntry, WavesContent
 from game.scenes.waves.parameters import WavesParameters
 from game.worlds.world import Whole, World
 
@@ -44,6 +53,11 @@ class Ledger:
     def restore(self, volume: Floats) -> None:
         """Take over a copy."""
         self.volume = volume.copy()
+
+
+def hump_of(entry: HumpEntry, x: Floats) -> Floats:
+    """Its height (n,) m at places x."""
+    return np.asarray(entry.height * elementwise.exp(-0.5 * elementary.square((x - entry.at) / entry.width)))
 
 
 class WavesWorld(World):
@@ -77,6 +91,14 @@ class WavesWorld(World):
                 inside = (self.x >= entry.left) & (self.x <= entry.right)
                 depth = np.where(inside, np.maximum(entry.level - bed, 0.0), depth)
                 flow = np.where(inside & (depth > 0.0), entry.flow, flow)
+        if content.hump is not None:
+            depth = np.maximum(depth + (depth > 0.0) * hump_of(content.hump, self.x), 0.0)
+        self.airy: AiryTank | None = None
+        if content.airy:
+            still = float(np.mean(depth))
+            if len(content.bed) or content.ends != ("wall", "wall") or flow.any() or still <= 0.0:
+                raise ValueError("airy: only for water at rest over a flat bed, between walls")
+            self.airy = AiryTank(depth - still, self.cell, still, GRAVITY_EARTH)
         self.still = max(float(depth[0]), 0.05)  # m, of the water that a swell comes through
         self.ends = content.ends
         self.water = ShallowWater(
@@ -163,18 +185,18 @@ class WavesWorld(World):
 
     # -- what is there --------------------------------------------------------------------------------
 
+    def _disturbed(self) -> bool:
+        """Whether anything acts that no theory here knows."""
+        settings = self.water.settings
+        return bool(self.touched or settings.gravity != GRAVITY_EARTH or settings.roughness or settings.rain)
+
     def exact(self) -> Floats | None:
         """Depths (n,) m as they are exactly known now; None once they are not.
 
         Of a dam: until the first wave meets an end.
         """
         theory = self.theory
-        if (
-            theory is None
-            or self.touched
-            or self.water.settings.gravity != GRAVITY_EARTH
-            or self.water.settings.roughness
-        ):
+        if theory is None or self._disturbed():
             return None
         time = self.water.time
         if isinstance(theory, Bowl):
@@ -183,6 +205,12 @@ class WavesWorld(World):
         if time * fastest > 0.5 * float(self.parameters.length):
             return None
         return theory.at(self.x, time)[0] if time > 0.0 else np.where(self.x < 0.0, theory.left, theory.right)
+
+    def with_dispersion(self) -> Floats | None:
+        """Levels (n,) m of the same water with waves of any length; None where they are not asked for."""
+        if self.airy is None or self._disturbed():
+            return None
+        return np.asarray(float(np.mean(self.water.depth)) + self.airy.at(self.water.time))
 
     def front(self) -> float:
         """Where water is foremost to the right, m; of a bore, where it is half as high as behind it."""

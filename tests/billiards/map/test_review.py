@@ -14,6 +14,7 @@ from game.billiards.map.review import AIM, PACE, SPIN, THROW, best_pot, review
 from game.billiards.search.chances import as_hand_does
 from game.billiards.search.legality import board_of
 from game.billiards.search.strokes import Noise
+from game.billiards.table.rack import BALL_RADIUS
 from game.billiards.table.table import Table
 
 CLUB = Noise().scaled(2.8)
@@ -129,3 +130,12 @@ def test_a_ball_that_follows_its_ball_down_is_a_foul_and_a_lower_tip_puts_it_rig
     assert frame.strike(follow, Call()).outcome().summary.cue_pocketed
     for cause in found.causes:
         assert down(frame, put_right(follow, cause), 3)
+
+
+def test_a_ball_that_is_missed_by_a_little_was_tried_all_the_same():
+    frame = frame_of(STRAIGHT)
+    reach = math.asin(2.0 * BALL_RADIUS / math.dist(STRAIGHT[0], STRAIGHT[3]))
+    for beside, ball in ((math.radians(0.8), 3), (math.radians(4.0), None)):
+        stroke = Stroke(2.0, CORNER + reach + beside)
+        assert frame.strike(stroke, Call()).outcome().summary.first == ()
+        assert review(frame, stroke, stroke, Call(), CLUB).ball == ball

@@ -135,7 +135,7 @@ def test_the_sway_has_its_declared_deviation_and_a_breath_steadies_it_for_a_whil
     swayed = []
     for _ in range(6000):
         stage.run(2)
-        swayed.append(breath.sway)
+        swayed.append(stage.scene.play.push.sway)
     assert np.std(swayed) == pytest.approx(math.radians(0.3), rel=0.03)
     assert abs(np.mean(swayed)) < 0.05 * np.std(swayed)
     stage.post(Action("breath"))
@@ -152,7 +152,7 @@ def test_the_sway_has_its_declared_deviation_and_a_breath_steadies_it_for_a_whil
 def test_the_sway_is_in_the_stroke():
     stage = ready(sway=1.0)
     made = pushed(stage, 2.0)
-    assert made.azimuth - AT_THE_CORNER == pytest.approx(stage.scene.play.push.breath.sway, rel=1e-9)
+    assert made.azimuth - AT_THE_CORNER == pytest.approx(stage.scene.play.push.sway, rel=1e-9)
     assert made.tip_left == pytest.approx(0.0, abs=1e-12), "the whole cue sways about the ball"
 
 

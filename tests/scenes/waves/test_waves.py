@@ -71,6 +71,22 @@ def test_the_bowl_is_where_it_should_be_after_a_swing():
     assert measured(stage, "depth error") < 2e-3
 
 
+def test_a_hump_comes_apart_where_waves_of_any_length_are_drawn():
+    """Long waves hold together in both; the line's crest falls behind the bore of shallow water."""
+    stage = opened("dispersion")
+    assert measured(stage, "beside Airy") < 1e-9
+    stage.run(480)
+    model = stage.scene.model
+    airy = model.with_dispersion()
+    assert stage.scene.legend()[0][1].startswith("waves")
+    assert 1e-4 < measured(stage, "beside Airy") < 0.02
+    assert airy.mean() == pytest.approx(model.water.depth.mean(), rel=1e-12)
+    assert np.sum(np.diff(np.sign(np.diff(airy))) < 0) > 3  # a train of crests
+    stage.post(Pointer("down", 0.0, 6.0, 1))
+    stage.run(2)
+    assert math.isnan(measured(stage, "beside Airy"))
+
+
 def test_the_hand_pours_as_much_as_it_says_and_takes_the_theory_away():
     stage = opened("islands")
     before = measured(stage, "volume")

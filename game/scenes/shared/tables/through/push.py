@@ -67,9 +67,14 @@ class Push(Part):
         return REST_GAP + min(max(self.back, -REST_GAP), FULL_PULL)
 
     @property
+    def sway(self) -> float:
+        """How far the whole cue has swayed about the ball, rad."""
+        return self.breath.sway_at(self.clock_s)
+
+    @property
     def swayed(self) -> float:
         """How far the cue points beside the aim now, rad."""
-        return self.breath.sway + self.turn if self.chosen else 0.0
+        return self.sway + self.turn if self.chosen else 0.0
 
     def breathe(self) -> None:
         """Hold the breath, if strokes are pushed and it has come back."""
@@ -79,7 +84,8 @@ class Push(Part):
     def advance(self, dt: float) -> None:
         """One step of time."""
         self.clock_s += dt
-        self.breath.advance(dt)
+        if self.breath.stirs:
+            self.breath.advance(dt)
 
     # -- the pointer --------------------------------------------------------------------------------
 
@@ -113,11 +119,8 @@ class Push(Part):
         self.path = (*self._kept(), (self.clock_s, along, aside))
         if self.furthest < LEAST_BACK or along < REST_GAP:
             return False
-        self.struck = (
-            min(max(self.speed, LEAST_SPEED), MAX_SPEED / self.ball_per_cue),
-            self.breath.sway,
-            self.turn,
-        )
+        speed = min(max(self.speed, LEAST_SPEED), MAX_SPEED / self.ball_per_cue)
+        self.struck = (speed, self.sway, self.turn)
         self.let_go()
         return True
 
