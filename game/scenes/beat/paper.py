@@ -133,15 +133,15 @@ FOLEY = Paper(
         "impacts, and a physical motion is wanted whose impacts are heard at just those times.",
     ),
     idea=(
-        "Do not steer the motion: search among plausible ones. Many short motions are simulated ahead, "
-        "and a way from impact to impact is chosen whose times fit; what is still off is taken up by "
-        "small changes that nobody sees.",
+        "Do not steer the motion: search among plausible ones. Many short motions are simulated ahead, and "
+        "a path from impact to impact is chosen whose times fit. What is still off is taken up by changes "
+        "too small to be seen.",
     ),
     steps=(
         Step("Hear the beat: the times of the strokes, tapped here.", _draw_events),
         Step(
             "Lay a ball for each beat in turn, where one that moves at that time will just meet it, in "
-            "several directions; keep the layouts that promise most: "
+            "several directions. Keep the layouts that promise most: "
             f"{s.DIRECTIONS} directions from each moving ball, {s.BEAM} kept, {s.FAMILY} of a family.",
             draw_laying,
         ),
@@ -157,9 +157,9 @@ FOLEY = Paper(
         ),
     ),
     showed=(
-        "Motions of many rigid bodies synchronised to hundreds of sounds, found in a graph of contact "
-        "events made from hundreds of thousands of simulated motions, with transitions blended by changed "
-        "contact impulses and free flights slightly retimed.",
+        "Motions of many rigid bodies synchronised to hundreds of sounds. They are found in a graph of "
+        "contact events, made from hundreds of thousands of simulated motions. Transitions are blended by "
+        "changed contact impulses, and free flights are slightly retimed.",
     ),
     measure=_measure,
     limits=(

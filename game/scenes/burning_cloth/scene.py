@@ -91,7 +91,7 @@ class BurningCloth(WorldScene):
         Equation("A hot cloth shines", r"q = 2 ε σ (T^4 - T_a^4)", "Stefan 1879, Boltzmann 1884; two sides"),
     )
     try_this = (
-        "Set the retardant to 0: the whole cloth burns, and nobody can read what was written.",
+        "Set the retardant to 0: the whole cloth burns, and what was written cannot be read.",
         "Wet the cloth across a letter: the front stops at 373 K until the water is gone.",
         "Choose Fisher's law: embers begin wherever it is a little warm, and the front slows down for long.",
         "Write a word of your own with the brush, and hold the match to it.",

@@ -161,10 +161,9 @@ SPATIAL_HASHING = Paper(
         ),
     ),
     showed=(
-        "How time depends on the hash function, the size of the table and the size of "
-        "the cells, which has its "
-        "best near the mean edge length; and contacts and self-contacts of up to 20,000 tetrahedra in real "
-        "time.",
+        "How time depends on the hash function, the size of the table and the size of the cells. The best "
+        "cells are near the mean edge length. Contacts and self-contacts of up to 20,000 tetrahedra are "
+        "found in real time.",
     ),
     measure=_measure,
     limits=(
@@ -175,8 +174,8 @@ SPATIAL_HASHING = Paper(
         "The printed hash puts some cells (i, j) into the slot of (-i, -j): near the origin it costs tests.",
     ),
     after=(
-        "Depths that neighbours agree on (Heidelberger and others 2004), cells of several sizes in one table "
-        "(Eitz and Gu 2007), and for surfaces that must not pass through each other, tests over the whole "
-        "time step.",
+        "Depths that neighbours agree on (Heidelberger and others 2004), and cells of several sizes in one "
+        "table (Eitz and Gu 2007). For surfaces that must not pass through each other, tests over the "
+        "whole time step.",
     ),
 )  # fmt: skip

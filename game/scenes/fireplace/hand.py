@@ -21,7 +21,7 @@ def _lead(hand: Hand) -> str:
 def _add_log(hand: Hand) -> str:
     added = hand.model.add_log(hand.at)
     hand.point = None
-    return "" if added else "There is no room for more wood."
+    return "" if added else "No more wood fits in."
 
 
 def _drop(hand: Hand) -> None:

@@ -160,8 +160,8 @@ CATMULL_ROM = Paper(
     ),
     showed=(
         "They proved that of all powers only one half guarantees that no piece has a cusp or crosses "
-        "itself, bounded how far a curve can go from its chord, and showed it on hair, paths of cameras "
-        "and strokes.",
+        "itself. They bounded how far a curve can go from its chord, and showed it on hair, paths of "
+        "cameras and strokes.",
     ),
     measure=_measure,
     limits=(

@@ -174,8 +174,8 @@ PIXIE_DUST = Paper(
     ),
     idea=(
         "Take arrays of ultrasonic transducers that face each other and can each be given a phase. Where "
-        "they are made to arrive together, a standing wave forms; move that place by the phases alone, "
-        "and the traps with the grains in them move along.",
+        "they are made to arrive together, a standing wave forms. Move that place by the phases alone, and "
+        "the traps with the grains in them move along.",
     ),
     steps=(
         Step(
@@ -205,9 +205,9 @@ PIXIE_DUST = Paper(
         ),
     ),
     showed=(
-        "Grains 4.25 mm apart, placed to 0.5 mm and led at up to 0.72 m/s, of materials up to 7 g/cm³; as "
-        "a screen for a projector, as figures drawn in the air and as a lattice of points, also together "
-        "with hands and things that were tracked.",
+        "Grains 4.25 mm apart, placed to 0.5 mm and led at up to 0.72 m/s, of materials up to 7 g/cm³. "
+        "They were a screen for a projector, figures drawn in the air and a lattice of points. Hands and "
+        "things that were tracked moved them too.",
     ),
     measure=_measure,
     limits=(
@@ -217,8 +217,8 @@ PIXIE_DUST = Paper(
         "in a room.",
     ),
     after=(
-        "One-sided arrays that make twin, vortex and bottle traps (Marzo and others 2015), many "
-        "grains moved one by one (Marzo and Drinkwater 2019), and a grain led at metres a second, so that "
-        "it draws a picture that the eye sees whole, lit and touchable (Hirayama and others 2019).",
+        "One-sided arrays that make twin, vortex and bottle traps (Marzo and others 2015), and many grains "
+        "moved one by one (Marzo and Drinkwater 2019). A grain led at metres a second draws a picture that "
+        "the eye sees whole, lit and touchable (Hirayama and others 2019).",
     ),
 )

@@ -86,7 +86,7 @@ class InverseKinematics(FigureScene):
         ),
     )
     try_this = (
-        "Pull the target out of reach and around: nobody shakes. Let damping be fixed: it thrashes.",
+        "Pull the target out of reach and around: nothing shakes. Let damping be fixed: it thrashes.",
         "One iteration a step: who follows your hand?",
         "Show the Jacobian of one figure alone: which joint is asked to turn most, and which cannot help?",
         "Set the gradient's step to 2.1 and stretch the chain.",

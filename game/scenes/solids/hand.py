@@ -153,7 +153,7 @@ class SolidHand(Part):
 
     def _new(self, shapes: tuple[ShapeEntry, ...], place: Point, angle: float = 0.0) -> str:
         if len(self.model.movable()) >= MOST_BODIES:
-            return f"There is room for {MOST_BODIES} bodies."
+            return f"There can be at most {MOST_BODIES} bodies."
         colour = NEW_COLOURS[self.made % len(NEW_COLOURS)]
         entry = BodyEntry(
             shapes=shapes,

@@ -156,8 +156,20 @@ def _measure() -> Iterator[Comparison]:
         "ten boxes: shock propagation, sequential impulses", "", f"{1e3 * own:.2f}, {1e3 * other:.2f} mm"
     )
     yield Comparison(
+        "five boxes: the lowest contact is said to bear, in weights, with each of the two", "",
+        f"{_borne('shock-propagation'):.2f}, {_borne('sequential-impulses'):.2f} of 5",
+    )  # fmt: skip
+    yield Comparison(
         "1,000 bodies of two parts each, coming to rest: a step of 1/60 s", "", f"{_cost_of_ls(1_000):.1f} ms"
     )
+
+
+def _borne(solver: str) -> float:
+    """Push of the lowest contact of five boxes as multiples of the uppermost, which bears one weight."""
+    world, _ = _stack(5, 1.0, solver)
+    found = contact_points(world)
+    low, high = found.places[:, 1] < 0.5, found.places[:, 1] > 3.5
+    return float(found.pushes[low].sum() / found.pushes[high].sum())
 
 
 def _cost_of_ls(count: int) -> float:
@@ -175,8 +187,8 @@ def _cost_of_ls(count: int) -> float:
 STACKING = Paper(
     problem=(
         "Rigid bodies that lie on each other are hard for impulse methods: a block on a slope that should "
-        "stand hops and creeps, and in a stack every box adds its weight to those below, so that sweeps "
-        "over the contacts never come to an end.",
+        "stand hops and creeps. In a stack every box adds its weight to those below, so that sweeps over "
+        "the contacts never come to an end.",
     ),
     idea=(
         "Change the order within a step, so that bouncing and resting are told apart without thresholds. "
@@ -201,20 +213,20 @@ STACKING = Paper(
             _draw_levels,
         ),
         Step(
-            "Level after level from below is swept once more, each with the level below taken as fixed; "
-            "then what still overlaps is pushed apart in the same order.",
+            "Level after level from below is swept once more, each with the level below taken as fixed. "
+            "Then what still overlaps is pushed apart in the same order.",
             _draw_towers,
         ),
     ),
     showed=(
-        "Stacks and heaps of up to a thousand non-convex bodies, rings and bones and the like; a domino "
-        "rally; a block on a slope that agrees with the theory; and as the weak side of shock propagation "
+        "Stacks and heaps of up to a thousand non-convex bodies, rings and bones and the like. A domino "
+        "rally, and a block on a slope that agrees with the theory. The weak side of shock propagation is "
         "a seesaw, which needs its sweeps of contacts without it.",
     ),
     measure=_measure,
     limits=(
-        "Weight is hidden from what stands below, so a plank or a seesaw that should tip by what stands "
-        "on it is held too well. Ours finds contacts between convex parts and not by distance fields, and "
+        "Weight is hidden from what stands below, so a plank or a seesaw that should tip by what stands on "
+        "it is held too well. Ours finds contacts between convex parts and not by distance fields. It "
         "counts friction over all of a substep, where the paper bounds that of each sweep: so a block "
         "creeps a tenth of a millimetre, and not twenty millimetres.",
     ),

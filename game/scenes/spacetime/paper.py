@@ -141,7 +141,7 @@ INTERACTIVE = Paper(
     ),
     idea=(
         "Ask as late and as roughly as one can afford. Bounds on acceleration say until when two bodies "
-        "cannot touch; from then on they are compared by levels of ever smaller spheres, and whatever is "
+        "cannot touch. From then on they are compared by levels of ever smaller spheres, and whatever is "
         "known when the time is up is the answer.",
     ),
     steps=(
@@ -172,18 +172,18 @@ INTERACTIVE = Paper(
         ),
     ),
     showed=(
-        "In the article of 1996, in space and with trees built along the medial axis, detection on a budget "
-        "was 10 to 100 times faster than an earlier algorithm and kept nearly 10 frames a second on a "
-        "workstation of the time; the accuracy was acceptable, and better than with earlier trees.",
+        "The article of 1996 works in space, with trees built along the medial axis. Detection on a budget "
+        "was 10 to 100 times faster than an earlier algorithm. It kept nearly 10 frames a second on a "
+        "workstation of the time. The accuracy was acceptable, and better than with earlier trees.",
     ),
     measure=_measure,
     limits=(
-        "Ours is in the plane, and the trees are built by splitting the body, not along its medial axis. The "
-        "bounds of different bodies are compared pair by pair, not by the faces of four-dimensional boxes. "
-        "Steps count tests instead of time, so that they replay equal; the times above are tests times the "
-        "mean time of one. The estimate is the middle of the bounds, and the upper one once leaves were "
-        "compared; errors are shares of the distance, of bodies at least 0.05 m apart and a metre in "
-        "size; as long as circles overlap the answer is 0, and its error the whole distance.",
+        "Ours is in the plane, and the trees are built by splitting the body, not along its medial axis. "
+        "The bounds of different bodies are compared pair by pair, not by the faces of four-dimensional "
+        "boxes. Steps count tests instead of time, so that they replay equal; the times above are tests "
+        "times the mean time of one. The estimate is the middle of the bounds, and the upper one once "
+        "leaves were compared. Errors are shares of the distance, of bodies at least 0.05 m apart and a "
+        "metre in size. As long as circles overlap the answer is 0, and its error the whole distance.",
     ),
     after=(
         "Trees of spheres by better fits (Bradshaw and O'Sullivan 2004), of boxes (Gottschalk, Lin and "

@@ -145,9 +145,9 @@ PBD = Paper(
     ),
     idea=(
         "Work on positions. Let every particle fly freely for a step, then move the positions, one "
-        "constraint after the other, so that each holds; the new velocity is the way that was made, "
-        "divided by the step. Since nothing is extrapolated from a force, there is nothing that could "
-        "overshoot without bound.",
+        "constraint after the other, so that each holds. The new velocity is the displacement, divided by "
+        "the step. Since nothing is extrapolated from a force, there is nothing that could overshoot "
+        "without bound.",
     ),
     steps=(
         Step(
@@ -173,9 +173,8 @@ PBD = Paper(
         Step("The velocity is what was moved.", _draw_velocities, r"\v{v} = (\v{p} - \v{x}) / h"),
     ),
     showed=(
-        "Cloth and inflatable bodies at interactive rates, with collisions as constraints that are made "
-        "and forgotten in each step, points that the user fixes and drags, and no step length at which it "
-        "explodes.",
+        "Cloth and inflatable bodies at interactive rates. Collisions are constraints that are made and "
+        "forgotten in each step. The user fixes and drags points, and no step length makes it explode.",
     ),
     measure=_measure,
     limits=(

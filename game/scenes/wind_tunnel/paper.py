@@ -226,20 +226,20 @@ OMNIAD = Paper(
         ),
     ),
     showed=(
-        "Coefficients of real things from their fall before one camera; leaves and the like that tumble and "
-        "glide in real time with no air computed; and a tool with which one designs kites of unusual shapes "
-        "that do fly.",
+        "Coefficients of real things from their fall before one camera. Leaves and the like tumble and "
+        "glide in real time with no air computed. With a tool one designs kites of unusual shapes that do "
+        "fly.",
     ),
     measure=_measure,
     limits=(
-        "Ours is a plane, at Reynolds numbers of tens to hundreds, on a grid whose walls stand near; what "
-        "flies takes the coefficients of that Reynolds number. What is measured at rest knows nothing of the "
-        "lift and drag on a spin, which are the plates' law's. A force that depends on the wind of this "
-        "moment alone has no memory: vortices that were shed before, and may come back, are left out.",
+        "Ours is a plane, at Reynolds numbers of tens to hundreds, on a grid whose walls stand near. What "
+        "flies takes the coefficients of that Reynolds number. What is measured at rest knows nothing of "
+        "the lift and drag on a spin, which are the plates' law's. A force that depends on the wind of "
+        "this moment alone has no memory: vortices that were shed before, and may come back, are left out.",
     ),
     after=(
-        "Flow and forces about a shape that is still being drawn, learnt from many simulations (Umetani and "
-        "Bickel 2018), and wings by a panel method whose matrices are made before (Xie, Igarashi and Miyata "
-        "2018).",
+        "Flow and forces about a shape that is still being drawn, learnt from many simulations (Umetani "
+        "and Bickel 2018). Wings by a panel method whose matrices are made before (Xie, Igarashi and "
+        "Miyata 2018).",
     ),
 )

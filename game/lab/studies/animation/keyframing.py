@@ -132,7 +132,7 @@ uneven_study = key_study(
     True,
     uneven_trial,
     "Keys that are not evenly spaced cost Catmull-Rom two orders if their times are ignored, and one with "
-    "plain secants; parabolas keep three, splines and exact handles four.",
+    "plain secants. Parabolas keep three, splines and exact handles four.",
     "Uneven keys",
 )
 keyframing_study = key_study(
@@ -141,7 +141,7 @@ keyframing_study = key_study(
     EVEN,
     False,
     even_trial,
-    "Orders 1, 2, 3 and 4. To rest at every key is of first order like nearest neighbour, and natural ends "
+    "Orders 1, 2, 3 and 4. To rest at every key is of first order like nearest neighbour. Natural ends "
     "make a spline one of second order, however smooth they look.",
     "Even keys",
     (uneven_study, line_study, spread_study),

@@ -146,9 +146,9 @@ BSP = Paper(
         ),
     ),
     showed=(
-        "In scenes with thousands of moving things the tree need not be built anew as a whole even where "
-        "much moves, and keeps its balance and its height. The authors describe several ways to choose "
-        "cuts and leave the measure of what pays to the user; the constants here are ours.",
+        "In scenes with thousands of moving things the tree need not be built anew as a whole, even where "
+        "much moves. It keeps its balance and its height. The authors describe several ways to choose cuts "
+        "and leave the measure of what pays to the user; the constants here are ours.",
     ),
     measure=_measure,
     limits=(
