@@ -116,9 +116,15 @@ class TestHostileTexts:
     def test_a_letter_that_is_wrong_anywhere(self) -> None:
         text = text_of(played().recording)
         begin = text.rfind(".") + 1
+        same = 0
         for place in range(begin, len(text) - 1):
-            wrong = "A" if text[place] != "A" else "B"
-            assert self.refused(text[:place] + wrong + text[place + 1 :])
+            wrong = text[:place] + ("A" if text[place] != "A" else "B") + text[place + 1 :]
+            try:
+                assert recording_in(wrong) == recording_in(text)
+                same += 1
+            except RecordingError as error:
+                assert "\n" not in str(error)
+        assert same <= 1  # the bits that fill the last byte of what is packed say nothing
 
     def test_one_that_is_cut(self) -> None:
         text = text_of(played().recording)
