@@ -18,7 +18,7 @@ HEARD_WIDTH = 4
 REMEMBERED_S = 0.4  # s that an impact stays among those heard: more than the longest gap that is heard
 
 
-ROOM = Steady("room", 0.02)  # the tone of a place where nothing happens
+ROOM = Steady("room", 0.05)  # the tone of a place where nothing happens
 WIND_SPEED = 12.0  # m/s, of a wind that roars
 LOUDEST = 0.5  # level of what goes on, at its reference and above
 

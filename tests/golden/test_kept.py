@@ -26,6 +26,12 @@ def tally(*values: object) -> Tally:
     return told
 
 
+@pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
+def test_no_account_keeps_a_fault(name: str) -> None:
+    """What fails when it is drawn, pointed at or set is mended, not written down."""
+    assert "fault: " not in kept.file_of(name).read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize(
     ("one", "other"),
     [

@@ -30,7 +30,7 @@ LOOK_EVERY_S = 0.1
 SMALL, OTHER = (64, 36), 20  # px of pictures that are compared; of 255, by which a colour is another one
 LARGE_CHANGE = 0.1  # of the picture, within a second
 # Stories with nothing new for longer than `MOST_IDLE_S`, or not yet looked at; may only shrink.
-IDLE = frozenset(("c04/wind", "a26/evening", "a22/steel", "a09/great-fireworks", "a10/fire"))
+IDLE = frozenset(("c04/wind", "a26/evening"))
 REPLAYED_S = 24.0  # of a story: the rest is made twice in pieces, after each take-over
 TAKE_OVERS, BETWEEN_S, AFTER_S = 20, (0.5, 5.0), 0.4  # at least; s from one to the next, s that each lasts
 

@@ -35,7 +35,7 @@ def picture(view):
 def anew(stage, view):
     """The picture by a view of the scene that has kept nothing."""
     scene = stage.scene
-    kept, scene.view = scene.view, type(scene.view)(*_parts(scene))
+    kept, scene.view = scene.view, type(scene.view)(scene.model, scene.hand)
     try:
         fresh = StageView(stage, view.look)
         fresh.place(RECT, view.look)
@@ -43,11 +43,6 @@ def anew(stage, view):
         return picture(fresh)
     finally:
         scene.view = kept
-
-
-def _parts(scene):
-    takes_hand = scene.name != "a08"
-    return (scene.model, scene.hand) if takes_hand else (scene.model,)
 
 
 @pytest.mark.parametrize("name", list(QUICK))

@@ -408,7 +408,9 @@ class ScenePlay:
             self.bench.draw(surface, layout.free_stage)
         self.films.see(surface, layout.free_stage)
         watched = f"{self.record.watched} · a touch takes over" if self.record.watched else ""
-        draw_signs(surface, self.host.look, layout, (watched, self.films.words))
+        lost = self.story is None and not pictureless and self.view.lost
+        way_home = f"Out of view · {self.host.keys.label('view')} shows all of it" if lost else ""
+        draw_signs(surface, self.host.look, layout, (watched, self.films.words, way_home))
         self.shell.bare = self.stopped or not self.view.teaching
         self.shell.draw(surface, self.stage, () if self.shell.bare else self.stage.scene.legend())
         self.banner.draw(surface)

@@ -21,8 +21,11 @@ LEAST_SHARE = 0.05  # of the picture's height: what is smaller is not seen
 
 
 def point_camera(view: StageView, runner: Runner, shown_s: float) -> View:
-    """Let the camera look where the story says at a moment of the film."""
+    """Let the camera look where the story says at a moment of the film, and name what its caption names."""
     wanted = runner.view(shown_s)
+    caption = caption_at(runner, shown_s)
+    line = runner.story.lines[caption.line] if caption is not None else None
+    view.named = isinstance(line, Say) and line.names
     view.camera.show(wanted.frame(runner.turned))
     return wanted
 
@@ -47,7 +50,7 @@ def draw_words(
     if caption is not None:
         opacity = opacity_at(shown_s, caption.begins, caption.ends)
         draw_chart(surface, look, view, runner, caption, opacity)
-        above = _hides_target(look, view, runner, caption.text)
+        above = _stands_above(look, view, runner, caption)
         story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
     for number, begins, ends in runner.course.cards():
         stays = not leaves and number == len(runner.story.lines) - 1
@@ -67,6 +70,13 @@ def draw_chart(
     shown = runner.charts.comparison(caption.line)
     if shown is not None:
         draw_comparison(surface, look, chart_rect(look, view.rect, line.chart.corner), shown, opacity)
+
+
+def _stands_above(look: Look, view: StageView, runner: Runner, caption: Caption) -> bool:
+    """Whether a caption stands at the head: the script says so, or it would hide something at the foot."""
+    line = runner.story.lines[caption.line]
+    told = isinstance(line, Say) and line.above
+    return told or _hides_target(look, view, runner, caption.text)
 
 
 def _hides_target(look: Look, view: StageView, runner: Runner, text: str) -> bool:
@@ -112,7 +122,7 @@ def hidden(look: Look, view: StageView, runner: Runner, shown_s: float) -> list[
     caption = caption_at(runner, shown_s)
     if caption is None:
         return found
-    above = _hides_target(look, view, runner, caption.text)
+    above = _stands_above(look, view, runner, caption)
     if story_words.caption_rect(look, picture, caption.text, above).collidepoint(subject.center):
         found.append(f"{name} is under the words {caption.text!r}")
     line = runner.story.lines[caption.line]

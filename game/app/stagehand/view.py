@@ -24,6 +24,7 @@ class Shown(Protocol):
 
 
 MARGIN = 20.0  # design px round the scene's frame
+LEAST_SEEN = 16.0  # design px of that frame, or the scene is out of view
 
 
 class StageView:
@@ -38,6 +39,7 @@ class StageView:
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.teaching = True  # whether what explains is drawn: grids, exact curves, vectors, their words
         self.asked = False  # whether marks are asked for by key, beside those that the scene shows by itself
+        self.named = False  # whether a story names single things now
         self.camera = Camera(y_up=scene_type.y_up, quarter_turns=scene_type.quarter_turns)
         self._canvas = self._make_canvas()
 
@@ -62,10 +64,21 @@ class StageView:
         self._canvas.begin(surface, self.rect, self.camera)
         try:
             self.stage.scene.draw(self._canvas, self.stage.alpha if alpha is None else alpha)
-            if self.asked:
+            if self.asked or self.named:
                 draw_names(self._canvas, self.stage.scene)
         finally:
             self._canvas.end()
+
+    @property
+    def lost(self) -> bool:
+        """Whether nothing of the scene's own frame is left in view, or less than `LEAST_SEEN` px across."""
+        frame, camera = self.stage.scene.frame(), self.camera
+        corners = camera.to_screen(frame.left, frame.bottom), camera.to_screen(frame.right, frame.top)
+        for low, high, axis in ((self.rect.left, self.rect.right, 0), (self.rect.top, self.rect.bottom, 1)):
+            first, last = sorted((corners[0][axis], corners[1][axis]))
+            if min(last, high) - max(first, low) < min(LEAST_SEEN * self.look.k, high - low):
+                return True
+        return False
 
     def show_marks(self, asked: bool, otherwise: bool = False) -> None:
         """Marks and names on what is seen, or the bare picture; ``otherwise``: what explains stays."""

@@ -24,7 +24,7 @@ from game.physics.gas.carrying import (
     carry_u,
     carry_v,
 )
-from game.physics.gas.conserving import flux_stage, largest_outflow, substeps_for
+from game.physics.gas.densities import carry_in_flux_form
 from game.physics.gas.diffusion import STABLE, diffuse
 from game.physics.gas.effects import (
     ADVECTION,
@@ -243,23 +243,17 @@ def _conserve(s: GasState, room: Room, solids: GasSolids, step: Step, rates: Flo
     """Fields that are kept, carried in flux form by the velocity that the step begins with (free of
     divergence), with their sources: (ny, nx, kept fields).
     """
-    kept = _kept(step)
-    faces, kinds, inner = solids.faces, step.edges.kinds, room.pad_s[2:-2, 2:-2]
-    count = substeps_for(largest_outflow(s.u, s.v, faces.ax, faces.ay), step.dt / step.h)
-    scale = step.dt / step.h / count
+    kept, book = _kept(step), step.ledger
+    inner = room.pad_s[2:-2, 2:-2]
     inner[:] = s.scalars
-    for _ in range(count):
-        np.copyto(room.way_s, inner)
-        fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
-        if step.ledger is not None:
-            step.ledger.flux(0.5 * step.dt / count, s.u, s.v, room.pad_s)
-        flux_stage(room.pad_s, s.u, s.v, faces, scale, kept, 0.0, room.stage_s)
-        inner[:] = room.stage_s
-        fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
-        if step.ledger is not None:
-            step.ledger.flux(0.5 * step.dt / count, s.u, s.v, room.pad_s)
-        flux_stage(room.pad_s, s.u, s.v, faces, scale, kept, 0.5, room.way_s)
-        inner[:] = room.way_s
+
+    def see(padded: Floats, count: int) -> None:
+        if book is not None:
+            book.flux(0.5 * step.dt / count, s.u, s.v, padded)
+
+    sides = step.edges.kinds, step.held, step.values
+    rooms = room.pad_s, room.way_s, room.stage_s
+    carry_in_flux_form(rooms, (s.u, s.v, solids.faces), sides, kept, step.dt / step.h, see)
     return np.asarray(inner[:, :, kept] + step.dt * rates[:, :, kept])
 
 

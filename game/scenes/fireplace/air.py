@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from game.arrays import Floats, Point
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings
-from game.physics.gas.effects import BUOYANCY, EXPANSION
+from game.physics.gas.densities import carry_density
+from game.physics.gas.effects import ADVECTION, BUOYANCY, EXPANSION
 from game.physics.grid import Border, Borders, Grid
 from game.physics.grid.obstacles import GridObstacles
 from game.physics.kernels import elementary
@@ -21,6 +20,7 @@ from game.worlds.members.openings import Openings
 from game.worlds.painting.glowing import GlowLook
 
 FRESH = 0.27  # kg/m³ of oxygen
+LEAST_FRESH = 1e-6  # kg/m³ of oxygen: where there is less nowhere, all cells are alike
 SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
 VAPOUR = {
     "ignition": 580.0, "rate": 30.0, "oxygen": 1.3, "heat": 1.6e7, "capacity": 1212.0, "soot": 0.05,
@@ -34,6 +34,7 @@ QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
 PLATE = 0.017  # m, half the thickness of a plate of the damper
 SIDES = 0.62  # m beside the middle: beyond, a draught takes the air along
 MOVED = 0.25  # cells: by so much logs move before the gas looks at them again
+WAYS = (True, True, False, True)  # sides (left, right, bottom, top) from which gas comes; below is the floor
 SLIT = 0.5  # of a face: through what is narrower no gas goes, else it would be a jet without bound
 
 
@@ -61,7 +62,7 @@ class Air(BurningAir):
         super().__init__(gas, _edge_of(gas.grid.shape), active, BUOYANCY in gas_effects)
         self.wind, self.damper = 0.0, -1.0
         self.logs, self._solids = Boxes(), Boxes()
-        self._obstacles, self.openings = GridObstacles(gas.grid), Openings(gas.grid.shape)
+        self._obstacles, self.openings = GridObstacles(gas.grid), Openings(gas.grid.shape, WAYS)
         x, _ = self.gas.grid.centres()
         self._rise = np.zeros(self.gas.grid.shape)  # K that wood and match have warmed cells by in this step
         self._outside = np.abs(x) > SIDES
@@ -79,9 +80,7 @@ class Air(BurningAir):
     def set_logs(self, rows: Floats) -> None:
         """Flow about logs (k, BOX_WIDTH of `worlds.members.boxes`) from now on, if they have moved."""
         if self.logs.differ(rows, MOVED * self.cell):
-            before = self.heat()
             self.restore_logs(rows)
-            self.flows[4] += before - self.heat()
 
     def restore_logs(self, rows: Floats) -> None:
         """Logs as they are in a state whose gas is restored next."""
@@ -89,11 +88,13 @@ class Air(BurningAir):
         self._take_solids()
 
     def _take_solids(self) -> None:
-        """Sample hood, damper and logs; to the gas they are at rest."""
+        """Sample hood, damper and logs; to the gas they are at rest. What they cover is booked."""
+        before = self.heat()
         self._solids.rows = np.concatenate([_shell(self.damper), self.logs.rows])
         faces = self._obstacles.update(self._solids)
         self.openings.take(faces.ax, faces.ay, SLIT)
         self.gas.set_open_parts(faces.ax, faces.ay)
+        self.flows[4] += before - self.heat()
 
     def plates(self) -> list[Floats]:
         """Corners (4, 2) m of the damper's two plates."""
@@ -122,10 +123,16 @@ class Air(BurningAir):
         return np.asarray(free / np.sum(free, axis=1)[:, None])
 
     def take(self, points: Floats, joule: Floats, vapour: Floats) -> None:
-        """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, where these are free."""
+        """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, where these are free.
+
+        Heat that a piece gives comes from where its coal burns: in proportion to the oxygen there.
+        """
         j, i = self.openings.nearest_to(*self.cells_at(points))
         volume, share = self.cell * self.cell, self._free(points)
-        np.add.at(self._rise, (j, i), joule[:, None] * share / (VAPOUR["capacity"] * volume))
+        burns = share * np.maximum(self.gas.scalars[j, i, 2], LEAST_FRESH)
+        burns /= np.sum(burns, axis=1)[:, None]
+        parts = np.where(joule[:, None] > 0.0, burns, share)
+        np.add.at(self._rise, (j, i), joule[:, None] * parts / (VAPOUR["capacity"] * volume))
         np.add.at(self.gas.scalars[..., 1], (j, i), vapour[:, None] * share / volume)
 
     def heat_match(self, head: Point, power: float, dt: float) -> None:
@@ -162,10 +169,11 @@ class Air(BurningAir):
         """Burn, and flow."""
         gas, warm, volume = self.gas, self.gas.scalars[..., 0], self.cell * self.cell
         at_first, before, asked = warm.copy(), self.heat(), float(np.sum(self._rise))
+        dense = self._heats()
         np.maximum(self._rise, COLDEST - warm, out=self._rise)
         given = VAPOUR["capacity"] * volume * float(np.sum(self._rise))
         self.flows[3] += VAPOUR["capacity"] * volume * asked - given
-        if EXPANSION in self.flames.made_of.effects:
+        if self._expands():
             np.divide(self._rise, warm * dt, out=gas.expansion)
         else:
             gas.expansion[:] = 0.0
@@ -182,30 +190,25 @@ class Air(BurningAir):
         gas.force[..., 1] -= 0.5 * SLOWS * (gas.v[1:] + gas.v[:-1])
         if self.wind != 0.0:
             gas.force[self._outside, 0] += 3.0 * (self.wind - along[self._outside])
-        self._carry(dt)
-        out = self._through_sides() * dt
+        dense += VAPOUR["capacity"] * (warm - at_first)  # what is warmed holds that, until it expands
+        out = self._carry(dense, dt)
         self.flows[1] += out
         self.flows[2] += warmed - out - (self.heat() - before)
 
-    def _carry(self, dt: float) -> None:
-        """Let the gas flow. Its heat is carried, not its temperature: parcels that mix keep the sum of their
-        heat, and a mean of temperatures would have more of it.
+    def _carry(self, dense: Floats, dt: float) -> float:
+        """Let the gas flow, and its heat, (ny, nx) J/m³, by the velocity that is left: it agrees with the
+        expansion of this step, and by fluxes the sum of the heat stays. Returns J/m that left the box.
         """
-        warm = self.gas.scalars[..., 0]
-        if EXPANSION not in self.flames.made_of.effects:
-            self.gas.step(dt)
-            return
-        warm[:] = ROOM + 0.5 * (warm - ROOM) * (warm + ROOM) / warm
-        self.gas.step(dt)
-        half = warm - ROOM
-        warm[:] = half + np.sqrt(half * half + ROOM * ROOM)
+        gas, out = self.gas, 0.0
+        gas.step(dt)
+        if ADVECTION in gas.settings.effects:
+            out = carry_density(gas, dense, 0.0, dt)
+        half = dense / VAPOUR["capacity"]
+        gas.scalars[..., 0] = half + np.sqrt(half * half + ROOM * ROOM) if self._expands() else ROOM + half
+        return out
 
-    def _through_sides(self) -> float:
-        """W/m that leave the box; air that comes in is as warm as the room."""
-        warm = self._heats() * self.cell
-        u, v = self.gas.u, self.gas.v
-        ways = (warm[:, -1], u[:, -1]), (warm[:, 0], -u[:, 0]), (warm[-1], v[-1]), (warm[0], -v[0])
-        return math.fsum(float(np.sum(rim * np.maximum(out, 0.0))) for rim, out in ways)
+    def _expands(self) -> bool:
+        return EXPANSION in self.flames.made_of.effects
 
     @property
     def of_match(self) -> float:
@@ -220,13 +223,14 @@ class Air(BurningAir):
     @property
     def lost(self) -> float:
         """J/m that the gas's way of carrying has lost: what its cells were warmed by, less what left through
-        the sides and what more is in them. Of what burnt and radiated it knows nothing.
+        the sides and what more is in them. In flux form it is rounding. Of what burnt and radiated it knows
+        nothing.
         """
         return float(self.flows[2])
 
     @property
     def covered(self) -> float:
-        """J/m that was in gas where logs came to lie, less what is in gas where they lay."""
+        """J/m that was in gas where logs or damper came to lie, less what is in gas where they lay."""
         return float(self.flows[4])
 
     @property
@@ -255,7 +259,7 @@ class Air(BurningAir):
         holds C (T² - Ta²) / 2 T of it, as d(h T) = C T dT; in a box where nothing expands it is C (T - Ta).
         """
         warm = self.gas.scalars[..., 0]
-        share = 0.5 * (warm + ROOM) / warm if EXPANSION in self.flames.made_of.effects else 1.0
+        share = 0.5 * (warm + ROOM) / warm if self._expands() else 1.0
         return np.asarray(VAPOUR["capacity"] * (warm - ROOM) * share)
 
     def heat(self) -> float:

@@ -68,7 +68,7 @@ class FireplaceModel(World):
         self, content: FireplaceContent, parameters: FireplaceParameters, active: EffectSet, seed: int
     ):
         super().__init__(content, parameters, active)
-        self.shine, self.most_power, self.most_height = 0.0, 0.0, 0.0
+        self.shine, self.most_power, self.most_height, self.most_hot = 0.0, 0.0, 0.0, 0.0
         self.crossings: list[float] = []
         self.rising, self.mean_rise, self.last_beat = False, 0.0, 0.0
         self.changed, self.given_up = False, 0.0
@@ -262,6 +262,7 @@ class FireplaceModel(World):
         self.shine += (power - self.shine) * min(1.0, dt / 0.12)
         self.most_power = max(self.most_power, self.shine)
         self.most_height = max(self.most_height, self.flame_height())
+        self.most_hot = max(self.most_hot, float(np.max(self.air.temperature)))
         rise = self.air.draught()
         self.mean_rise += (rise - self.mean_rise) * min(1.0, dt / 1.5)
         if self.rising and rise < self.mean_rise - 0.06:
@@ -308,7 +309,7 @@ class FireplaceModel(World):
 
     def books(self) -> dict[str, float]:
         """J/m: made by burning and the match; radiated, gone with steam and through the sides, in gas and
-        wood; "carrying": what the gas's way of carrying temperatures has lost of it, step by step; "refused",
+        wood; "carrying": what the gas's way of carrying heat has lost of it, step by step; "refused",
         "covered": see `Air`; "open": what is missing of all that. It is rounding only if what was booked as
         made, given and radiated is what the cells were warmed by, which is measured by itself.
         """

@@ -52,7 +52,7 @@ def _fir_shapes() -> tuple[tuple[float, float, Floats], ...]:
     made = []
     turn = 0.0
     while turn < math.tau:
-        tall, rows = float(chance.uniform(18.0, 44.0)), 9
+        tall, rows = float(chance.uniform(14.0, 30.0)), 9
         left, right = [], []
         for row in range(rows):
             share = row / rows

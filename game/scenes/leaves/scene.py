@@ -10,7 +10,7 @@ from game.scenes.leaves.hand import leaves_hand
 from game.scenes.leaves.level import DEFAULT, LeavesContent
 from game.scenes.leaves.model import LeavesModel
 from game.scenes.leaves.parameters import OF_PICTURE, LeavesParameters
-from game.scenes.leaves.told import hearing, readouts, sizes, targets
+from game.scenes.leaves.told import hearing, names, readouts, sizes, targets
 from game.scenes.leaves.view import LeavesView
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.painting.polygons import warm_up_painter
@@ -36,8 +36,9 @@ class Leaves(WorldScene):
     parameters: LeavesParameters
     model: LeavesModel
     parts = Parts(
-        LeavesModel, leaves_hand, LeavesView, readouts, targets=targets, hearing=hearing, sizes=sizes
-    )
+        LeavesModel, leaves_hand, LeavesView, readouts, targets=targets, hearing=hearing, sizes=sizes,
+        names=names,
+    )  # fmt: skip
     painters = (("polygons", warm_up_painter),)
     effects = PLATES.known
     content_type = LeavesContent

@@ -11,9 +11,13 @@ from game.physics.kernels import elementwise
 from game.physics.plates import law
 from game.physics.plates.flight import WY
 from game.physics.plates.watch import FLUTTER, GLIDE, TUMBLE
-from game.scenes.leaves.model import LeavesModel
+from game.scenes.leaves.model import KIND, LeavesModel
+from game.scenes.leaves.model import NAMES as SPECIES_NAMES
 from game.scenes.leaves.sounds import HALF, NAMES
+from game.scenes.leaves.ways import TOOK, TURNED
 from game.stage import Hearing, Readout
+
+VERBS = {FLUTTER: "flutters", TUMBLE: "tumbles", GLIDE: "glides"}
 
 
 def readouts(model: LeavesModel) -> tuple[Readout, ...]:
@@ -53,6 +57,24 @@ def targets(model: LeavesModel) -> dict[str, Point]:
 def sizes(model: LeavesModel) -> dict[str, float]:
     """The height of the basket, m."""
     return {"basket": model.basket.height}
+
+
+def names_of(model: LeavesModel) -> list[tuple[int, str]]:
+    """Of each way the leaf that goes it longest: its number; what it is, what it does, and its inertia."""
+    found, seen, ways = [], model.seen(), model.ways
+    for way, verb in VERBS.items():
+        longest = np.where(seen == way, np.abs(ways[:, TURNED if way == TUMBLE else TOOK]) + 1.0, 0.0)
+        if longest.any():
+            i = int(np.argmax(longest))
+            inertia = float(model.plates.laws[law.MASS_Y, i]) - 1.0
+            found.append((i, f"{SPECIES_NAMES[int(model.own[i, KIND])]} {verb}: I* = {inertia:.2f}"))
+    return found
+
+
+def names(model: LeavesModel) -> list[tuple[Point, str]]:
+    """Where these leaves are, m, and their words."""
+    x, y = model.plates.rows[law.X], model.plates.rows[law.Y]
+    return [((float(x[i]), float(y[i])), words) for i, words in names_of(model)]
 
 
 def hearing(model: LeavesModel) -> Hearing:

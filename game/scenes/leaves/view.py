@@ -14,14 +14,13 @@ from game.physics.plates import law, watch
 from game.physics.plates.regimes import BORDERS
 from game.scenes.leaves.foliage import Foliage
 from game.scenes.leaves.landscape import DAY, Hour, Park
-from game.scenes.leaves.model import DEPTH, KIND, NAMES, LeavesModel, LeavesState
-from game.scenes.leaves.ways import TOOK, TURNED
+from game.scenes.leaves.model import DEPTH, LeavesModel, LeavesState
+from game.scenes.leaves.told import names_of
 from game.ui.canvas.canvas import Canvas
 from game.worlds.hands.hand import Hand
 
 MOTES, MOTE_STEPS, MOTE_S = 70, 10, 0.06  # of dust: how many, points and s of their way
 COLORS = {watch.NOTHING: "text2", watch.FLUTTER: "chalk", watch.TUMBLE: "amber", watch.GLIDE: "green"}
-VERBS = {watch.FLUTTER: "flutters", watch.TUMBLE: "tumbles", watch.GLIDE: "glides"}
 MAP = (0.12, 1.05, 1.55, 0.62)  # m from the view's upper left corner: right, down; width, height of the map
 LEAST, MOST = 0.3, 4.0  # inertias on it
 RIM = 0.13  # m, half the depth of the basket's rim as it is seen
@@ -167,7 +166,8 @@ class LeavesView:
             canvas.arrow(
                 rows[[law.X, law.Y], i], 0.12 * model.plates.velocities[i], COLORS[int(seen[i])], width=1.6
             )
-        self._names(canvas, rows, seen)
+        if not canvas.asked:  # else they have their rings
+            self._names(canvas, rows, seen)
         x, y = np.meshgrid(np.linspace(-2.6, 2.6, 14), np.linspace(0.2, 2.4, 7))
         places = np.stack([x.ravel(), y.ravel()], axis=1)
         wind = model.wind.sample(places, model.plates.time)
@@ -177,28 +177,11 @@ class LeavesView:
         self._map(canvas, seen)
 
     def _names(self, canvas: Canvas, rows: Floats, seen: NDArray[np.int64]) -> None:
-        """Beside the one leaf that does it longest what it is, what it does, and its inertia."""
-        ways = self.model.ways
-        for way, words in VERBS.items():
-            longest = np.where(
-                seen == way, np.abs(ways[:, TURNED if way == watch.TUMBLE else TOOK]) + 1.0, 0.0
-            )
-            if not longest.any():
-                continue
-            i = int(np.argmax(longest))
-            inertia = float(self.model.plates.laws[law.MASS_Y, i]) - 1.0
-            name = NAMES[int(self.model.own[i, KIND])]
-            canvas.dot(rows[[law.X, law.Y], i], 3.0, COLORS[way])
-            canvas.label(
-                rows[[law.X, law.Y], i],
-                f"{name} {words}: I* = {inertia:.2f}",
-                COLORS[way],
-                13,
-                "semibold",
-                "left",
-                (10.0, -10.0),
-                clear=True,
-            )
+        """Beside one leaf of each way what it is, what it does, and its inertia."""
+        for i, words in names_of(self.model):
+            place, color = rows[[law.X, law.Y], i], COLORS[int(seen[i])]
+            canvas.dot(place, 3.0, color)
+            canvas.label(place, words, color, 13, "semibold", "left", (10.0, -10.0), clear=True)
 
     def _map(self, canvas: Canvas, seen: NDArray[np.int64]) -> None:
         off, down, wide, tall = MAP

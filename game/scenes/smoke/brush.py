@@ -35,13 +35,14 @@ def stir(model: SmokeModel, point: Place, way: tuple[float, float]) -> None:
 
 
 def paint(model: SmokeModel, point: Place, what: str) -> None:
-    """Smoke ("dye"), fire, or clear air about a point."""
+    """Dye of the chosen colour ("dye"), fire, or clear air about a point."""
     share = _share(model.grid.centres(), point, model.parameters.brush)
-    cells = model.scalars
+    column = model.column(model.parameters.dye) if what == "dye" else m.SMOKE
+    cells = model.scalars  # after the column, which may be new
     if what == "dye":
-        cells[..., m.SMOKE] = np.maximum(cells[..., m.SMOKE], np.minimum(1.0, 1.6 * share))
+        cells[..., column] = np.maximum(cells[..., column], np.minimum(1.0, 1.6 * share))
     elif what == "fire":
         cells[..., m.FUEL] += 0.03 * share
         cells[..., m.WARM] = np.maximum(cells[..., m.WARM], m.ROOM + 900.0 * np.minimum(1.0, 1.5 * share))
     else:
-        cells[share > 0.05] = 0.0, m.ROOM, 0.0, m.FRESH, 0.0
+        cells[share > 0.05] = model.fresh()

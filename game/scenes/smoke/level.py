@@ -17,12 +17,13 @@ MOST_SOLIDS = 12
 
 class SourceEntry(LevelEntry, frozen=True, kw_only=True):
     """A place (m) and its radius (m) that is kept: smoke (0 to 1), K, fuel kg/m³, velocity m/s, for so many
-    s.
+    s. dye: what the smoke is, grey or coloured.
     """
 
     at: tuple[Metre, Metre]
     radius: Radius = 0.05
     smoke: Annotated[float, msgspec.Meta(ge=0.0, le=10.0)] = 1.0
+    dye: Literal["smoke", "blue", "pink", "yellow"] = "smoke"
     kelvin: Annotated[float, msgspec.Meta(ge=1.0, le=1e6)] = 293.15
     fuel: Annotated[float, msgspec.Meta(ge=0.0, le=10.0)] = 0.0
     velocity: tuple[Speed, Speed] | None = None

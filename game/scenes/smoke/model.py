@@ -21,13 +21,14 @@ from game.physics.stable_fluids import PrintedFluid
 from game.scenes.smoke import discs
 from game.scenes.smoke.discs import DiscObstacles
 from game.scenes.smoke.level import MOST_SOLIDS, SmokeContent
-from game.scenes.smoke.parameters import PRINTED, SmokeParameters
+from game.scenes.smoke.parameters import DYES, PRINTED, SmokeParameters
 from game.stage import Part
 from game.worlds.stopwatch import Stopwatch
 
 WIDE, TALL = 2.0, 1.0  # m
 FIELDS = ("smoke", "temperature", "fuel", "oxygen", "soot")
 SMOKE, WARM, FUEL, OXYGEN, SOOT = range(5)
+DYED = (*FIELDS, *DYES)  # fields once a coloured dye is in the gas
 ROOM, FRESH, WIND = 293.15, 0.27, 0.8  # K, kg/m³, m/s
 GRAVITY = 9.81  # m/s²
 BURNS = {
@@ -63,20 +64,11 @@ class SmokeModel(Part):
         ).reshape(-1, 5)  # fmt: skip
         self.gas: Gas | None = None
         self.printed: PrintedFluid | None = None
-        if parameters.method in PRINTED:
-            self.printed = PrintedFluid(
-                self.grid.shape,
-                self.cell,
-                len(FIELDS),
-                parameters.method,
-                parameters.viscosity,
-                self._turns(),
-            )
-        else:
-            self.gas = Gas(self.grid, self._borders(), self._settings(), FIELDS, {"oxygen": FRESH})
+        dyed = any(one.dye in DYES for one in content.sources)
+        self._make_fluid(DYED if dyed else FIELDS)
         self.flames = Flames((WARM, FUEL, OXYGEN, SOOT), self.cell, self._burns())
         self._source = np.zeros(self.grid.shape)
-        self.scalars[..., WARM], self.scalars[..., OXYGEN] = ROOM, FRESH
+        self.scalars[:] = self.fresh()
         self._begin()
         self.take_solids()
         self.given = math.nan  # K m², by hand and sources in the last step
@@ -85,6 +77,41 @@ class SmokeModel(Part):
         self.energy_at_first = self.energy()
 
     # -- what it is made of -------------------------------------------------------------------------------
+
+    def _make_fluid(self, fields: tuple[str, ...]) -> None:
+        """A new fluid, at rest, that carries these fields. Dyes cost time, so only who uses them has them."""
+        self.fields, chosen = fields, self.parameters
+        if chosen.method in PRINTED:
+            self.printed = PrintedFluid(
+                self.grid.shape, self.cell, len(fields), chosen.method, chosen.viscosity, self._turns()
+            )
+        else:
+            self.gas = Gas(self.grid, self._borders(), self._settings(), fields, {"oxygen": FRESH})
+
+    def _change_fields(self, fields: tuple[str, ...]) -> None:
+        """Go on as before with other fields; those that are new are empty."""
+        gas, printed = self.gas, self.printed
+        self._make_fluid(fields)
+        self.take_solids()
+        self.keep_books()
+        if gas is not None and self.gas is not None:
+            state = gas.state()
+            self.gas.restore(state._replace(scalars=_as_wide(state.scalars, len(fields))))
+        elif printed is not None and self.printed is not None:
+            told = printed.state()
+            self.printed.restore(told._replace(fields=_as_wide(told.fields, len(fields))))
+
+    def column(self, ink: str) -> int:
+        """Where smoke or a dye stands in the scalars. The first dye brings the fields of all of them."""
+        if ink in DYES and self.fields != DYED:
+            self._change_fields(DYED)
+        return self.fields.index(ink)
+
+    def fresh(self) -> Floats:
+        """(fields,) of fresh air."""
+        air = np.zeros(len(self.fields))
+        air[WARM], air[OXYGEN] = ROOM, FRESH
+        return air
 
     def _borders(self) -> Borders:
         if self.content.sides == "closed":
@@ -105,7 +132,7 @@ class SmokeModel(Part):
             effects=effects, advection=chosen.method, pressure=chosen.pressure,
             turns=max(int(chosen.turns), self._fewest()),
             viscosity=chosen.viscosity, confinement=chosen.confinement, ambient=ROOM,
-            conservative=FIELDS if chosen.flux else (),
+            conservative=self.fields if chosen.flux else (),
         )  # fmt: skip
 
     def _fewest(self) -> int:
@@ -171,6 +198,15 @@ class SmokeModel(Part):
         assert self.printed is not None
         return np.stack(self.printed.inner[:2], axis=2)
 
+    def pressure(self) -> Floats:
+        """(ny, nx) m²/s², over the density of air: of the last step, less its mean."""
+        if self.gas is not None:
+            found = self.gas.pressure
+        else:
+            assert self.printed is not None  # its pressure holds for a step, as it is taken from velocities
+            found = self.printed.pressure[1:-1, 1:-1] / self.parameters.step_length
+        return np.asarray(found - np.mean(found))
+
     def divergence(self) -> Floats:
         """(ny, nx) 1/s that should not be there: from face to face, as what is carried feels it."""
         if self.gas is not None:
@@ -234,8 +270,7 @@ class SmokeModel(Part):
 
     def clear(self) -> None:
         """Fresh air everywhere, and nothing in it."""
-        self.scalars[:] = 0.0
-        self.scalars[..., WARM], self.scalars[..., OXYGEN] = ROOM, FRESH
+        self.scalars[:] = self.fresh()
 
     # -- a step -------------------------------------------------------------------------------------------
 
@@ -255,7 +290,8 @@ class SmokeModel(Part):
             near = (
                 elementary.square(x - one.at[0]) + elementary.square(y - one.at[1]) < one.radius * one.radius
             )
-            cells[near, SMOKE] = np.maximum(cells[near, SMOKE], one.smoke)
+            column = self.fields.index(one.dye)
+            cells[near, column] = np.maximum(cells[near, column], one.smoke)
             cells[near, WARM] = np.maximum(cells[near, WARM], one.kelvin)
             cells[near, FUEL] = np.maximum(cells[near, FUEL], one.fuel)
             if one.velocity is not None:
@@ -304,6 +340,10 @@ class SmokeModel(Part):
         """Of a field over the box, times m²."""
         return float(np.sum(self.scalars[..., field])) * (self.cell * self.cell)
 
+    def dye(self, name: str) -> float:
+        """m² of a coloured dye over the box."""
+        return self.total(self.fields.index(name)) if name in self.fields else 0.0
+
     def energy(self) -> float:
         """m⁴/s²: half the square of the velocity over the box."""
         return 0.5 * float(np.sum(elementary.square(self.velocity()))) * (self.cell * self.cell)
@@ -321,6 +361,10 @@ class SmokeModel(Part):
 
     def restore(self, state: SmokeState) -> None:
         """Take over a copy of a state."""
+        carried = state.fluid.scalars if self.gas is not None else state.fluid.fields
+        fields = DYED if carried.shape[2] == len(DYED) else FIELDS
+        if fields != self.fields:
+            self._change_fields(fields)
         moved = not np.array_equal(self.obstacles.rows, state.solids)
         self.obstacles.rows = state.solids.copy()
         if moved:
@@ -330,6 +374,14 @@ class SmokeModel(Part):
         elif self.printed is not None:
             self.printed.restore(state.fluid)
         self.flames.books[:] = state.books
+
+
+def _as_wide(cells: Floats, fields: int) -> Floats:
+    """(ny, nx, fields): the first of the cells' fields; nothing in those that they do not have."""
+    wide = np.zeros((*cells.shape[:2], fields))
+    both = min(fields, cells.shape[2])
+    wide[..., :both] = cells[..., :both]
+    return wide
 
 
 def _whirl(x: Floats, y: Floats) -> tuple[Floats, Floats]:

@@ -8,8 +8,10 @@ from game.stage import Choice, Param, Parameters, Toggle
 METHODS = ("time-centred", "maccormack", "cubic", "linear", "stam-1999", "stam-2003")
 PRINTED = ("stam-1999", "stam-2003")
 TOOLS = ("stir", "dye", "fire", "solid", "clear")
-VIEWS = ("smoke", "temperature", "speed", "vorticity", "divergence", "schlieren")
-OF_PICTURE = ("view", "arrows", "tool", "brush")
+VIEWS = ("smoke", "temperature", "speed", "vorticity", "divergence", "schlieren", "pressure")
+DYES = ("blue", "pink", "yellow")
+INKS = ("smoke", *DYES)  # what the hand paints, and a source gives
+OF_PICTURE = ("view", "arrows", "tool", "brush", "dye")
 
 
 class SmokeParameters(Parameters):
@@ -17,6 +19,8 @@ class SmokeParameters(Parameters):
 
     tool = Choice("stir", TOOLS, labels=("Stir", "Dye", "Fire", "Solid", "Clear"), group="Hand",
                   help="what a drag does; Solid moves the nearest disc or puts a new one")  # fmt: skip
+    dye = Choice("smoke", INKS, labels=("Smoke", "Blue", "Pink", "Yellow"), group="Hand",
+                 help="what Dye and the right button paint; dyes mix where they meet")  # fmt: skip
     brush = Param(0.07, 0.02, 0.3, unit="m", log=True, group="Hand", help="radius of the hand")
     lift = Param(1.0, 0.0, 4.0, group="Gas", label="Buoyancy", help="times as strong as hot gas is lifted")
     viscosity = Param(0.0, 0.0, 0.1, unit="m²/s", group="Gas", help="of the gas; air has 1.5e-5")

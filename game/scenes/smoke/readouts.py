@@ -9,6 +9,7 @@ import numpy as np
 from game.scenes.smoke import model as m
 from game.scenes.smoke.books import heat_readouts, momentum_readouts
 from game.scenes.smoke.model import SmokeModel
+from game.scenes.smoke.parameters import DYES
 from game.stage import Readout
 
 
@@ -30,6 +31,7 @@ def readouts_of(model: SmokeModel) -> list[Readout]:
         ),
         Readout("smoke", smoke, "m²"),
         Readout("smoke kept", 100.0 * smoke / at_first if at_first > 0.0 else math.nan, "%"),
+        *(Readout(f"{dye} dye", model.dye(dye), "m²") for dye in DYES),
         Readout("fastest", fastest, "m/s"),
         Readout("cells a step", fastest * model.parameters.step_length / model.cell),
         Readout("hottest", float(np.max(cells[..., m.WARM])), "K"),

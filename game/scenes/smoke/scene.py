@@ -45,13 +45,29 @@ class Smoke(ModelScene):
     study = smoke_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     figure = staticmethod(draw_projection)
-    hints = (Hint(("Drag",), "stir, or what the tool does"), Hint(("Right drag",), "paint"))
+    hints = (
+        Hint(("Drag",), "stir, or what the tool does"),
+        Hint(("Right drag",), "paint"),
+        Hint(("6", "7", "8", "9"), "smoke, blue, pink, yellow"),
+        Hint(("K", "T", "S", "V", "R", "D", "H"), "views of the gas"),
+    )
     actions = (
         SceneAction("tool-stir", "tool: stir", "1"),
         SceneAction("tool-dye", "tool: dye", "2"),
         SceneAction("tool-fire", "tool: fire", "3"),
         SceneAction("tool-solid", "tool: solid", "4"),
         SceneAction("clear", "clear the air", "N"),
+        SceneAction("dye-smoke", "paint smoke", "6"),
+        SceneAction("dye-blue", "paint blue dye", "7"),
+        SceneAction("dye-pink", "paint pink dye", "8"),
+        SceneAction("dye-yellow", "paint yellow dye", "9"),
+        SceneAction("view-smoke", "view: smoke and dyes", "K"),
+        SceneAction("view-temperature", "view: temperature", "T"),
+        SceneAction("view-speed", "view: speed", "S"),
+        SceneAction("view-vorticity", "view: vorticity", "V"),
+        SceneAction("view-pressure", "view: pressure", "R"),
+        SceneAction("view-divergence", "view: divergence", "D"),
+        SceneAction("view-schlieren", "view: schlieren", "H"),
     )
     strips = (
         Strip("Divergence that is left", "1/s", ("divergence",)),
@@ -70,6 +86,7 @@ class Smoke(ModelScene):
         "Choose Stam 2003 as printed, and look at the divergence; then multigrid.",
         "Open the whirl: see how long it turns by each method.",
         "Paint a fire below the disc, and look at it as schlieren.",
+        "Paint blue beside yellow (7 and 9), and stir: where they meet they are green.",
         "Drag the disc through the smoke.",
         "Set a long time step: nothing blows up, but all is smeared.",
         "Open the books: what carrying makes of heat is a row of its own; then choose flux form.",
@@ -121,6 +138,10 @@ class Smoke(ModelScene):
     def action(self, name: str) -> None:
         if name.startswith("tool-"):
             self.parameters.tool = name.removeprefix("tool-")
+        elif name.startswith("view-"):
+            self.parameters.view = name.removeprefix("view-")
+        elif name.startswith("dye-"):
+            self.parameters.dye, self.parameters.tool = name.removeprefix("dye-"), "dye"
         else:
             self.model.clear()
 

@@ -10,6 +10,7 @@ from game.scenes.smoke import model as m
 from game.scenes.smoke.books import draw_books
 from game.scenes.smoke.hand import SmokeHand
 from game.scenes.smoke.model import SmokeModel
+from game.scenes.smoke.parameters import DYES
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.painting.flames import FlameLook, see_gas
@@ -27,12 +28,24 @@ LINES = ((0.0, "stage"), (1.0, "text1"))
 LOOK = FlameLook(
     glows=520.0, brightest=1300.0, bare=0.0, shining=2e-6, thick=8e-3, most=0.8, burns=520.0,
 )  # fmt: skip
-FULL = {"speed": 1.5, "vorticity": 25.0, "divergence": 0.5}  # m/s, 1/s, 1/s drawn in the last colour
+FULL = {
+    "speed": 1.5,
+    "vorticity": 25.0,
+    "divergence": 0.5,
+    "pressure": 0.5,
+}  # m/s, 1/s, 1/s, m²/s²: last colour
+DYE_INKS = {  # where a theme is dark, and light: half of blue and half of yellow is a green
+    "blue": {True: pygame.Color(64, 170, 250), False: pygame.Color(16, 132, 224)},
+    "pink": {True: pygame.Color(246, 122, 182), False: pygame.Color(222, 72, 142)},
+    "yellow": {True: pygame.Color(250, 226, 80), False: pygame.Color(236, 190, 0)},
+}  # fmt: skip
+COVERS, MOST = 0.9, 0.94  # of what is behind: full smoke, and at most
 EVERY = 0.09  # m from arrow to arrow
 WORDS = {
     "temperature": "293 K dark to 1000 K bright", "speed": "0 to 1.5 m/s",
     "vorticity": "−25 to 25 per second",
-    "divergence": "−0.5 to 0.5 per second", "schlieren": "where the density changes",
+    "divergence": "−0.5 to 0.5 per second", "pressure": "−0.6 to 0.6 Pa about the mean",
+    "schlieren": "where the density changes",
 }  # fmt: skip
 
 
@@ -63,7 +76,7 @@ class SmokeView:
         elif view == "schlieren":
             canvas.field(self._schlieren(cells), *BOX, LINES)
         else:
-            values = self.model.vorticity() if view == "vorticity" else self.model.divergence()
+            values = getattr(self.model, view)()
             canvas.field(0.5 + 0.5 * values / FULL[view], *BOX, SIGNED)
         for x, y, radius, _, _ in self.model.obstacles.rows.tolist():
             canvas.circle((x, y), radius, "body", outline="text3", width=1.6)
@@ -79,10 +92,32 @@ class SmokeView:
 
     def _draw_smoke(self, canvas: Canvas, dark: bool, cells: Floats) -> None:
         see_gas(LOOK, cells[..., m.WARM], cells[..., m.SOOT], self._whole, self._veil)
-        dyed = np.clip(0.9 * cells[..., m.SMOKE], 0.0, 0.92)
-        self._veil[..., 0] = np.minimum(self._veil[..., 0] + dyed, 0.94)
+        dyed = np.clip(COVERS * cells[..., m.SMOKE], 0.0, 0.92)
+        self._veil[..., 0] = np.minimum(self._veil[..., 0] + dyed, MOST)
+        self._draw_dyes(canvas, dark, cells)
         canvas.veil(self._veil, *BOX, SMOKE_INK[dark], FLAME, dark)
         self._draw_light(canvas)
+
+    def _draw_dyes(self, canvas: Canvas, dark: bool, cells: Floats) -> None:
+        """Veils under that of smoke, so that each colour has its own share of what is seen, in any order.
+
+        A veil leaves 1 - a of those below it; so that a share w is seen, its own a is w over what those above
+        leave. Where shares come to more than MOST together, all are lessened alike.
+        """
+        if cells.shape[-1] == len(m.FIELDS):
+            return
+        shares = COVERS * np.clip(cells[..., len(m.FIELDS) :], 0.0, 1.0)
+        sums = self._veil[..., 0] + np.sum(shares, axis=2)
+        lessened = np.minimum(1.0, MOST / np.maximum(sums, MOST))
+        self._veil[..., 0] *= lessened
+        left, layers = 1.0 - self._veil[..., 0], []
+        for k, name in enumerate(DYES):
+            share = lessened * shares[..., k]
+            layers.append((name, share / left))
+            left = left - share
+        nothing = np.zeros(left.shape)
+        for name, share in reversed(layers):
+            canvas.veil(np.stack([share, nothing], axis=2), *BOX, DYE_INKS[name][dark], FLAME, dark)
 
     def _draw_light(self, canvas: Canvas) -> None:
         light = self._veil[..., 1]

@@ -25,6 +25,7 @@ from game.scenes.tower.effects import AIR
 from game.scenes.tower.frame import Frame
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.tables import RUBBLE, SHARD, SLAB
+from game.worlds.members import boxes
 from game.worlds.world import Member
 
 DENSITY = 1.2  # kg/m³, of air
@@ -44,6 +45,7 @@ STILL = 0.03  # m/s: slower air, without dust, is not computed
 # half its extent across and up m
 FX, FY, FC, FS, FLONG, FTHICK, FVX, FVY, FSPIN, FWIDE, FTALL = range(11)
 FLOOR_WIDTH = 11
+AS_BOX = [FX, FY, FC, FS, FLONG, FTHICK, FWIDE, FTALL]  # columns of a floor as those of `boxes`
 
 
 class AirState(NamedTuple):
@@ -54,28 +56,6 @@ class AirState(NamedTuple):
     gas: GasState
     dust: Floats
     floors: Floats
-
-
-@lean_kernel
-def sample_floors(points, floors, distance, velocity, body):
-    """Write signed distances m, velocities m/s and rows of the nearest of boxes (k, FLOOR_WIDTH)."""
-    for n in range(points.shape[0]):
-        best, nearest = 1e30, -1
-        for k in range(floors.shape[0]):
-            dx, dy = points[n, 0] - floors[k, FX], points[n, 1] - floors[k, FY]
-            if abs(dy) - floors[k, FTALL] > best or abs(dx) - floors[k, FWIDE] > best:
-                continue
-            along = abs(floors[k, FC] * dx + floors[k, FS] * dy) - floors[k, FLONG]
-            across = abs(floors[k, FC] * dy - floors[k, FS] * dx) - floors[k, FTHICK]
-            outside = along > 0.0 and across > 0.0
-            away = elementary.hypot(along, across) if outside else max(along, across)
-            if away < best:
-                best, nearest = away, k
-        distance[n], body[n] = best, nearest
-        if nearest >= 0:
-            dx, dy = points[n, 0] - floors[nearest, FX], points[n, 1] - floors[nearest, FY]
-            velocity[n, 0] = floors[nearest, FVX] - floors[nearest, FSPIN] * dy
-            velocity[n, 1] = floors[nearest, FVY] + floors[nearest, FSPIN] * dx
 
 
 @lean_kernel
@@ -140,7 +120,11 @@ class Floors:
         """Of the nearest floor."""
         found = empty_sample(len(points))
         if len(self.rows):
-            sample_floors(np.ascontiguousarray(points), self.rows, found.distance, found.velocity, found.body)
+            places = np.ascontiguousarray(points, dtype=np.float64)
+            boxes.sample_boxes(places, np.ascontiguousarray(self.rows[:, AS_BOX]), found.distance, found.body)
+            own = self.rows[found.body]
+            found.velocity[:, 0] = own[:, FVX] - own[:, FSPIN] * (places[:, 1] - own[:, FY])
+            found.velocity[:, 1] = own[:, FVY] + own[:, FSPIN] * (places[:, 0] - own[:, FX])
         return found
 
 

@@ -43,6 +43,13 @@ def _put_down(hand: Hand) -> str:
     return ""
 
 
+def _select(hand: Hand) -> str:
+    """Show what the ball under the pointer has of its own; none beside all balls."""
+    ball, hand.point = TOOLS.ball_at(hand), None
+    hand.model.inspect(ball)
+    return ""
+
+
 def _drop(hand: Hand) -> None:
     model: TracksWorld = hand.model
     if 0 <= model.held < len(model.balls.energies):
@@ -51,11 +58,12 @@ def _drop(hand: Hand) -> None:
 
 
 USES = {
-    "hand": Use(_grab, _move, _put_down), "ball": Use(_make, _move, _put_down), "draw": TOOLS.draw(),
-    "bend": TOOLS.bend(), "delete": TOOLS.delete(),
+    "hand": Use(_grab, _move, _put_down), "select": Use(_select),
+    "ball": Use(_make, _move, _put_down), "draw": TOOLS.draw(), "bend": TOOLS.bend(),
+    "delete": TOOLS.delete(),
 }  # fmt: skip
 
 
 def track_hand(model: TracksWorld) -> Hand:
-    """The right button does nothing."""
-    return Hand(model, USES, (-FARTHEST, -FARTHEST), (FARTHEST, FARTHEST), drop=_drop)
+    """The right button selects."""
+    return Hand(model, USES, (-FARTHEST, -FARTHEST), (FARTHEST, FARTHEST), right="select", drop=_drop)

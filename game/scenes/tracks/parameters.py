@@ -8,12 +8,16 @@ from game.worlds.members import solids
 
 TOOLS = (
     Tool("hand", "Move a ball", "move", "", "G", "grab"),
+    Tool("select", "Select", "select", "click a ball to see and change what is its own", "V", "select"),
     Tool("ball", "New ball", "new ball", "click, drag and let go: a new ball", "N", "ball", apart=True),
     Tool("draw", "Draw a track", "draw a track", "draw a track", "D", "track"),
     Tool("bend", "Bend a track", "bend a track", "drag a track", "B", "bend"),
     Tool("delete", "Delete", "delete", "click a ball or a track", "E", "delete", apart=True),
 )
 FORMS = ("disc", "sphere", "ring")
+COLOURS = ("chalk", "green", "vermilion", "pink", "violet", "yellow", "amber")
+OF_CHOSEN = ("own_mass", "own_friction", "own_restitution", "own_colour")  # say and set what is clicked
+CHOSEN = "Chosen ball"  # group of the parameters on the card
 OF_TOOLS = ("radius", "form", "bending")
 OF_PICTURE = ("velocities", "trails", "points")
 
@@ -26,6 +30,19 @@ class TrackParameters(Parameters):
     radius = Param(0.1, 0.01, 2.0, unit="m", log=True, group="Tools", help="of a new ball")
     bending = Param(
         0.6, 0.05, 5.0, unit="m", log=True, group="Tools", help="how far along a track a bend reaches"
+    )
+    own_mass = Param(
+        1.0, 1e-3, 1e3, unit="kg", log=True, group=CHOSEN, label="Mass", help="of the chosen ball",
+        in_panel=False,
+    )  # fmt: skip
+    own_friction = Param(
+        0.6, 0.0, 5.0, group=CHOSEN, label="Friction", help="of the chosen ball", in_panel=False
+    )
+    own_restitution = Param(
+        0.0, 0.0, 1.0, group=CHOSEN, label="Restitution", help="of the chosen ball", in_panel=False
+    )
+    own_colour = Choice(
+        COLOURS[0], COLOURS, group=CHOSEN, label="Colour", help="of the chosen ball", in_panel=False
     )
     friction = Param(
         0.6, 0.0, 5.0, group="World", help="Coulomb's coefficient, of balls without one of their own"

@@ -12,13 +12,13 @@ from game.scenes.tracks import TRACKS
 from game.scenes.tracks.figure import draw_rolling
 from game.scenes.tracks.hand import track_hand
 from game.scenes.tracks.level import BallEntry, TrackContent
-from game.scenes.tracks.parameters import OF_PICTURE, OF_TOOLS, TOOLS, TrackParameters
+from game.scenes.tracks.parameters import OF_CHOSEN, OF_PICTURE, OF_TOOLS, TOOLS, TrackParameters
 from game.scenes.tracks.told import readouts, saved
 from game.scenes.tracks.view import TrackView
 from game.scenes.tracks.world import TracksWorld
-from game.stage import Equation, Hint, Strip
+from game.stage import Equation, Hint, Inspected, SceneAction, Strip
 from game.worlds.entries.tracks import TrackEntry
-from game.worlds.hands.hand import hint_of, tool_keys
+from game.worlds.hands.hand import NOBODY, hint_of, tool_keys
 from game.worlds.scene import Parts, WorldScene
 
 
@@ -43,20 +43,22 @@ class Tracks(WorldScene):
     parts = Parts(TracksWorld, track_hand, TrackView, readouts, saved)
     tools = TOOLS
     tool_prefix = ""
-    takes = frozenset()
+    takes = frozenset(("right",))
+    edits = frozenset(OF_CHOSEN)
     covers = False
     builds = True
-    not_of_model = (*OF_PICTURE, *OF_TOOLS)
+    not_of_model = (*OF_PICTURE, *OF_TOOLS, *OF_CHOSEN)
     effects = EffectSet([GRAVITY])
     content_type = TrackContent
     study = loop_study
 
     hints = (
         Hint(("Drag",), "move a ball"),
+        Hint(("Right click",), "its own properties"),
         Hint(("N", "D", "B"), "new ball, draw, bend"),
         Hint(("E",), "delete"),
     )
-    actions = tool_keys(TOOLS)
+    actions = (*tool_keys(TOOLS), SceneAction("card", "put the card of a ball away", "Q"))
     strips = (
         Strip("Speed of the first", "m/s", ("speed", "exact"), exact=("exact",)),
         Strip("Energy", "J", ("moving", "turning", "height", "sum")),
@@ -84,6 +86,27 @@ class Tracks(WorldScene):
         tracks=(TrackEntry(form="loop", size=(1.0, 2.75)),),
         balls=(BallEntry(position=(-4.1, 2.85)),),
     )
+
+    def do(self, name: str) -> str:
+        """Put the card away."""
+        self.model.inspect(NOBODY)
+        return ""
+
+    def parameter_changed(self, name: str) -> None:
+        if name not in OF_CHOSEN:
+            super().parameter_changed(name)
+        elif self.inspected() is not None:
+            self.model.give_own(self.model.inspected, name)
+
+    def why_idle(self, name: str) -> str:
+        if name in OF_CHOSEN and self.inspected() is None:
+            return "No ball is chosen."
+        return super().why_idle(name)
+
+    def inspected(self) -> Inspected | None:
+        """The ball that was clicked, if it is still there."""
+        ball = self.model.inspected
+        return Inspected(f"Ball {ball + 1}", OF_CHOSEN, "card") if 0 <= ball < len(self.model.rows) else None
 
     def hints_now(self) -> Sequence[Hint]:
         """What the tool in the hand does."""

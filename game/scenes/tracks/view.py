@@ -82,6 +82,8 @@ class TrackView:
             light = fill.lerp(canvas.color("text1"), 0.16)
             canvas.circle((x - 0.16 * r, y + 0.2 * r), 0.62 * r, light)
             turn = float(angles[ball])
+            if ball == self.model.inspected:
+                canvas.circle((x, y), r + canvas.px(4.0), outline="accent", width=1.6, dash=(5.0, 4.0))
             canvas.line((x, y), (x + r * math.cos(turn), y + r * math.sin(turn)), "text1", 1.4)
         if self.model.parameters.velocities:
             fastest = float(np.hypot(rows[:, VX], rows[:, VY]).max(initial=0.0))

@@ -15,12 +15,15 @@ from game.physics.kernels import elementary
 from game.physics.solids.tracks import Curve, TrackState
 from game.physics.solids.tracks import motion as m
 from game.scenes.tracks.level import BallEntry, GaugeEntry, TrackContent
-from game.scenes.tracks.parameters import TrackParameters
+from game.scenes.tracks.parameters import COLOURS, TrackParameters
 from game.worlds.members.tracks import REACH, Tracks
 from game.worlds.world import Member, World
 
-COLOURS = ("chalk", "green", "vermilion", "pink", "violet", "yellow", "amber")
-OWN_FRICTION, OWN_RESTITUTION = 256, 512
+OWN_FRICTION, OWN_RESTITUTION, COLOUR_BITS = 256, 512, 255
+OWN = {  # parameters of the card: column of the ball's row, and what marks it as the ball's own
+    "own_mass": (m.MASS, 0), "own_friction": (m.FRICTION, OWN_FRICTION),
+    "own_restitution": (m.BOUNCE, OWN_RESTITUTION),
+}  # fmt: skip
 TRAIL = 160  # places that are remembered of each ball
 RIDERS = 50  # bits that a float holds, with some to spare
 NOT_YET = 0.0
@@ -64,7 +67,9 @@ class Balls(Member):
 
 
 class TracksWorld(World):
-    """Balls and tracks. steps: since the beginning; held: ball in the hand, or -1."""
+    """Balls and tracks. steps: since the beginning. held: ball in the hand, or -1; inspected: ball whose card
+    is open, or -1.
+    """
 
     state_type = TracksState
     content: TrackContent
@@ -75,7 +80,7 @@ class TracksWorld(World):
         self.tracks = Tracks(content.tracks, parameters, active, int(parameters.chords))
         self.balls = Balls(len(content.gauges))
         self.members = (self.tracks, self.balls)
-        self.steps, self.held = 0, -1
+        self.steps, self.held, self.inspected = 0, -1, -1
         for entry in content.balls:
             self.add(entry)
         for k, gauge in enumerate(content.gauges):
@@ -155,9 +160,36 @@ class TracksWorld(World):
         balls = self.balls
         balls.spent[0] += float(self._losses()[ball])
         self.tracks.riders.remove_ball(ball)
+        self.inspected = -1  # numbers shift
         balls.begun = np.delete(balls.begun, ball, axis=0)
         balls.tints, balls.energies = np.delete(balls.tints, ball), np.delete(balls.energies, ball)
         balls.trail = np.delete(balls.trail, ball, axis=1)
+
+    # -- what a ball has of its own -------------------------------------------------------------------
+
+    def inspect(self, ball: int) -> None:
+        """Open the card of a ball, or with -1 put it away."""
+        self.inspected = ball
+        if ball >= 0:
+            self.show_own(ball)
+
+    def show_own(self, ball: int) -> None:
+        """Let the parameters of the card say what a ball has, as near as they can say it."""
+        for name, (column, _) in OWN.items():
+            ends, value = getattr(type(self.parameters), name), float(self.rows[ball, column])
+            setattr(self.parameters, name, min(max(value, ends.minimum), ends.maximum))
+        self.parameters.own_colour = COLOURS[int(self.balls.tints[ball]) & COLOUR_BITS]
+
+    def give_own(self, ball: int, name: str) -> None:
+        """Give a ball what the parameter of that name says is its own; a lighter one keeps its speed."""
+        tints, value = self.balls.tints, self.parameters.values[name]
+        if name == "own_colour":
+            tints[ball] = (int(tints[ball]) & ~COLOUR_BITS) | COLOURS.index(value)
+            return
+        column, own = OWN[name]
+        with self.changing(ball):
+            self.rows[ball, column] = value
+        tints[ball] |= own
 
     def lay(self, curves: list[Curve]) -> None:
         """Other tracks. ValueError for one that cannot be."""

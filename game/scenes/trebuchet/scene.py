@@ -8,7 +8,7 @@ from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, 
 from game.scenes.trebuchet import TREBUCHET
 from game.scenes.trebuchet.card import draw_levers
 from game.scenes.trebuchet.parameters import TOOLS, TrebuchetContent, TrebuchetParameters
-from game.scenes.trebuchet.told import hearing, names, readouts, targets, trebuchet_hand
+from game.scenes.trebuchet.told import hearing, names, readouts, sizes, targets, trebuchet_hand
 from game.scenes.trebuchet.view import TrebuchetView
 from game.scenes.trebuchet.world import TrebuchetWorld
 from game.stage import Equation, Hint, SceneAction, Strip
@@ -37,8 +37,9 @@ class Trebuchet(WorldScene):
     parameters: TrebuchetParameters
     model: TrebuchetWorld
     parts = Parts(
-        TrebuchetWorld, trebuchet_hand, TrebuchetView, readouts, targets=targets, hearing=hearing, names=names
-    )
+        TrebuchetWorld, trebuchet_hand, TrebuchetView, readouts, targets=targets, sizes=sizes,
+        hearing=hearing, names=names,
+    )  # fmt: skip
     effects = GRAVITY | QUADRATIC_DRAG | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type, default_content = TrebuchetContent, TrebuchetContent()
     study = swings_study("trebuchet")

@@ -59,6 +59,11 @@ def targets(model: TrebuchetWorld) -> dict[str, Point]:
     }
 
 
+def sizes(model: TrebuchetWorld) -> dict[str, float]:
+    """The frame up to its axle, and the wall as it was built, m."""
+    return {"machine": PIVOT, "wall": model.parameters.rows * world.TALL}
+
+
 def names(model: TrebuchetWorld) -> list[tuple[Point, str]]:
     """Weight, stone and wall."""
     places, chosen = targets(model), model.parameters

@@ -31,7 +31,10 @@ TONES = (
     (0x8A6038, 0xC29460, 0x2A1D10, 0xD8C6A0, 0x4C5258, 0xB8AB96, 0x8F836F),
     (0x6A4E36, 0x94724E, 0x06080C, 0x9A8C70, 0x3A4046, 0x8C8478, 0x57524A),
 )
+GRASS = (0x5E8642, 0x2C5446)  # by day and at night
 SPREAD = 2.2  # m: of the frame's legs
+STAKES, STAKE_M, FAR_STAKE = 15, 10.0, 50.0  # along the field; m from one to the next, m between tall ones
+TUFTS, TUFT_M = 90, 2.3  # of grass; m from one to the next, about
 SHARES = (1.0, 0.93, 1.06, 0.88, 0.98, 1.04)  # of the wall's colour, block after block
 
 
@@ -54,6 +57,7 @@ class TrebuchetView:
         self._landscape.draw(canvas)
         model, tones = self.model, TONES[is_dark(canvas)]
         places, turned = turned_between(model.world, previous and previous.world, alpha)
+        self._draw_field(canvas, tones)
         self._draw_wall(canvas, places[model.blocks], turned[model.blocks], tones)
         self._draw_frame(canvas, turned, tones)
         self._draw_arm(canvas, places, turned, tones)
@@ -68,6 +72,21 @@ class TrebuchetView:
             self._draw_marks(canvas)
         if self.hand.point is not None:
             canvas.ring(self.hand.point, 9.0, "amber", 2.0)
+
+    def _draw_field(self, canvas: Canvas, tones: tuple[int, ...]) -> None:
+        """Tufts of grass, and stakes every ten metres of range; those at fifty are taller and banded."""
+        k = np.arange(TUFTS, dtype=np.float64)
+        x = -20.0 + TUFT_M * k + 1.6 * np.sin(5.3 * k)
+        for lean in (-0.16, 0.0, 0.16):
+            tall = 0.24 + 0.1 * np.sin(3.1 * k + 9.0 * lean)
+            blades = np.stack([np.stack([x, 0.0 * x], axis=1), np.stack([x + lean, tall], axis=1)], axis=1)
+            paint_quads(canvas, beams(blades, 0.05), GRASS[is_dark(canvas)])
+        far = STAKE_M * np.arange(1.0, STAKES + 1.0)
+        tall = np.where(far % FAR_STAKE == 0.0, 1.8, 0.9)
+        feet, heads = np.stack([far, 0.0 * far], axis=1), np.stack([far, tall], axis=1)
+        paint_timber(canvas, np.stack([feet, heads], axis=1), 0.16, (tones[0], tones[1], tones[2]))
+        bands = np.stack([heads - (0.0, 0.3), heads], axis=1)
+        paint_quads(canvas, beams(bands, 0.2), tones[3], edges=tones[2])
 
     def _draw_wall(self, canvas: Canvas, at: Floats, turn: Floats, tones: tuple[int, ...]) -> None:
         sizes = 0.5 * self.model.sizes

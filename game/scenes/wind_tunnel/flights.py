@@ -109,15 +109,17 @@ class Flights(Part):
             self.clock[1] += 1.0
 
     def descents(self) -> tuple[float, float, float]:
-        """m/s that each has fallen in the mean since it was let go; 0 for what does not fly."""
+        """m/s that each has fallen in the mean since it was let go; NaN for what does not fly."""
         time = max(float(self.clock[0]), 1e-9)
         down = -self.poses()[1] / time
-        return tuple(float(down[k]) if k < len(down) else 0.0 for k in range(3))  # type: ignore[return-value]
+        return tuple(float(down[k]) if k < len(down) else math.nan for k in range(3))  # type: ignore[return-value]
 
     def glides(self) -> tuple[float, float, float]:
-        """Way along for each metre down since each was let go; 0 for what does not fly or has not fallen."""
+        """Way along for each metre down since each was let go; 0 for what has not fallen, NaN for what is not
+        there.
+        """
         poses = self.poses()
-        found = [0.0, 0.0, 0.0]
+        found = [0.0 if k < poses.shape[1] else math.nan for k in range(3)]
         for k in range(poses.shape[1]):
             down = -float(poses[1, k])
             if down > 0.1 * self.half:

@@ -1,6 +1,8 @@
-"""What is measured in the tunnel, and of the fit."""
+"""What is measured in the tunnel, and of the fit; NaN where nothing was measured yet."""
 
 from __future__ import annotations
+
+import math
 
 from game.scenes.wind_tunnel.flights import DEFAULT, FITTED, SERIES
 from game.scenes.wind_tunnel.model import WindTunnelModel
@@ -24,7 +26,7 @@ def readouts_of(model: WindTunnelModel) -> tuple[Readout, ...]:
         Readout("drag now", now.book[0]),
         Readout("lift now", now.book[1]),
         Readout("friction", now.friction[0]),
-        Readout("book gap", gap if mean.seconds > 0.0 else 0.0, "%"),
+        Readout("book gap", gap if mean.seconds > 0.0 else math.nan, "%"),
         Readout("spread of drag", mean.spread[0]),
         Readout("spread of lift", mean.spread[1]),
         Readout("drift", mean.drift),
@@ -32,12 +34,12 @@ def readouts_of(model: WindTunnelModel) -> tuple[Readout, ...]:
         Readout("angle", model.attack, "°"),
         Readout("blockage", 100.0 * tunnel.blockage, "%"),
         Readout("angles measured", len(model.sweep.measured())),
-        Readout("fit residual", float(series.residual[0]) if series is not None else 0.0),
+        Readout("fit residual", float(series.residual[0]) if series is not None else math.nan),
         Readout("error at checks", drag_error),
         Readout("error at checks, lift", lift_error),
-        Readout("drag, A", plate.drag if plate is not None else 0.0),
-        Readout("drag turn, B", plate.drag_turn if plate is not None else 0.0),
-        Readout("lift, C_T", plate.glide if plate is not None else 0.0),
+        Readout("drag, A", plate.drag if plate is not None else math.nan),
+        Readout("drag turn, B", plate.drag_turn if plate is not None else math.nan),
+        Readout("lift, C_T", plate.glide if plate is not None else math.nan),
         Readout("by its law", descents[DEFAULT], "m/s"),
         Readout("by the fit", descents[FITTED], "m/s"),
         Readout("as measured", descents[SERIES], "m/s"),

@@ -26,7 +26,8 @@ from game.worlds.scene import ModelScene
 class WindTunnel(ModelScene):
     """A shape stands in the wind. What the air does to it is measured twice at every moment: by pressure
     and friction along its outline, and by the book of momentum, what flows into a box around it less what
-    flows out. Draw a shape of your own, or choose one, and turn it.
+    flows out. It is one force: at the wall it is read in the few cells that the outline cuts, so the two come
+    together with more cells along the chord. Draw a shape of your own, or choose one, and turn it.
 
     A sweep turns it round, angle by angle, and averages drag, lift and moment of each. A Fourier series is
     fitted to them, and the plates' law as far as it can be. Then both fly beside the law as it is.

@@ -17,6 +17,7 @@ from game.ui.canvas.standing import Standing
 SPEED = ((0.0, "violet"), (0.28, "stage"), (0.6, "stage"), (0.8, "body"), (1.0, "chalk"))
 SIGNED = ((0.0, "vermilion"), (0.5, "stage"), (1.0, "chalk"))
 PRESSURE = ((0.0, "chalk"), (0.5, "stage"), (1.0, "vermilion"))
+NEAR = 2.0  # %, that drag by both ways may differ without a word
 FASTEST, STEEPEST = 1.6, 6.0  # of the wind, and of wind over chord: drawn in the last colour
 ARROW = 1.0  # chords that a coefficient of 1 is long
 WORDS = {
@@ -153,6 +154,25 @@ class WindTunnelView:
             low = (tunnel.right, tunnel.bottom)
             _draw_plate(canvas, low, words, 11, "medium", 1.0)
             canvas.label(low, words, "text2", 11, anchor="bottomright", offset=(-8.0, -6.0))
+        words = apart_words(model)
+        if words:
+            low = (tunnel.left, tunnel.bottom)
+            canvas.label(
+                low, canvas.figure("apart", words), "text2", 11, anchor="bottomleft", offset=(8.0, -6.0)
+            )
+
+
+def apart_words(model: WindTunnelModel) -> str:
+    """How far drag at the wall is from that by momentum, and why; nothing while they are near."""
+    mean = model.mean()
+    if not mean.seconds > 0.0 or not abs(mean.book[0]) > 1e-9:
+        return ""
+    more = 100.0 * (mean.wall[0] / mean.book[0] - 1.0)
+    if abs(more) < NEAR:
+        return ""
+    cells = int(model.parameters.cells)
+    side = "more" if more > 0.0 else "less"
+    return f"drag at the wall {abs(more):.0f} % {side}: read in {cells} cells a chord"
 
 
 def _draw_plate(

@@ -13,7 +13,7 @@ RATE_HZ = 60.0  # of simulated time: how often a deed that takes time goes on
 
 def events_of(deed: Deed, place: Point, to: Point) -> list[StageEvent]:
     """Deeds that are done at once; of a deed that takes time its beginning and end as well."""
-    if deed.pointer == "drag":
+    if deed.to is not None:
         return [*begin_of(deed, place), *end_of(deed, to)]
     return begin_of(deed, place) if not deed.over else end_of(deed, to)
 
@@ -41,8 +41,10 @@ def on_the_way(deed: Deed, start: float, place: Point, to: Point, share: float) 
     if deed.parameter:
         assert isinstance(deed.value, (int, float))
         return SetParameter(deed.parameter, start + (deed.value - start) * share)
+    if deed.pointer == "move":
+        share *= share * (3.0 - 2.0 * share)
     at = (place[0] + (to[0] - place[0]) * share, place[1] + (to[1] - place[1]) * share)
-    return _pointer(deed, "move", at, deed.button)
+    return _pointer(deed, "move", at, _held(deed))
 
 
 def end_of(deed: Deed, to: Point) -> list[StageEvent]:
@@ -50,7 +52,13 @@ def end_of(deed: Deed, to: Point) -> list[StageEvent]:
     if deed.parameter:
         assert deed.value is not None
         return [SetParameter(deed.parameter, deed.value)]
-    return [_pointer(deed, "move", to, deed.button), _pointer(deed, "up", to, deed.button)]
+    moved = _pointer(deed, "move", to, _held(deed))
+    return [moved] if deed.pointer == "move" else [moved, _pointer(deed, "up", to, deed.button)]
+
+
+def _held(deed: Deed) -> int:
+    """The button that is down on the way."""
+    return deed.button if deed.pointer == "drag" else 0
 
 
 def _pointer(deed: Deed, kind: str, at: Point, button: int) -> Pointer:

@@ -67,8 +67,8 @@ class Follow(_Camera, frozen=True, kw_only=False):
 class Deed(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
     """One of: an action; a parameter set to a value; an effect on or off; a pointer at a place.
 
-    over: s of simulated time in which a parameter goes to its value, or a drag ``to`` a place. Without it
-    both are there at once.
+    over: s of simulated time in which a parameter goes to its value, or a drag or move ``to`` a place.
+    Without it they are there at once.
     """
 
     action: str = ""
@@ -97,14 +97,16 @@ class Chart(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
 
     measured: a readout. expected: another, or a number. over: the readout along which both are drawn; "time"
     is that of the simulation, s, if no readout is called so; "" for two marks on an axis. since: a moment
-    from which on they are drawn; a curve begins again where ``over`` does. names: of both, if not those of
-    the readouts. shows: what the scene calls so (`Scene.story_charts`), in place of all these.
+    from which on they are drawn; a curve begins again where ``over`` does. mean: what is drawn is the mean of
+    the notes of so much of ``over`` before. names: of both, if not those of the readouts. shows: what the
+    scene calls so (`Scene.story_charts`), in place of all these.
     """
 
     measured: Annotated[str, msgspec.Meta(max_length=60)] = ""
     expected: Annotated[str, msgspec.Meta(max_length=60)] | float = ""
     over: Annotated[str, msgspec.Meta(max_length=60)] = ""
     since: Annotated[str, msgspec.Meta(max_length=60)] = ""
+    mean: Annotated[float, msgspec.Meta(ge=0.0, le=1e9)] = 0.0
     names: tuple[Name, Name] | None = None
     shows: Annotated[str, msgspec.Meta(max_length=60)] = ""
     corner: Literal["top right", "top left", "bottom right", "bottom left"] = "top right"
@@ -114,11 +116,14 @@ class Say(Line, frozen=True, kw_only=False):
     """A caption; {readout} stands for its value with its unit, {readout:.1f} for the number alone.
 
     until: the moment at which it goes, once it could be read; without one it stays as long as reading takes.
-    chart: what is drawn in a corner meanwhile.
+    above: it stands at the picture's head. chart: what is drawn in a corner meanwhile.
+    names: what the scene calls single things (`Scene.story_names`) stands beside them meanwhile.
     """
 
     say: Words
     until: str = ""
+    above: bool = False
+    names: bool = False
     chart: Chart | None = None
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from game.arrays import Floats
 from game.stage.declarations import Comparison, Readout
 from game.stage.script.course import Course
 from game.stage.script.lines import Chart, Say, Story
@@ -96,6 +97,8 @@ class ChartWatch:
             table = table[-1:]
         falls = np.flatnonzero(np.diff(table[:, 0]) < 0.0)
         table = table[falls[-1] + 1 :] if len(falls) else table
+        if chart.mean:
+            table = _trailing_mean(table, chart.mean)
         expected = "expected" if not isinstance(chart.expected, str) else chart.expected
         return Comparison(
             table[:, [0, 1]],
@@ -105,6 +108,14 @@ class ChartWatch:
             chart.over,
             self._units.get(chart.over, "s" if chart.over == TIME else ""),
         )
+
+
+def _trailing_mean(table: Floats, reach: float) -> Floats:
+    """Rows (n, 3) of place, measured and expected, each the mean of those not farther back than ``reach``."""
+    sums = np.concatenate([np.zeros((1, 2)), np.cumsum(table[:, 1:], axis=0)])
+    first = np.searchsorted(table[:, 0], table[:, 0] - reach, side="left")
+    ends = np.arange(1, len(table) + 1)
+    return np.column_stack([table[:, 0], (sums[ends] - sums[first]) / (ends - first)[:, None]])
 
 
 def _value(name: str, values: Mapping[str, Readout]) -> float:
@@ -126,6 +137,8 @@ def check_chart(chart: Chart, moments: Sequence[str]) -> None:
         raise ValueError("chart.shows: names all that is drawn")
     if not chart.shows and not (chart.measured and chart.expected != ""):
         raise ValueError("chart: expected measured and expected, or shows")
+    if chart.mean and not chart.over:
+        raise ValueError("chart.mean: along what is not said (over)")
     if isinstance(chart.expected, float) and not math.isfinite(chart.expected):
         raise ValueError("chart.expected: not a finite number")
     if chart.since and chart.since not in moments:

@@ -230,12 +230,14 @@ def _check_deed(deed: Deed, scene_type: type[Scene], path: Path | None, field: s
         raise LevelError(path, field, "expected one of action, parameter, effect, pointer")
     if deed.pointer and deed.place is None:
         raise LevelError(path, f"{field}.place", "missing")
-    if (deed.pointer == "drag") != (deed.to is not None):
-        raise LevelError(path, f"{field}.to", "a drag, and nothing else, leads to a place")
+    if deed.to is not None and deed.pointer not in ("drag", "move"):
+        raise LevelError(path, f"{field}.to", "only a drag or a move leads to a place")
+    if deed.to is None and deed.pointer == "drag":
+        raise LevelError(path, f"{field}.to", "a drag leads to a place")
     if deed.parameter and deed.value is None:
         raise LevelError(path, f"{field}.value", "missing")
-    if deed.over and not (deed.parameter or deed.pointer == "drag"):
-        raise LevelError(path, f"{field}.over", "only a parameter or a drag takes time")
+    if deed.over and not (deed.parameter or deed.to is not None):
+        raise LevelError(path, f"{field}.over", "only a parameter, a drag or a move to a place takes time")
     if deed.over and deed.parameter and (isinstance(deed.value, (bool, str))):
         raise LevelError(path, f"{field}.over", "only a number takes time")
     try:

@@ -213,7 +213,7 @@ class Runner:
             self._point(line, entry)
         elif isinstance(line, Do):
             self._post(number, begin_of(line.do, entry.place))
-            if not line.do.over and line.do.pointer == "drag":
+            if not line.do.over and line.do.to is not None:
                 self._post(number, end_of(line.do, entry.to))
 
     def _overtake(self) -> bool:

@@ -17,7 +17,14 @@ from game.billiards.table.table import CUSHION_DEPTH, Table
 from game.ui.look import theme as colors
 from game.ui.look.theme import Theme
 from game.ui.painters.table_shapes import CushionShape, cushion_shapes
-from game.ui.painters.table_surface import DRAWN_AT, paint_cloth, paint_glow, paint_pocket, paint_wood
+from game.ui.painters.table_surface import (
+    DRAWN_AT,
+    paint_cloth,
+    paint_floor,
+    paint_glow,
+    paint_pocket,
+    paint_wood,
+)
 from game.ui.raster import (
     BUTT,
     clip_of,
@@ -37,7 +44,8 @@ SURROUND = CUSHION_DEPTH + WOOD  # m; from the nose to the table's outer edge
 SIGHT_LONG, SIGHT_SHORT = 0.0171, 0.0104  # m; half diagonals of a sight
 SPOT_RADIUS = 0.0051  # m
 SHADOW_DOWN, SHADOW_BLUR = 0.020, 0.050  # m
-GLOW = 6.0  # of 255; the dark floor is so much lighter round the table
+GLOW = 6.0  # of 255; the ground is so much lighter round a dark table that stands among others
+FLOOR = pygame.Color(58, 42, 31)  # boards under the lamp
 SIDE_LINER = 0.0067  # m; the liner of a side pocket reaches so far into the cushions' line
 
 
@@ -123,15 +131,16 @@ class TablePainter:
         self._pictures: OrderedDict[tuple[object, ...], pygame.Surface] = OrderedDict()
 
     def draw(
-        self, surface: pygame.Surface, table: Table, view: TableView, theme: Theme, dress: Dress = POOL
-    ) -> None:
-        """Cover a surface with background, table and its shadow."""
+        self, surface: pygame.Surface, table: Table, view: TableView, theme: Theme, dress: Dress = POOL,
+        room: bool = True,
+    ) -> None:  # fmt: skip
+        """Cover a surface with a room's floor, or a plain ground, and on it the table and its shadow."""
         measures = (table.width, table.length, *(array.tobytes() for array in table[3:]))
         felt = (dress.felt.r, dress.felt.g, dress.felt.b)
-        key = (surface.get_size(), measures, view, theme.name, felt, dress[1:])
+        key = (surface.get_size(), measures, view, theme.name, felt, dress[1:], room)
         picture = self._pictures.get(key)
         if picture is None:
-            picture = self._pictures[key] = table_picture(surface.get_size(), table, view, theme, dress)
+            picture = self._pictures[key] = table_picture(surface.get_size(), table, view, theme, dress, room)
             while len(self._pictures) > KEPT_PICTURES:
                 self._pictures.popitem(last=False)
         self._pictures.move_to_end(key)
@@ -139,13 +148,16 @@ class TablePainter:
 
 
 def table_picture(
-    size: tuple[int, int], table: Table, view: TableView, theme: Theme, dress: Dress = POOL
+    size: tuple[int, int], table: Table, view: TableView, theme: Theme, dress: Dress = POOL, room: bool = True
 ) -> pygame.Surface:
-    """A picture of ``size`` px with a table and its shadow on the theme's background."""
+    """A picture of ``size`` px with a table and its shadow on the floor of a ``room``, or on plain ground.
+
+    By the light theme the ground is always plain: words stand on it.
+    """
     picture = pygame.Surface((max(1, size[0]), max(1, size[1])), 0, 32)
     picture.fill(theme.bg)
     pixels, clip = pixels_of(picture), clip_of(picture)
-    _draw_ground(pixels, clip, table, view, theme, dress.felt)
+    _draw_ground(pixels, clip, table, view, theme, dress.felt, room)
     _draw_marks(pixels, clip, table, view, dress)
     shapes = cushion_shapes(table, CUSHION_DEPTH)
     for shape in shapes:
@@ -166,15 +178,19 @@ def _channels(color: pygame.Color) -> Array:
 
 
 def _draw_ground(
-    pixels: Array, clip: Array, table: Table, view: TableView, theme: Theme, felt: pygame.Color
-) -> None:
+    pixels: Array, clip: Array, table: Table, view: TableView, theme: Theme, felt: pygame.Color,
+    room: bool,
+) -> None:  # fmt: skip
     """Floor, shadow, frame, cloth."""
     s = view.scale
     x, y = view.middle(table)
     half_x, half_y = 0.5 * table.length * s, 0.5 * table.width * s
     reach_x, reach_y = half_x + SURROUND * s, half_y + SURROUND * s
     dark = theme.name == "dark"
-    if dark:
+    if dark and room:
+        box = np.array((x, y, reach_x, reach_y))
+        paint_floor(pixels, box, s, _channels(FLOOR), _channels(theme.bg))
+    elif dark:
         paint_glow(pixels, x, y, packed(theme.bg), GLOW)
     _draw_shadow(
         pixels, clip, (x - reach_x, y - reach_y, x + reach_x, y + reach_y), s, 0.51 if dark else 0.21

@@ -19,6 +19,9 @@ SHADE_TOP, SHADE_SIDE, SHADE_BOTTOM = 0.030, 0.023, 0.021  # m; reach of the cus
 GRAIN_ACROSS = 110.0  # 1/m; streaks of the wood, 30 times as long as broad
 DRAWN_AT = 403.0  # px/m; the scale at which lines were drawn one pixel wide
 CORNER = 0.048  # m; radius of the frame's corners
+BOARD_BROAD, BOARD_LONG, JOINT = 0.16, 1.9, 0.003  # m, of the floor's boards
+FLOOR_GRAIN = 55.0  # 1/m across the boards
+POOL_IN, POOL_FADES = 0.25, 0.75  # m; the light on the floor begins to fade within the frame, and how fast
 
 
 @kernel
@@ -141,6 +144,50 @@ def paint_glow(pixels: Any, middle_x: float, middle_y: float, color: int, lift: 
                 | (_channel((color >> 16 & 0xFF) + more) << 16)
                 | (_channel((color >> 8 & 0xFF) + more) << 8)
                 | _channel((color & 0xFF) + more)
+            )
+
+
+@kernel
+def _tone(x: float, y: float, row: int, number: int) -> float:
+    """Brightness, about 1, of a board of the floor at (x, y) m: its own, and its grain."""
+    grain = _noise(x * 3.1 + 7.0 * number, y * FLOOR_GRAIN, 23) - 0.5
+    return 0.82 + 0.30 * _random(row, number, 22) + 0.22 * grain
+
+
+@kernel
+def paint_floor(pixels: Any, box: Any, scale: float, wood: Any, dark: Any) -> None:
+    """Floor boards in the pool of light of the table's lamp, but for what the table hides.
+
+    ``box``: middle x, y and half sides x, y of the table with its frame, px; ``scale`` px/m. ``wood``: the
+    boards' colour under the lamp; ``dark``: what there is far from it.
+    """
+    half_x, half_y = box[2] / scale, box[3] / scale
+    inside = 0.1 * min(half_x, half_y)  # the frame's round corners show a little of the floor
+    joint = max(0.5 * JOINT, 0.5 / scale)
+    for row in range(pixels.shape[0]):
+        y = (row + 0.5 - box[1]) / scale
+        dy = max(0.0, abs(y) - half_y + POOL_IN)
+        beside = abs(y) < half_y - inside
+        board = math.floor(y / BOARD_BROAD)
+        across = y - board * BOARD_BROAD
+        at_side = min(across, BOARD_BROAD - across) < joint
+        shift, last, tone = _random(board, 0, 21), 0, 0.0
+        for column in range(pixels.shape[1]):
+            x = (column + 0.5 - box[0]) / scale
+            if beside and abs(x) < half_x - inside:
+                continue
+            number = math.floor(x / BOARD_LONG + shift)
+            if number != last or tone == 0.0 or column % 8 == 0:  # it changes slowly along a board
+                tone, last = _tone(x, y, board, number), number
+            along = x - (number - shift) * BOARD_LONG
+            at_joint = at_side or min(along, BOARD_LONG - along) < joint
+            dx = max(0.0, abs(x) - half_x + POOL_IN)
+            light = 1.0 / (1.0 + (dx * dx + dy * dy) / (POOL_FADES * POOL_FADES))
+            lit = light * tone * (0.45 if at_joint else 1.0) + 0.02 * (_random(column, row, 3) - 0.5)
+            pixels[row, column] = OPAQUE | _packed(
+                dark[0] + lit * (wood[0] - dark[0]),
+                dark[1] + lit * (wood[1] - dark[1]),
+                dark[2] + lit * (wood[2] - dark[2]),
             )
 
 

@@ -136,7 +136,7 @@ class ToolBar:
             if button.key:
                 at = (cell.right - px(3), cell.bottom - px(6))
                 color = theme.on_accent if button.chosen else theme.text3
-                look.text(picture, key_name(button.key), at, 9, "semibold", color, "right")
+                look.text(picture, key_name(button.key), at, 11, "semibold", color, "right")
         picture.set_alpha(round(255 * OPACITY))
         return picture
 

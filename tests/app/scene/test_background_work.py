@@ -40,8 +40,8 @@ def test_many_boxes_are_made_in_a_thread_and_are_the_same(opened, name, monkeypa
     driver = opened(name)
     play = driver.top.play
     threads = []
-    post = play.stage.post
-    monkeypatch.setattr(play.stage, "post", lambda event: threads.append(current_thread()) or post(event))
+    take = play.stage.let_in
+    monkeypatch.setattr(play.stage, "let_in", lambda event: threads.append(current_thread()) or take(event))
     play.actions["pause"]()
     settled(driver)
     events = (

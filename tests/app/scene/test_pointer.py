@@ -101,3 +101,27 @@ def test_scene_may_take_wheel_and_right_button(monkeypatch: pytest.MonkeyPatch, 
     assert [e.button for e in events if e.kind in ("down", "up")] == [3, 3]
     greedy.camera.update(10.0)
     assert greedy.camera.scale == scale
+
+
+def test_who_has_panned_everything_away_is_told_the_key_home(start, monkeypatch):
+    from game.app.scene import play
+
+    driver, said = start(), []
+    screen = driver.open("example")
+    monkeypatch.setattr(play, "draw_signs", lambda surface, look, layout, lines: said.append(lines))
+    driver.frames(2)
+    assert not screen.play.view.lost and not any("Out of view" in line for line in said[-1])
+    screen.play.view.camera.pan(4000.0, 0.0)
+    driver.frames(2)
+    assert screen.play.view.lost and "Out of view · Home shows all of it" in said[-1]
+    driver.key(pygame.K_HOME)
+    driver.frames(120)
+    assert not screen.play.view.lost and not any("Out of view" in line for line in said[-1])
+
+
+def test_a_scene_made_as_small_as_a_dot_is_out_of_view(start):
+    driver = start()
+    view = driver.open("example").play.view
+    view.camera.zoom(0.02, view.rect.center)
+    driver.frames(120)
+    assert view.lost

@@ -9,6 +9,7 @@ import pytest
 from game.levels import user_level_files
 from game.scenes import CATALOGUE
 from game.scenes.billiards.practice import columns
+from game.scenes.shared.tables import grip
 from game.stage import Action, Decision, SetParameter
 from game.stage.records.history import read_history
 from tests.app.tests_app import Driver
@@ -94,10 +95,10 @@ def test_a_drill_is_saved_from_the_window_and_opened_from_the_list(driver):
     driver.stage.post(Action("set-up"))
     scene.set_up.fill(False)
     scene.set_up.drag(2, 0.3, 1.0)
-    scene.buttons.press("drill")
+    scene.buttons.press(grip.button("drill"))
     scene.maker.ball, scene.maker.pocket = 2, 4
     drawn(driver)
-    scene.buttons.press("drill-play")
+    scene.buttons.press(grip.button("drill-play"))
     driver.app.perform("save")
     driver.frames(20)
     driver.key(pygame.K_RETURN)  # without a title of one's own

@@ -84,9 +84,9 @@ def test_nothing_is_offered_before_the_end(told: Driver):
 
 def test_the_next_story_is_opened(ended: Driver, monkeypatch):
     opened = []
-    monkeypatch.setattr(ended.app, "open_scene", opened.append)
+    monkeypatch.setattr(ended.app, "open_scene", lambda name, opening: opened.append((name, opening.story)))
     press(ended, NEXT)
-    assert opened == ["example"]
+    assert opened == [("example", "")]  # as a story, its only one
 
 
 def test_what_if_goes_back_changes_one_thing_and_plays_on(ended: Driver):

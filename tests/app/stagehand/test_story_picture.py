@@ -69,6 +69,13 @@ def test_words_keep_out_of_the_way_and_are_found_where_they_do_not(monkeypatch):
     assert any(words.startswith("ball is under the words 'It is ") for words in seen(camera))
 
 
+def test_words_stand_at_the_head_where_the_script_says_so():
+    """There they lie over what is high in the picture, and that is found; at the foot they do not."""
+    camera = "[0.0, 9.15]\nwidth = 12.0"
+    assert not any("under" in words for words in seen(camera))
+    assert any(words.startswith("ball is under the words 'It is ") for words in seen(camera, "above = true"))
+
+
 def test_a_chart_over_it_is_found():
     chart = 'chart = { measured = "height", expected = 3 }'
     camera = "[-4.6, 9.8]\nwidth = 12.0"

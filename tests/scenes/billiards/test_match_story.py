@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pygame
 import pytest
 
 from game.billiards.game.arrangement import Stroke
@@ -12,7 +13,11 @@ from game.billiards.game.games.combination import CombinationMatch
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.laws.state import BALL_BALL
 from game.scenes.billiards.story.throw import BEFORE_S, THINNEST, first_contact, throw_by_law, throw_chart
-from game.stage import Action, Pointer, SetParameter
+from game.stage import Action, Frame, Pointer, SetParameter
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
 from tests.scenes.billiards.billiards_stages import level_of, until_aiming
 
 
@@ -125,3 +130,43 @@ def test_players_take_turns_also_after_a_stroke_that_counts():
 def test_a_saved_match_goes_on_taking_turns():
     stage = level_of('game = "combination"\nalternating = true')
     assert stage.scene.save_content().alternating
+
+
+@pytest.mark.parametrize(("nearer", "around"), [(1.0, True), (1.04, False), (1.6, False)])
+def test_what_stands_round_the_table_is_seen_whole_or_not_at_all(monkeypatch, nearer: float, around: bool):
+    scene = level_of('game = "combination"').scene
+    drawn = []
+    monkeypatch.setattr(scene.view, "_draw_around", lambda *arguments: drawn.append(1))
+    canvas, surface = Canvas(Look(DARK)), pygame.Surface((1280, 720), 0, 32)
+    camera = Camera(y_up=scene.y_up, quarter_turns=scene.quarter_turns)
+    camera.fit(scene.frame(), surface.get_rect(), 0.0)
+    camera.show(smaller(camera.visible(), nearer))
+    canvas.begin(surface, surface.get_rect(), camera)
+    try:
+        scene.view.draw(canvas, 1.0, None)
+    finally:
+        canvas.end()
+    assert bool(drawn) == around
+
+
+def smaller(frame: Frame, times: float) -> Frame:
+    x, y = 0.5 * (frame.left + frame.right), 0.5 * (frame.bottom + frame.top)
+    wide, tall = 0.5 * (frame.right - frame.left) / times, 0.5 * (frame.top - frame.bottom) / times
+    return Frame(x - wide, y - tall, x + wide, y + tall)
+
+
+def test_the_ball_that_goes_down_is_followed_with_more_table_than_floor_in_the_picture():
+    """A picture that is 1.9 m wide has its pocket within its middle 60 %, and shows more bed than else."""
+    stage = level_of(
+        'game = "practice"\nballs = [{ number = 0, position = [0.5, 0.5] },'
+        " { number = 3, position = [0.22, 0.22] }, { number = 5, position = [0.9, 2.2] }]"
+    )
+    stage.post(Pointer("move", 0.22, 0.22))
+    stage.post(SetParameter("power", 2.0))
+    stage.post(Action("strike"))
+    while not stage.scene.seen.fallen:
+        stage.run(1)
+    places, wide = stage.scene.story_targets(), 1.9
+    (x, y), (at_x, at_y) = places["ball"], places["pocket"]
+    assert abs(at_y - y) <= 0.3 * wide and abs(at_x - x) <= 0.3 * wide * 9.0 / 16.0
+    assert (x + 0.5 * wide * 9.0 / 16.0) * (y + 0.5 * wide) > 0.5 * wide * wide * 9.0 / 16.0

@@ -293,8 +293,9 @@ def test_what_a_scene_says_of_itself(scene_type):
     assert names[:2] == ["boxes", "pairs"]
     assert all(name in names for strip in scene_type.strips for name in strip.series)
     assert scene_type.study is not None and scene_type.equations and scene_type.try_this and scene_type.hints
-    rows = stage.scene.legend()
-    assert rows[0] == ("box:vermilion", "overlapping", str(len(np.unique(stage.scene.model.pairs))))
+    overlapping = ("box:vermilion", "overlapping", str(len(np.unique(stage.scene.model.pairs))))
+    # The race writes its counts above its plot, whose place a legend would take.
+    assert list(stage.scene.legend()[:1]) == ([] if scene_type.name == "broad-phase-race" else [overlapping])
     assert list(stage.scene.messages()) == []
 
 

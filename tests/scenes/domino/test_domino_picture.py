@@ -6,10 +6,11 @@ import numpy as np
 import pygame
 import pytest
 
-from game.scenes.domino.landscape import _crests
 from game.scenes.domino.scene import Domino
+from game.scenes.domino.view import GROUND
 from game.stage.declarations import Frame
 from game.ui.canvas.camera import Camera
+from game.worlds.painting.landscape import _crests
 from tests.scenes.labels import Labels
 from tests.scenes.particle_stages import open_level
 
@@ -30,7 +31,7 @@ def canvas_on(frame: Frame) -> Labels:
 def test_hills_have_no_walls(x: float) -> None:
     """From one column to the next no crest leaps: forests end in clearings by and by."""
     canvas = canvas_on(Frame(x - 7.0, 2.0, x + 7.0, 10.0))
-    leaps = np.abs(np.diff(_crests(canvas, *SIZE)[:4], axis=1)).max(axis=1)
+    leaps = np.abs(np.diff(_crests(canvas, *SIZE, GROUND)[:4], axis=1)).max(axis=1)
     assert np.all(leaps < 8.0), leaps
 
 

@@ -16,7 +16,7 @@ from game.scenes.leaves import foliage
 from game.scenes.leaves.basket import Basket
 from game.scenes.leaves.foliage import Foliage, cut_outlines
 from game.scenes.leaves.level import LeavesContent
-from game.scenes.leaves.model import NAMES
+from game.scenes.leaves.model import KIND, NAMES
 from game.scenes.leaves.scene import Leaves
 from game.scenes.leaves.species import SPECIES, half_of, outline_of
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
@@ -263,3 +263,19 @@ def test_the_picture_is_drawn_in_both_themes_with_leaves_in_it():
     assert len({*full, bare}) == 3
     laws = stage.scene.model.plates.laws
     assert np.all(laws[HALF] > 0.015) and np.all(np.isfinite(stage.scene.model.plates.rows[[X, Y]]))
+
+
+def test_one_leaf_of_each_way_is_named_where_it_flies():
+    stage = opened("default")
+    assert stage.scene.story_names() == []
+    stage.post(Action("whirl"))
+    model = stage.scene.model
+    while len(np.unique(model.seen())) < 4:
+        stage.run(1)
+        assert model.plates.time < 30.0
+    found = stage.scene.story_names()
+    assert {words.split(":")[0].split()[1] for _, words in found} == {"flutters", "tumbles", "glides"}
+    for place, words in found:
+        i = int(np.argmin(np.hypot(*(model.plates.rows[[X, Y]].T - place).T)))
+        kind, inertia = NAMES[int(model.own[i, KIND])], float(model.plates.laws[MASS_Y, i]) - 1.0
+        assert model.flying()[i] and words.startswith(kind) and words.endswith(f"{inertia:.2f}")

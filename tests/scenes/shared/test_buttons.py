@@ -5,10 +5,9 @@ from __future__ import annotations
 import pygame
 import pytest
 
-from game.scenes.billiards.stroke.guide import GUIDE_BUTTONS
 from game.scenes.shared.tables import buttons
 from game.scenes.shared.tables.boxes import Box
-from game.scenes.snooker.hand import GUIDE_BUTTONS as OF_SNOOKER
+from game.scenes.shared.tables.choices import GUIDE_BUTTONS
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.theme import theme_named
@@ -16,7 +15,7 @@ from game.ui.look.theme import theme_named
 SMALL = (51, 18)  # px, of a button in a window of 900 x 600
 
 
-@pytest.mark.parametrize("words", sorted({*GUIDE_BUTTONS.values(), *OF_SNOOKER.values()}))
+@pytest.mark.parametrize("words", sorted(GUIDE_BUTTONS.values()))
 def test_a_small_button_is_not_cut(words: str, monkeypatch: pytest.MonkeyPatch):
     pygame.font.init()
     said = []

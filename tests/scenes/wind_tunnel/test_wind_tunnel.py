@@ -12,6 +12,7 @@ from game.levels import level_files, load_level
 from game.physics.tunnel.sweep import ANGLE, BOOK, DRAG
 from game.scenes.wind_tunnel.hand import closed_path
 from game.scenes.wind_tunnel.scene import WindTunnel
+from game.scenes.wind_tunnel.view import apart_words
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
 
@@ -254,3 +255,22 @@ def test_the_dot_of_the_moment_is_where_its_arc_ends(monkeypatch, moment: float)
     (_, along), (_, across) = drawn["D"], drawn["L"]
     assert along[1] == across[0] == 0.0
     assert along[0] / across[1] == pytest.approx(1.1 / 0.4)
+
+
+def test_before_a_sweep_nothing_is_told_of_fit_and_flight():
+    stage = Stage(WindTunnel, parameters={"cells": 8})
+    stage.run(20)
+    for name in ("by the fit", "as measured", "glide, measured", "fit residual", "drag, A", "lift, C_T"):
+        assert math.isnan(measured(stage, name)), name
+    assert measured(stage, "by its law") > 0.0
+
+
+def test_a_drag_that_differs_at_the_wall_is_told_with_the_cells():
+    stage = Stage(WindTunnel, parameters={"cells": 8})
+    assert apart_words(stage.scene.model) == ""
+    stage.run(150)
+    more = 100.0 * (measured(stage, "drag, wall") / measured(stage, "drag") - 1.0)
+    assert abs(more) > 5.0
+    words = apart_words(stage.scene.model)
+    assert words.startswith(f"drag at the wall {abs(more):.0f} % {'more' if more > 0.0 else 'less'}")
+    assert words.endswith("8 cells a chord")

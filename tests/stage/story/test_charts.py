@@ -120,3 +120,17 @@ def test_a_scene_gives_a_chart_of_its_own_once_it_has_measured():
 def test_mistakes_are_answered(chart: str, reason: str):
     with pytest.raises(LevelError, match=reason):
         begun(chart)
+
+
+def test_a_curve_of_means_goes_back_as_far_as_it_says():
+    plain = begun('measured = "height", expected = 3, over = "time"')
+    smooth = begun('measured = "height", expected = 3, over = "time", mean = 0.5')
+    for runner in (plain, smooth):
+        runner.stage.run(round(1.5 / runner.stage.dt))
+    (at, heights), means = shown(plain).measured.T, shown(smooth).measured
+    assert means[:, 0].tolist() == at.tolist()
+    expected = [heights[(at <= end) & (at >= end - 0.5)].mean() for end in at]
+    assert means[:, 1] == pytest.approx(expected)
+    assert means[0, 1] == heights[0]
+    with pytest.raises(LevelError, match=r"chart\.mean"):
+        begun('measured = "height", expected = 3, mean = 0.5')

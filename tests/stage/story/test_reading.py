@@ -51,6 +51,16 @@ def test_every_verb_is_read():
         ('[[line]]\ndo = { action = "kick", effect = "x" }\n' + LAST, "line[0].do", "expected one of"),
         ('[[line]]\ndo = { pointer = "drag", place = [0, 0] }\n' + LAST, "line[0].do.to", "leads to a place"),
         ('[[line]]\ndo = { pointer = "click" }\n' + LAST, "line[0].do.place", "missing"),
+        (
+            '[[line]]\ndo = { pointer = "down", place = [0, 0], to = [1, 0] }\n' + LAST,
+            "line[0].do.to",
+            "only a drag or a move",
+        ),
+        (
+            '[[line]]\ndo = { pointer = "move", place = [0, 0], over = 1 }\n' + LAST,
+            "line[0].do.over",
+            "takes time",
+        ),
         ('[[line]]\ndo = { action = "kick", over = 1 }\n' + LAST, "line[0].do.over", "takes time"),
         (LAST + '[[expect]]\nexpect = "height"\n', "expect[0]", "least, most or both"),
         (LAST + '[[expect]]\nexpect = "height"\nleast = 2\nmost = 1\n', "expect[0]", "above most"),

@@ -244,6 +244,23 @@ def test_a_drag_is_what_a_hand_does(over):
     assert ways == sorted(ways, reverse=True) and len(drag) == 4 + (29 if over else 0)
 
 
+@pytest.mark.parametrize("over", [0.0, 0.5])
+def test_a_pointer_moves_to_a_place_smoothly_and_presses_nothing(over):
+    deed = f'{{ pointer = "move", place = [0.0, 6.0], to = [3.0, 6.0], over = {over} }}'
+    runner = played(TEXT.replace('{ action = "kick" }', deed))
+    events = [e for e in runner.stage.recording.events if isinstance(e.event, Pointer)]
+    clicked = next(i for i, e in enumerate(events) if e.event.kind == "down")
+    events = events[: clicked - 1]  # the move before it is the click's
+    assert {(e.event.kind, e.event.button) for e in events} == {("move", 0)}
+    ways = [e.event.x for e in events]
+    assert ways[0] == 0.0 and ways[-1] == 3.0 and ways == sorted(ways)
+    assert (events[-1].step - events[0].step) * DT == pytest.approx(over, abs=0.03)
+    if over:
+        steps = [b - a for a, b in itertools.pairwise(ways)]
+        assert max(steps) == pytest.approx(1.5 * 3.0 / len(steps), rel=0.1)
+        assert max(steps[:3] + steps[-3:]) < 0.5 * max(steps)
+
+
 # -- camera ----------------------------------------------------------------------------------------
 
 

@@ -81,4 +81,12 @@ def test_nothing_is_drawn_of_what_has_gone():
 
 
 def test_values_that_are_no_numbers_are_left_out():
-    drawn(Comparison(np.array([[1.0, np.nan]]), np.array([[1.0, 2.0]]), ("it", "law"), "m", "time", "s"))
+    """The rest of the curve stays where it is, and of a chart without values nothing is drawn."""
+    gaps = np.where((X > 0.8) & (X < 1.2), np.nan, X)
+    whole, holed = drawn(curve(X, 0.5 * X)), drawn(curve(gaps, 0.5 * X))
+    assert 0 < len(inked(holed, MEASURED)) <= len(inked(whole, MEASURED))
+    assert inked(holed, MEASURED)[:, 1].min() == inked(whole, MEASURED)[:, 1].min()
+    nothing = drawn(
+        Comparison(np.array([[1.0, np.nan]]), np.array([[1.0, 2.0]]), ("it", "law"), "m", "time", "s")
+    )
+    assert len(inked(nothing, MEASURED)) == 0

@@ -101,7 +101,33 @@ def test_holes_are_black_cloth_is_green_wood_is_brown(theme):
     assert green > blue > 3 * red
     red, green, blue, _ = surface.get_at([round(v) for v in view.to_screen(-0.085, 0.45)])
     assert red > 1.3 * green > 1.3 * blue
-    assert tuple(surface.get_at((0, 0)))[:3] == pytest.approx(tuple(theme.bg)[:3], abs=8)
+    corner = tuple(surface.get_at((0, 0)))[:3]
+    if theme is LIGHT:
+        assert corner == tuple(theme.bg)[:3]
+    else:
+        assert corner[0] > corner[1] > corner[2]
+        assert max(corner) < 64  # words stand on it
+
+
+def test_the_floor_of_the_room_is_boards_in_the_light_of_the_lamp():
+    """By the table it is bright, far off as dark as the window; along a board it changes less than across."""
+    view = TableView(300.0, 60.0, 160.0)
+    near, far = (
+        pygame.surfarray.array3d(table_picture((1600, 320), POOL, view, DARK))[a:b].mean(axis=(0, 1))
+        for a, b in ((750, 800), (1500, 1600))
+    )
+    assert near[0] > 2.0 * far[0]
+    assert far == pytest.approx(tuple(DARK.bg)[:3], abs=12)
+    floor = pygame.surfarray.array3d(table_picture((900, 900), POOL, TableView(880.0, 100.0, 320.0), DARK))
+    floor = floor[100:500].astype(float).sum(axis=2)
+    assert np.abs(np.diff(floor, axis=1)).mean() > 1.1 * np.abs(np.diff(floor, axis=0)).mean()
+
+
+def test_a_table_among_others_stands_on_plain_ground():
+    view = TableView(300.0, 60.0, 160.0)
+    plain = pygame.surfarray.array3d(table_picture((1600, 320), POOL, view, DARK, room=False))
+    assert plain[1500:, :, :].max(axis=2).std() < 2.0
+    assert np.abs(plain.astype(int) - tuple(DARK.bg)[:3])[1500:].max() < 8
 
 
 def test_light_lies_on_the_middle_of_the_cloth():

@@ -53,3 +53,52 @@ def test_where_nothing_is_open_a_cell_stays_itself():
     assert not found.open.any()
     j, i = found.nearest_to(np.array([0, 1]), np.array([1, 0]))
     assert j.tolist() == [0, 1] and i.tolist() == [1, 0]
+
+
+def test_a_pocket_at_the_floor_is_closed():
+    """A floor is no side from which gas comes; without that, heat that is given to such a cell stays."""
+    ax, ay = faces(4, 7)
+    ax[0, 3] = ax[0, 4] = ay[1, 3] = 0.0
+    found = Openings((4, 7), (True, True, False, True))
+    found.take(ax, ay, 0.5)
+    assert np.argwhere(~found.open).tolist() == [[0, 3]]
+    ax, ay = faces(4, 7)
+    ax[0, 3] = ax[0, 4] = ay[1, 3] = 0.0
+    all_ways = Openings((4, 7))
+    all_ways.take(ax, ay, 0.5)
+    assert not all_ways.open[0, 3]  # one open face alone: a dead end
+
+
+def test_a_pocket_of_two_cells_at_the_floor_is_closed():
+    ax, ay = faces(4, 7)
+    ax[0, 2] = ax[0, 4] = ay[1, 2] = ay[1, 3] = 0.0
+    found = Openings((4, 7), (True, True, False, True))
+    found.take(ax, ay, 0.5)
+    assert np.argwhere(~found.open).tolist() == [[0, 2], [0, 3]]
+    ax, ay = faces(4, 7)
+    ax[0, 2] = ax[0, 4] = ay[1, 2] = ay[1, 3] = 0.0
+    found = Openings((4, 7))
+    found.take(ax, ay, 0.5)
+    assert found.open.all()
+
+
+def test_a_dead_end_is_closed_and_leads_to_its_mouth():
+    """A lane one cell wide goes down into a block: nothing flows through it."""
+    ax, ay = faces(6, 7)
+    ax[0:4, 3] = ax[0:4, 4] = 0.0
+    ay[1:4, 1:3] = ay[1:4, 4:6] = 0.0
+    ax[0:4, 1:3] = ax[0:4, 5:7] = 0.0
+    ay[4, 1:3] = ay[4, 4:6] = 0.0
+    found = Openings((6, 7), (True, True, False, True))
+    found.take(ax, ay, 0.5)
+    assert not found.open[:4, 3].any() and found.open[4, 3] and ay[4, 3] == 0.0
+    j, i = found.nearest_to(np.array([0, 3]), np.array([3, 3]))
+    assert (int(j[1]), int(i[1])) == (4, 3)
+
+
+def test_a_lane_through_a_block_stays_open():
+    ax, ay = faces(6, 7)
+    ax[1:4, 3] = ax[1:4, 4] = 0.0
+    found = Openings((6, 7), (True, True, False, True))
+    found.take(ax, ay, 0.5)
+    assert found.open[1:4, 3].all() and (ay[1:5, 3] == 1.0).all()

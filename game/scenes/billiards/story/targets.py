@@ -102,7 +102,11 @@ class StrokeSeen:
         return 0.5 * table.width, 0.5 * table.length
 
     def targets(self) -> dict[str, Point]:
-        """The play, the cue ball, the ball that goes down and its pocket, the object ball; m."""
+        """The play, the cue ball, the ball that goes down and its pocket, the object ball; m.
+
+        The play and the ball that goes down keep from the cushions: at a pocket one would see more floor
+        than table.
+        """
         falling, contact = self.falling, self.contact
         table = self.play.model.frame.table
         pocket = self.middle() if falling is None else _point(table.pockets[falling.pocket, :2])
@@ -113,7 +117,7 @@ class StrokeSeen:
             "table": self.middle(),
             "play": self.play_now(),
             "cue ball": cue_ball,
-            "ball": ball,
+            "ball": self._kept(np.array(ball)),
             "pocket": pocket,
             "object ball": struck or cue_ball,
         }

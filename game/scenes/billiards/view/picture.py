@@ -36,6 +36,7 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.theme import FELT, FELT_WARM
 
+EDGE = 2.0  # px of the frame that may be out of the picture
 HINT_EVENTS = 200  # to the end of its shot
 
 
@@ -79,11 +80,12 @@ class BilliardsView:
             self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
 
     def _in_view(self, canvas: Canvas) -> bool:
-        """Whether all of the table is seen: nearer, what stands round it would be seen in parts."""
-        seen, table = canvas.camera.visible(), layout.TABLE
+        """Whether all that stands round the table is seen: nearer, it would be cut off at the edges."""
+        seen, whole = canvas.camera.visible(), layout.FRAME
+        slack = EDGE / canvas.pixels_per_unit
         return (
-            seen.bottom <= table.left and seen.top >= table.right
-            and seen.left <= table.top and seen.right >= table.bottom
+            seen.bottom <= whole.bottom + slack and seen.top >= whole.top - slack
+            and seen.left <= whole.left + slack and seen.right >= whole.right - slack
         )  # fmt: skip
 
     def _draw_play(self, canvas: Canvas, time: float) -> Sight | None:

@@ -13,7 +13,7 @@ from game.scenes.boxes.model.arrays import BoxesState
 from game.scenes.boxes.model.race import RaceModel
 from game.scenes.boxes.numbers import bytes_text, grouped, short
 from game.scenes.boxes.view.bounds_look import draw_bounds
-from game.scenes.boxes.view.race_plot import area_below, crossover_words, draw_plot
+from game.scenes.boxes.view.race_plot import ABOVE, area_below, crossover_words, draw_plot
 from game.scenes.boxes.view.race_table import TABLE_RIGHT, Contestant, RaceTable
 from game.scenes.boxes.view.world import BoxesView, draw_ground
 from game.stage import Frame
@@ -42,8 +42,13 @@ class RaceView(BoxesView):
     def frame(self) -> Frame:
         return Frame(-0.1, -0.1, TABLE_RIGHT + 0.1, 12.9)
 
+    def legend(self) -> list[tuple[str, str, str]]:
+        """None: it would take half of the plot's width; the counts stand above the plot."""
+        return []
+
     def draw(self, canvas: Canvas, before: BoxesState | None, alpha: float) -> None:
         draw_ground(canvas)
+        self._write_counts(canvas)
         if self.model.parameters.cuts:
             self._draw_cuts(canvas)
         if self.model.parameters.bounds and self.model.kinetic is not None:
@@ -57,6 +62,16 @@ class RaceView(BoxesView):
         table.space(26)
         table.words(crossover_words(self.model.curves))
         draw_plot(canvas, self.model, area_below(table.y))
+
+    def _write_counts(self, canvas: Canvas) -> None:
+        """How many boxes there are, how many of them overlap, and in how many pairs."""
+        model = self.model
+        words = (
+            f"{grouped(len(model.boxes))} boxes, {grouped(model.overlapping())} overlap, "
+            f"{grouped(len(model.pairs))} pairs"
+        )
+        at = (WIDTH, ABOVE.top)
+        canvas.label(at, canvas.figure("counts", words), "vermilion", 11, "medium", "right", (0.0, -12.0))
 
     def _draw_cuts(self, canvas: Canvas) -> None:
         """The parts into which the BSP tree cuts the world."""

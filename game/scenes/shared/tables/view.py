@@ -86,7 +86,8 @@ def draw_table(
 ) -> None:
     """Cloth, cushions, wood and pockets, from a picture that is kept while nothing about it changes.
 
-    ``origin``: where the table's corner lies in the world. ``alone``: it may cover the whole canvas.
+    ``origin``: where the table's corner lies in the world. ``alone``: it may cover the whole canvas, with
+    the floor of its room.
     """
     region = canvas.rect
     left, top = canvas.camera.to_screen(*origin)
@@ -97,7 +98,7 @@ def draw_table(
         region = pygame.Rect(round(x0), round(y0), round(x1 - x0), round(y1 - y0)).clip(canvas.rect)
     if region.w > 0 and region.h > 0:
         view = TableView(left - region.x, top - region.y, canvas.camera.scale)
-        _table_painter.draw(canvas.surface.subsurface(region), table, view, canvas.theme, dress)
+        _table_painter.draw(canvas.surface.subsurface(region), table, view, canvas.theme, dress, alone)
 
 
 def draw_balls(

@@ -16,7 +16,18 @@ from game.scenes.solids.race.figure import draw_loop_of_impulses
 from game.scenes.solids.race.model import RaceModel
 from game.scenes.solids.race.parameters import RaceParameters, field_of, short_of
 from game.scenes.solids.race.view import RaceView, length_words
-from game.stage import Equation, Frame, Hint, Readout, SceneAction, SetParameter, Strip, Table, WarmUp
+from game.stage import (
+    Equation,
+    Frame,
+    Hint,
+    Pointer,
+    Readout,
+    SceneAction,
+    SetParameter,
+    Strip,
+    Table,
+    WarmUp,
+)
 from game.stage.messages import Messages
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.scene import ModelScene
@@ -60,7 +71,6 @@ class SolverRace(ModelScene):
     strips = (
         Strip("Sinks", "m", _series("sinks"), sometimes=_series("sinks")),
         Strip("Overlap or gap", "m", _series("off"), sometimes=_series("off")),
-        Strip("A step", "s", _series("step"), sometimes=_series("step")),
     )
     figure = staticmethod(draw_loop_of_impulses)
     equations = (
@@ -89,6 +99,9 @@ class SolverRace(ModelScene):
             for name, model in zip(scene.model.solvers, scene.model.worlds, strict=True)
         ]
         return (*rows, WarmUp("polygons", warm_up_painter))
+
+    def pointer(self, event: Pointer) -> None:
+        """A race is watched: nothing of it is in a hand."""
 
     def build(self, level: Level | None) -> None:
         self.model = RaceModel(self.parameters, self.active)

@@ -53,7 +53,7 @@ def _ratios() -> SolidContent:
 SETUPS = {
     "stack": Setup(SolidContent(
         stacks=(StackEntry(at=(0.0, 0.0), count=20, colour="wood"),),
-        view=View(left=-11.0, bottom=-1.0, right=11.0, top=21.0),
+        view=View(left=-6.0, bottom=-1.0, right=6.0, top=21.0),
     )),
     "pyramid": Setup(SolidContent(
         stacks=(StackEntry(form="pyramid", at=(0.0, 0.0), count=20, colour="stone"),),
