@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -17,7 +18,7 @@ from game.physics.kernels import elementary, elementwise
 from game.physics.surfaces.surface import Sample
 from game.scenes.candle.parameters import CandleContent, CandleParameters
 from game.worlds.members.boxes import Boxes, box_rows
-from game.worlds.members.burning_air import FIELDS, AirState, BurningAir
+from game.worlds.members.burning_air import FIELDS, FRESH, AirState, BurningAir, faded
 from game.worlds.painting.glowing import GlowLook
 
 HALF, TALL = 0.16, 0.36  # m: of the box of gas
@@ -26,7 +27,8 @@ WICK = (TOP + 0.002, TOP + 0.012)  # m: from where to where vapour leaves, about
 WIDE = 0.008  # m to either side of it
 WALL, UP = 0.01, 0.37  # m: of the glass; its rim when it is up
 QUICK = 0.12  # m/s at which the glass is moved
-ROOM, FRESH = 293.15, 0.27  # K; kg/m³ of oxygen
+ROOM, AIR, PER_VOLUME = 293.15, 1.2, 20.95  # K; kg/m³ of air; % of it that are oxygen
+BESIDE, ABOVE = (0.015, 0.035), 0.02  # m beside and above the wick's foot: from there the flame draws its air
 GLOWS, MATCH, MATCH_S = 700.0, 1300.0, 0.6  # K of a wick that burns, and of one that is lit; s of lighting
 LAG, OUT = 0.3, 0.2  # s by which the supply follows; share at which the flame is quenched
 SMOKES, SMOKE_S, SMOKE_HOT = 8e-6, 5.0, 420.0  # kg/(s m) of smoke from a wick just out, s of fading, K
@@ -35,11 +37,11 @@ SLOWS = 3.0  # 1/s at which whirls die down: in space they fall apart, in the pl
 # paraffin: C25H52 needs 3.4 kg of oxygen a kilogram, and gives 44 MJ
 VAPOUR = {
     "ignition": 580.0, "rate": 60.0, "oxygen": 3.4, "heat": 4.4e7, "capacity": 1212.0, "soot": 0.05,
-    "soot_rate": 20.0, "glow": 8e-12, "soot_glow": 3.2e-7, "ambient": ROOM,
+    "soot_size": 30e-9, "glow": 8e-12, "soot_glow": 3.2e-7, "ambient": ROOM,
 }  # fmt: skip
-LOOK = GlowLook(820.0, 1450.0, 0.004, 5.0e-4, 2.5e-3, 0.75, 950.0)
+LOOK = GlowLook(820.0, 1450.0, 0.004, 5.0e-4, 7.0e-3, 0.75, 950.0)
 COOLS = 4.0  # 1/s of the gas in cells at a wall: 24 W/(m² K) where they are 5 mm wide
-KEPT = ("fuel", "oxygen", "soot")  # carried in flux form under a glass that stands, so that none is lost
+KEPT = ("fuel", "oxygen", "soot", "air")  # carried in flux form under a glass that stands, so that none is lost
 NEVER = -1.0
 # of flows: rim of the glass m and m/s, where it is to go m, its half width and height m, kg/(s m) from the
 # wick, s of lighting left, s since the flame went out; s when the glass came down, kg/m of oxygen then in it
@@ -82,15 +84,14 @@ class Air(BurningAir):
         )
         gas = Gas(
             Grid(cells, round(TALL / cell), cell, (-HALF, 0.0)), Borders(free, free, Border("wall"), free),
-            settings, FIELDS, {"oxygen": FRESH},
+            settings, (*FIELDS, "air"), {"oxygen": FRESH, "air": AIR},
         )  # fmt: skip
-        ny, nx = gas.grid.shape
-        across = np.minimum(np.arange(nx), np.arange(nx)[::-1]) / (0.1 * nx)
-        above = np.arange(ny)[::-1, None] / (0.3 * ny)  # so that the picture has no edge at the sides
-        edge = np.clip(across, 0.0, 1.0) * np.clip(above, 0.0, 1.0)
+        edge = faded(gas.grid.shape, 0.1, 0.3)
         super().__init__(gas, edge, active & COMBUSTION.known, BUOYANCY in gas_effects)
         x, y = gas.grid.centres()
-        self.wick = (np.abs(x) < WIDE) & (y > WICK[0]) & (y < WICK[1])
+        away = np.abs(x)
+        self.wick = (away < WIDE) & (y > WICK[0]) & (y < WICK[1])
+        self._beside = (away > BESIDE[0]) & (away < BESIDE[1]) & (y > TOP) & (y < TOP + ABOVE)
         self.flows[[SEALED, LIVED, SINCE]] = NEVER, NEVER, 1e3
         self.flows[[RADIUS, HIGH]] = parameters.half_width, parameters.height
         self.flows[[RIM, GOAL]] = 0.0 if content.lowered else UP
@@ -131,15 +132,14 @@ class Air(BurningAir):
             gas.scalars[..., 1:] *= elementwise.exp(-dt * gas.expansion)[..., None]
         gas.force[:] = 0.0
         self.rise()
-        along, upward = self.velocities()
-        gas.force[..., 0] -= SLOWS * along
-        gas.force[..., 1] -= SLOWS * upward
+        self.slow(SLOWS, SLOWS)
         gas.step(dt)
         if not gas.settings.conservative:  # nor is it lost on its way but through the sides
             left = max(before - self._out(fuel) * dt / self.cell, 0.0)
             fuel *= left / max(float(np.sum(fuel)), 1e-12)
             oxygen = gas.scalars[..., 2]  # air of a temperature has no more
             np.minimum(oxygen, FRESH * ROOM / self.temperature, out=oxygen)
+            np.divide(AIR * ROOM, self.temperature, out=gas.scalars[..., 4])
         self.time += dt
 
     def _out(self, cells: Floats) -> float:
@@ -196,7 +196,9 @@ class Air(BurningAir):
         warm += colder
 
     def _follow(self, dt: float) -> None:
-        """The flame's heat makes the vapour: with less power less of it, until it is out."""
+        """The flame's heat makes the vapour: with less power less of it, until it is out. In air with less
+        oxygen than its limit a flame is too cold to go on, however much more of it comes.
+        """
         flows, most = self.flows, self.parameters.supply
         if flows[SUPPLY] <= 0.0:
             return
@@ -204,6 +206,7 @@ class Air(BurningAir):
         if flows[LIGHTING] > 0.0:
             return
         kept = self.flames.power / (self.parameters.feedback * most * VAPOUR["heat"])
+        kept = kept if self.fed() >= self.parameters.limit else 0.0
         flows[SUPPLY] += (most * min(kept, 1.0) - flows[SUPPLY]) * min(dt / LAG, 1.0)
         if flows[SUPPLY] < OUT * most:
             flows[[SUPPLY, SINCE]] = 0.0
@@ -228,9 +231,14 @@ class Air(BurningAir):
         """kg/m of a field under the glass."""
         return float(np.sum(self.gas.field(name)[self.under()])) * (self.cell * self.cell)
 
-    def at_wick(self) -> float:
-        """Share of the oxygen of fresh air beside the wick."""
-        return float(np.mean(self.gas.field("oxygen")[self.wick])) / FRESH
+    def share(self, cells: Any) -> float:
+        """% by volume that are oxygen in all gas of these cells (ny, nx)."""
+        oxygen, air = (float(np.sum(self.gas.field(name)[cells])) for name in ("oxygen", "air"))
+        return PER_VOLUME * (oxygen / air) * (AIR / FRESH) if air > 0.0 else math.nan
+
+    def fed(self) -> float:
+        """% by volume that are oxygen in the gas from which the flame draws its air."""
+        return self.share(self._beside)
 
     def restore(self, fields: Iterator[Any]) -> None:
         state: AirState = next(fields)

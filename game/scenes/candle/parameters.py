@@ -22,13 +22,15 @@ class CandleContent(LevelEntry, frozen=True, kw_only=True):
 class CandleParameters(Parameters):
     """Glass, wick, gas, and what is shown of it."""
 
-    half_width = Param(0.05, 0.035, 0.08, unit="m", group="Glass",
+    half_width = Param(0.08, 0.035, 0.08, unit="m", group="Glass",
                        help="inside; a glass on its way up or down takes it on as it is up")  # fmt: skip
-    height = Param(0.12, 0.1, 0.13, unit="m", group="Glass", help="inside, as long as the glass is up")
-    supply = Param(60e-6, 30e-6, 120e-6, unit="kg/(s m)", log=True, group="Wick",
+    height = Param(0.13, 0.1, 0.13, unit="m", group="Glass", help="inside, as long as the glass is up")
+    supply = Param(40e-6, 30e-6, 120e-6, unit="kg/(s m)", log=True, group="Wick",
                    help="most that it carries up, for each metre of depth")  # fmt: skip
     feedback = Param(0.85, 0.1, 0.95, group="Wick",
                      help="share of the greatest power that keeps up the greatest supply")  # fmt: skip
+    limit = Param(16.0, 0.0, 20.0, unit="%", group="Wick", label="Limit of oxygen",
+                  help="by volume, in the air beside the flame: with less no candle burns")  # fmt: skip
     tier = Choice(
         "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Gas", label="Quality",
         help=f"cells across: {', '.join(map(str, TIERS.values()))}, or as many as you say", rebuild=True,

@@ -5,35 +5,39 @@ from __future__ import annotations
 import math
 
 from game.arrays import Point
-from game.scenes.candle.air import FRESH, GOAL, HIGH, LIVED, NEVER, RADIUS, RIM, TOP, VAPOUR
+from game.physics.kernels import elementary
+from game.scenes.candle.air import (
+    FRESH, GOAL, HIGH, LIVED, NEVER, RADIUS, RIM, SINCE, SMOKE_S, SPEED, TOP, VAPOUR,
+)  # fmt: skip
 from game.scenes.candle.world import NAMES, CandleWorld
-from game.stage import Hearing, Readout
+from game.stage import Hearing, Readout, Steady
 from game.worlds.hands.hand import Hand, Use
-from game.worlds.hearing import ROOM, fire
+from game.worlds.hearing import ROOM, fire, wind
 
-LOUD, GRIP = 40e3, 0.03  # W/m of a flame that is as loud as can be; m beside the glass that still take it
+LOUD, GRIP = 8e3, 0.03  # W/m of a flame that is as loud as can be; m beside the glass that still take it
 
 
 def readouts(model: CandleWorld) -> list[Readout]:
     """Of the flame, then of the glass: oxygen beside what full consumption would leave."""
     air, nan, sealed = model.air, math.nan, model.sealed()
     first, gone = model.oxygen_at_first(), model.shut_for()
-    here = air.inside("oxygen") if sealed else nan
     rate = VAPOUR["oxygen"] * model.parameters.supply
-    lived = float(air.flows[LIVED])
+    now = air.inside("oxygen") if sealed else nan
+    whole = air.share(air.under()) / now if sealed else nan  # % for a kg/m of oxygen under the glass
+    lived, law = float(air.flows[LIVED]), model.to_limit() / rate if sealed else nan
+    lived = lived if lived != NEVER else nan
     return [
         Readout("burns", int(model.burns())), Readout("power", model.power(), "W/m"),
-        Readout("flame height", model.flame_height(), "m"),
-        Readout("oxygen at the wick", 100.0 * air.at_wick(), "%"),
+        Readout("flame height", model.flame_height(), "m"), Readout("oxygen beside it", air.fed(), "%"),
         Readout("shut", int(sealed)), Readout("shut for", gone, "s"),
-        Readout("oxygen under the glass", 1e3 * here, "g/m"),
-        Readout("oxygen by the law", 1e3 * max(first - rate * gone, 0.0) if sealed else nan, "g/m"),
-        Readout("oxygen left", 100.0 * here / first if sealed else nan, "%"),
-        Readout("flame lived", lived if lived != NEVER else nan, "s"),
-        Readout("time by the law", first / rate if sealed else nan, "s"),
+        Readout("oxygen in all", whole * now, "%"),
+        Readout("oxygen by the law", whole * max(first - rate * gone, 0.0) if sealed else nan, "%"),
+        Readout("oxygen left", 100.0 * now / first if sealed else nan, "%"),
+        Readout("flame lived", lived, "s"), Readout("time by the law", law, "s"),
+        Readout("lived over law", lived / law if law else nan), Readout("oxygen for", first / rate, "s"),
         Readout("oxygen unaccounted", model.unaccounted(), "%"),
-        Readout("soot under the glass", 1e6 * air.inside("soot") if sealed else nan, "mg/m"),
-        Readout("air in the glass", 1e4 * first / FRESH if sealed else nan, "cm²"),
+        Readout("smoke", 1e6 * air.inside("soot") if sealed else nan, "mg/m"),
+        Readout("air in the glass", 1e4 * first / FRESH, "cm²"),
         Readout("glass", float(air.flows[RIM]), "m"), Readout("hottest", float(air.temperature.max()), "K"),
         Readout("a step", model.watch.median("step"), "s"),
     ]  # fmt: skip
@@ -44,8 +48,13 @@ def targets(model: CandleWorld) -> dict[str, Point]:
     rim, high = float(model.air.flows[RIM]), float(model.air.flows[HIGH])
     return {
         "wick": (0.0, TOP), "flame": (0.0, TOP + 0.03), "glass": (0.0, rim + 0.5 * high),
-        "smoke": (0.0, rim + 0.8 * high), "rim": (0.0, rim),
+        "smoke": (0.0, rim + 0.8 * high), "middle": (0.0, 0.5 * high),
     }  # fmt: skip
+
+
+def sizes(model: CandleWorld) -> dict[str, float]:
+    """The flame as it is seen, and the glass, m."""
+    return {"flame": max(model.flame_height() - TOP, 0.0), "glass": float(model.air.flows[HIGH])}
 
 
 def names(model: CandleWorld) -> list[tuple[Point, str]]:
@@ -54,13 +63,15 @@ def names(model: CandleWorld) -> list[tuple[Point, str]]:
     if model.burns():
         found.append((places["flame"], f"{model.power() / 1000.0:.1f} kW/m"))
     if model.sealed():
-        found.append((places["smoke"], f"oxygen {1e3 * model.air.inside('oxygen'):.1f} g/m"))
+        found.append((places["smoke"], f"{model.air.share(model.air.under()):.0f} % oxygen"))
     return found
 
 
 def hearing(model: CandleWorld) -> Hearing:
-    """The flame; glass on the table, the puff of a match and of a flame that goes out."""
-    steady = (ROOM, fire(model.power() if model.burns() else 0.0, LOUD))
+    """The flame, a wick that smokes, a glass on its way; it on the table, puffs of a match and of the end."""
+    flows, burns = model.air.flows, model.burns()
+    hiss = 0.0 if burns else 0.2 * elementary.exp(-float(flows[SINCE]) / SMOKE_S)
+    steady = (ROOM, fire(model.power() if burns else 0.0, LOUD), Steady("hiss", hiss), wind(20.0 * flows[SPEED]))
     return Hearing("candle", model.time, model.heard.sounds(NAMES, 0.3), steady)
 
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pygame
 
-from game.scenes.candle.air import CANDLE, HALF, HIGH, LOOK, RADIUS, RIM, ROOM, SINCE, SUPPLY, TALL, TOP, WALL
+from game.scenes.candle.air import (
+    AIR, CANDLE, HALF, HIGH, LOOK, RADIUS, RIM, ROOM, SINCE, SUPPLY, TALL, TOP, WALL,
+)
 from game.scenes.candle.world import CandleState, CandleWorld
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
+from game.worlds.members.burning_air import FRESH
 from game.worlds.painting.boards import paint_quads
 from game.worlds.painting.flames import FIRELIGHT, HEAT_STOPS, draw_firelight, glow_stops
 from game.worlds.painting.inks import color_of, scaled
@@ -82,11 +85,10 @@ class CandleView:
         """Wax that shines through below the flame, the wick, its ember."""
         slices = 10
         edges = np.linspace(-0.006, TOP, slices + 1)
-        for k in range(slices):  # the flame's light goes some way into wax
-            share = 0.55 + 0.55 * light * (k / (slices - 1)) ** 2
-            low, high = edges[k], edges[k + 1]
-            for left, right, tone in ((-1.0, -0.5, 0.82), (-0.5, 0.4, 1.0), (0.4, 1.0, 0.74)):
-                quad = np.array([(left, low), (right, low), (right, high), (left, high)]) * (CANDLE, 1.0)
+        for k in range(slices):  # the flame's light goes some way into wax; each covers the one before: no seams
+            share, low = 0.55 + 0.55 * light * (k / (slices - 1)) ** 2, edges[k]
+            for left, right, tone in ((-1.0, 1.0, 0.74), (-1.0, 0.4, 1.0), (-1.0, -0.5, 0.82)):
+                quad = np.array([(left, low), (right, low), (right, TOP), (left, TOP)]) * (CANDLE, 1.0)
                 paint_quads(canvas, quad, scaled(wax, share * tone))
         canvas.line((0.0, TOP), (0.0008, TOP + 0.008), color_of(0x1C1612), 0.0016 * canvas.pixels_per_unit)
         flows = self.model.air.flows
@@ -101,8 +103,8 @@ class CandleView:
             canvas.veil(veil, *BOX, SMOKE[dark], glow_stops(LOOK.dark, LOOK.bright))
             draw_firelight(canvas, veil, HALF, 16, 0.02, 2.0, 0.18)
         elif shown == "oxygen":
-            fresh = air.gas.field("oxygen") * (air.temperature / ROOM)
-            canvas.field(fresh / float(air.gas.ambient[2]), *BOX, OXYGEN_STOPS, 0.6)
+            fresh = air.gas.field("oxygen") / air.gas.field("air") * (AIR / FRESH)
+            canvas.field(fresh, *BOX, OXYGEN_STOPS, 0.6)
         else:
             canvas.field((air.temperature - ROOM) / 1500.0, *BOX, HEAT_STOPS, 0.85)
 

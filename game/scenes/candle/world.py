@@ -9,7 +9,7 @@ from game.arrays import Floats
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
-from game.scenes.candle.air import NEVER, OXYGEN, POWER, RIM, SEALED, SUPPLY, USED, Air
+from game.scenes.candle.air import AIR, FRESH, NEVER, OXYGEN, PER_VOLUME, POWER, RIM, SEALED, SUPPLY, USED, Air
 from game.scenes.candle.parameters import CandleContent, CandleParameters
 from game.worlds.hearing import Heard
 from game.worlds.members.burning_air import AirState
@@ -98,6 +98,11 @@ class CandleWorld(World):
     def oxygen_at_first(self) -> float:
         """kg/m under the glass as it was put down; NaN if it is up."""
         return float(self.air.flows[OXYGEN]) if self.sealed() else math.nan
+
+    def to_limit(self) -> float:
+        """kg/m of the oxygen at first that could burn until all gas under the glass, mixed, is at the limit."""
+        left = self.parameters.limit / PER_VOLUME * (FRESH / AIR) * self.air.inside("air")
+        return max(self.oxygen_at_first() - left, 0.0)
 
     def unaccounted(self) -> float:
         """% of the oxygen at first that has neither burnt nor is still there; NaN if the glass is up."""
