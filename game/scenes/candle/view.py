@@ -13,7 +13,7 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
 from game.worlds.members.burning_air import FRESH
-from game.worlds.painting.boards import paint_quads
+from game.worlds.painting.boards import paint_quads, rects
 from game.worlds.painting.flames import FIRELIGHT, HEAT_STOPS, draw_firelight, glow_stops
 from game.worlds.painting.inks import color_of, scaled
 
@@ -69,15 +69,12 @@ class CandleView:
         wall = scaled(tones[0], 0.75 + 0.4 * light)
         canvas.fill(color_of(wall))
         middles = np.arange(-6.0, 6.5) * 0.2
-        panels = np.array([[(x - 0.085, 0.05), (x + 0.085, 0.05), (x + 0.085, 1.2), (x - 0.085, 1.2)]
-                           for x in middles]).reshape(-1, 2)  # fmt: skip
+        panels = rects([(x - 0.085, 0.05, x + 0.085, 1.2) for x in middles])
         near = 0.7 + 0.5 * light / (1.0 + (middles / 0.3) ** 2)
         paint_quads(canvas, panels, np.array([scaled(tones[1], one) for one in near.tolist()]), 0.9)
         top = scaled(tones[2], 0.6 + 0.5 * light)
-        table = np.array([(-3.0, -DEPTH), (3.0, -DEPTH), (3.0, 0.012), (-3.0, 0.012)])
-        paint_quads(canvas, table, top)
-        front = np.array([(-3.0, -1.0), (3.0, -1.0), (3.0, -DEPTH), (-3.0, -DEPTH)])
-        paint_quads(canvas, front, scaled(tones[3], 0.7 + 0.4 * light))
+        paint_quads(canvas, rects((-3.0, -DEPTH, 3.0, 0.012)), top)
+        paint_quads(canvas, rects((-3.0, -1.0, 3.0, -DEPTH)), scaled(tones[3], 0.7 + 0.4 * light))
         foot = np.array([(-1.3, -0.004), (1.3, -0.004), (2.2, -0.02), (-2.2, -0.02)]) * (CANDLE, 1.0)
         paint_quads(canvas, foot, 0x000000, 0.35)
 
@@ -88,8 +85,8 @@ class CandleView:
         for k in range(slices):  # the flame's light goes some way into wax; each covers the one before: no seams
             share, low = 0.55 + 0.55 * light * (k / (slices - 1)) ** 2, edges[k]
             for left, right, tone in ((-1.0, 1.0, 0.74), (-1.0, 0.4, 1.0), (-1.0, -0.5, 0.82)):
-                quad = np.array([(left, low), (right, low), (right, TOP), (left, TOP)]) * (CANDLE, 1.0)
-                paint_quads(canvas, quad, scaled(wax, share * tone))
+                slice_ = rects((left * CANDLE, low, right * CANDLE, TOP))
+                paint_quads(canvas, slice_, scaled(wax, share * tone))
         canvas.line((0.0, TOP), (0.0008, TOP + 0.008), color_of(0x1C1612), 0.0016 * canvas.pixels_per_unit)
         flows = self.model.air.flows
         ember = 1.0 if flows[SUPPLY] > 0.0 else max(1.0 - float(flows[SINCE]) / EMBER_S, 0.0)
@@ -112,9 +109,8 @@ class CandleView:
         """Corners (12, 2) m of the glass: left, right, its bottom that is above."""
         flows = self.model.air.flows
         radius, top = float(flows[RADIUS]), rim + float(flows[HIGH])
-        boxes = ((-radius - WALL, rim, -radius, top + WALL), (radius, rim, radius + WALL, top + WALL),
-                 (-radius, top, radius, top + WALL))  # fmt: skip
-        return np.array([[(a, b), (c, b), (c, d), (a, d)] for a, b, c, d in boxes]).reshape(-1, 2)
+        return rects([(-radius - WALL, rim, -radius, top + WALL), (radius, rim, radius + WALL, top + WALL),
+                      (-radius, top, radius, top + WALL)])  # fmt: skip
 
     def _draw_glass(self, canvas: Canvas, ink: int, rim: float, share: float) -> None:
         """The pane behind the flame, and its shadow on the table."""
@@ -123,7 +119,7 @@ class CandleView:
         near = max(1.0 - rim / 0.2, 0.0)
         shadow = np.array([(-wide, -0.002), (wide, -0.002), (1.25 * wide, -0.024), (-1.25 * wide, -0.024)])
         paint_quads(canvas, shadow, 0x000000, 0.3 * near)
-        paint_quads(canvas, np.array([(-wide, rim), (wide, rim), (wide, top), (-wide, top)]), ink, share)
+        paint_quads(canvas, rects((-wide, rim, wide, top)), ink, share)
 
     def _draw_rims(self, canvas: Canvas, ink: int, rim: float, light: float) -> None:
         """Walls of the glass as they catch the light, and its gleams."""
@@ -132,10 +128,8 @@ class CandleView:
         flows = self.model.air.flows
         radius, high = float(flows[RADIUS]), float(flows[HIGH])
         for x, wide, share in ((-0.78, 0.05, 0.28), (-0.66, 0.02, 0.2), (0.82, 0.03, 0.16)):
-            left, right = radius * (x - wide), radius * (x + wide)
-            gleam = np.array([(left, rim + 0.1 * high), (right, rim + 0.1 * high),
-                              (right, rim + 0.9 * high), (left, rim + 0.9 * high)])  # fmt: skip
-            paint_quads(canvas, gleam, 0xFFFFFF, share * (0.5 + 0.5 * light))
+            gleam = (radius * (x - wide), rim + 0.1 * high, radius * (x + wide), rim + 0.9 * high)
+            paint_quads(canvas, rects(gleam), 0xFFFFFF, share * (0.5 + 0.5 * light))
 
     def _draw_marks(self, canvas: Canvas) -> None:
         """Where the gas goes."""

@@ -10,7 +10,7 @@ import pygame
 
 from game.arrays import Floats, Longs
 from game.scenes.tower.building import floor_height, half_width
-from game.scenes.tower.dust import AGE, LIFE, PLACE, SIZE
+from game.worlds.members.dust import LIFE
 from game.scenes.tower.frame import FLOORS
 from game.scenes.tower.measures import fall_of, front_of
 from game.scenes.tower.tables import COLUMN, NOT_YET
@@ -19,6 +19,7 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
 from game.worlds.hands.hand import Hand
 from game.worlds.members.solids import bodies_between
+from game.worlds.painting.dust import draw_dust
 from game.worlds.painting.boards import paint_quads
 from game.worlds.painting.inks import color_of
 from game.worlds.painting.marks import draw_contacts
@@ -28,7 +29,6 @@ BEHIND = ((0.12, 1.5), (0.3, 0.9))  # of the far and the near town: share of the
 PANES = 3  # windows in a bay
 SPARED = 4  # of so many puffs one is drawn where the air's own dust is
 GROUND_BANDS, GROUND_M = 14, 16.0  # bands of the field, m below the horizon in all
-CHUNK = 160  # puffs that are painted at once, the oldest first
 
 
 class Hour(NamedTuple):
@@ -212,26 +212,13 @@ class TowerView:
     # -- in front -------------------------------------------------------------------------------------
 
     def _dust(self, canvas: Canvas, hour: Hour) -> None:
-        """What the air carries, then puffs, old ones first, lighter above: discs in discs, thin at the
-        rim.
-        """
+        """What the air carries, then puffs."""
         dust, air = self.model.dust.rows, self.model.air.on
         if air:
             sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, color_of(hour.sheen)))
             canvas.veil(self.model.air.veil(), *self.model.air.box(), color_of(hour.dust[1]), sheen)
             dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
-        if not len(dust):
-            return
-        age = dust[:, AGE] / dust[:, LIFE]
-        radius = dust[:, SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, AGE]))
-        for first in range(0, len(dust), CHUNK):
-            part = slice(first, first + CHUNK)
-            fade = float(np.mean((1.0 - age[part]) * np.minimum(1.0, 6.0 * age[part] + 0.2)))
-            where = dust[part][:, PLACE]
-            shade, light = color_of(hour.dust[1]), color_of(hour.dust[0])
-            for share, ink, veil in ((1.0, shade, 0.05), (0.72, shade, 0.06), (0.48, light, 0.08)):
-                shift = (0.0, 0.0) if ink is shade else (0.3, 0.2)
-                canvas.discs(where + np.array(shift), radius[part] * share, ink, veil * min(1.0, 1.6 * fade))
+        draw_dust(canvas, dust, hour.dust)
 
     def _marks(self, canvas: Canvas) -> None:
         model = self.model

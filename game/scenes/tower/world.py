@@ -14,7 +14,7 @@ from game.physics.solids import SolidState
 from game.scenes.tower.air import AirState, TowerAir, loose_of, solids_of
 from game.scenes.tower.breaking import apart, cuts_of, halves_of
 from game.scenes.tower.building import floor_height, half_width
-from game.scenes.tower.dust import Dust, advance_dust
+from game.worlds.members.dust import Dust, advance_dust
 from game.scenes.tower.frame import FLOORS, Frame
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters

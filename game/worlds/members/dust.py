@@ -1,8 +1,7 @@
 """Dust: puffs that spring up where something strikes, slow down in the air, spread, settle.
 
-Their velocity goes over to that of the air at a rate, implicitly. The air is at rest unless it is computed
-(see `air`). A puff grows as the square root of its age, as what mixes does. They show the dust; its mass is
-in the air's cells.
+Their velocity goes over to that of the air at a rate, implicitly. A puff grows as the square root of its age,
+as what mixes does. They show the dust; where its mass counts, it is elsewhere.
 """
 
 from __future__ import annotations
