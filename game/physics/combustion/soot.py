@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from game.compiler.decorator import inner_kernel
+from game.compiler.decorator import lean_kernel
 from game.physics.kernels import elementary
 
 GAS_CONSTANT = 8.314462618  # J/(mol K)
 CALORIES = 1.98720425864  # cal/(mol K), the same constant as the law of 1962 has it
 MOLAR, ATMOSPHERE = 0.031999, 101325.0  # kg/mol of oxygen; Pa
-CARBON, DENSITY = 0.12011, 1800.0  # kg/(m² s) for a mol/(cm² s); kg/m³ of soot
+CARBON, DENSITY = 120.11, 1800.0  # kg/(m² s) for a mol/(cm² s); kg/m³ of soot
 
 
-@inner_kernel
+@lean_kernel
 def soot_loss(kelvin: Any, pressure: Any) -> Any:
     """Carbon in kg/(m² s) that burns off a surface of soot (Nagle and Strickland-Constable 1962).
 
@@ -29,7 +29,7 @@ def soot_loss(kelvin: Any, pressure: Any) -> Any:
     return CARBON * (ka * pressure / (1.0 + kz * pressure) * active + kb * pressure * (1.0 - active))
 
 
-@inner_kernel
+@lean_kernel
 def soot_rate_of(kelvin: Any, oxygen: Any, size: Any) -> Any:
     """1/s at which balls of soot of a diameter (m) lose mass at a temperature (K), in oxygen kg/m³."""
     pressure = oxygen * GAS_CONSTANT * kelvin / (MOLAR * ATMOSPHERE)

@@ -41,7 +41,12 @@ VAPOUR = {
 }  # fmt: skip
 LOOK = GlowLook(820.0, 1450.0, 0.004, 5.0e-4, 7.0e-3, 0.75, 950.0)
 COOLS = 4.0  # 1/s of the gas in cells at a wall: 24 W/(m² K) where they are 5 mm wide
-KEPT = ("fuel", "oxygen", "soot", "air")  # carried in flux form under a glass that stands, so that none is lost
+KEPT = (
+    "fuel",
+    "oxygen",
+    "soot",
+    "air",
+)  # carried in flux form under a glass that stands, so that none is lost
 NEVER = -1.0
 # of flows: rim of the glass m and m/s, where it is to go m, its half width and height m, kg/(s m) from the
 # wick, s of lighting left, s since the flame went out; s when the glass came down, kg/m of oxygen then in it

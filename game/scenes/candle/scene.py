@@ -19,7 +19,8 @@ from game.worlds.scene import Parts, WorldScene
 
 class Candle(WorldScene):
     """A glass comes down over a candle. The flame burns on with the oxygen that is in the glass. It is out
-    when the air beside it has no more than 16 % of oxygen by volume, though most of it is there. The wick smokes.
+    when the air beside it has no more than 16 % of oxygen by volume, though most of it is there. Then the wick
+    smokes.
 
     Wax vapour mixes with air, and burns where it is hot enough as far as there is oxygen. The heat of the
     flame makes the vapour: with less power the wick gives less. What is hot expands and rises. Walls cool the
@@ -39,8 +40,14 @@ class Candle(WorldScene):
     parameters: CandleParameters
     model: CandleWorld
     parts = Parts(
-        CandleWorld, candle_hand, CandleView, readouts, targets=targets, sizes=sizes,
-        hearing=hearing, names=names,
+        CandleWorld,
+        candle_hand,
+        CandleView,
+        readouts,
+        targets=targets,
+        sizes=sizes,
+        hearing=hearing,
+        names=names,
     )
     tiny = {"tier": "own", "cells": 32}
     painters = (("polygons", warm_up_painter), ("gas", warm_up_glowing))
@@ -64,9 +71,14 @@ class Candle(WorldScene):
     figure = staticmethod(draw_glass)
     equations = (
         Equation("What burns", r"k \text{min}(Y_F, \frac{Y_O}{s})", "the reactant of which there is less"),
-        Equation("How long it can burn", r"t = \frac{\rho A}{s m} (1 - \frac{X_L}{X_0})", "if its gas is mixed"),
-        Equation("How soot burns off", r"w = \frac{k_A p}{1 + k_Z p} x + k_B p (1 - x)",
-                 "Nagle and Strickland-Constable 1962"),
+        Equation(
+            "How long it can burn", r"t = \frac{\rho A}{s m} (1 - \frac{X_L}{X_0})", "if its gas is mixed"
+        ),
+        Equation(
+            "How soot burns off",
+            r"w = \frac{k_A p}{1 + k_Z p} x + k_B p (1 - x)",
+            "Nagle and Strickland-Constable 1962",
+        ),
         Equation("What the wick gives", r"m = m_0 \text{min}(1, \frac{P}{f m_0 H})"),
         Equation("What is warmed expands", r"\nabla \cdot \v{u} = \frac{\dot{T}}{T}", "at constant pressure"),
     )

@@ -7,7 +7,18 @@ import math
 from game.arrays import Point
 from game.physics.kernels import elementary
 from game.scenes.candle.air import (
-    FRESH, GOAL, HIGH, LIVED, NEVER, RADIUS, RIM, SINCE, SMOKE_S, SPEED, TOP, VAPOUR,
+    FRESH,
+    GOAL,
+    HIGH,
+    LIVED,
+    NEVER,
+    RADIUS,
+    RIM,
+    SINCE,
+    SMOKE_S,
+    SPEED,
+    TOP,
+    VAPOUR,
 )  # fmt: skip
 from game.scenes.candle.world import NAMES, CandleWorld
 from game.stage import Hearing, Readout, Steady
@@ -71,7 +82,12 @@ def hearing(model: CandleWorld) -> Hearing:
     """The flame, a wick that smokes, a glass on its way; it on the table, puffs of a match and of the end."""
     flows, burns = model.air.flows, model.burns()
     hiss = 0.0 if burns else 0.2 * elementary.exp(-float(flows[SINCE]) / SMOKE_S)
-    steady = (ROOM, fire(model.power() if burns else 0.0, LOUD), Steady("hiss", hiss), wind(20.0 * flows[SPEED]))
+    steady = (
+        ROOM,
+        fire(model.power() if burns else 0.0, LOUD),
+        Steady("hiss", hiss),
+        wind(20.0 * flows[SPEED]),
+    )
     return Hearing("candle", model.time, model.heard.sounds(NAMES, 0.3), steady)
 
 

@@ -6,7 +6,19 @@ import numpy as np
 import pygame
 
 from game.scenes.candle.air import (
-    AIR, CANDLE, HALF, HIGH, LOOK, RADIUS, RIM, ROOM, SINCE, SUPPLY, TALL, TOP, WALL,
+    AIR,
+    CANDLE,
+    HALF,
+    HIGH,
+    LOOK,
+    RADIUS,
+    RIM,
+    ROOM,
+    SINCE,
+    SUPPLY,
+    TALL,
+    TOP,
+    WALL,
 )
 from game.scenes.candle.world import CandleState, CandleWorld
 from game.ui.canvas.canvas import Canvas
@@ -82,7 +94,9 @@ class CandleView:
         """Wax that shines through below the flame, the wick, its ember."""
         slices = 10
         edges = np.linspace(-0.006, TOP, slices + 1)
-        for k in range(slices):  # the flame's light goes some way into wax; each covers the one before: no seams
+        for k in range(
+            slices
+        ):  # the flame's light goes some way into wax; each covers the one before: no seams
             share, low = 0.55 + 0.55 * light * (k / (slices - 1)) ** 2, edges[k]
             for left, right, tone in ((-1.0, 1.0, 0.74), (-1.0, 0.4, 1.0), (-1.0, -0.5, 0.82)):
                 slice_ = rects((left * CANDLE, low, right * CANDLE, TOP))

@@ -9,7 +9,19 @@ from game.arrays import Floats
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
-from game.scenes.candle.air import AIR, FRESH, NEVER, OXYGEN, PER_VOLUME, POWER, RIM, SEALED, SUPPLY, USED, Air
+from game.scenes.candle.air import (
+    AIR,
+    FRESH,
+    NEVER,
+    OXYGEN,
+    PER_VOLUME,
+    POWER,
+    RIM,
+    SEALED,
+    SUPPLY,
+    USED,
+    Air,
+)
 from game.scenes.candle.parameters import CandleContent, CandleParameters
 from game.worlds.hearing import Heard
 from game.worlds.members.burning_air import AirState
@@ -100,7 +112,7 @@ class CandleWorld(World):
         return float(self.air.flows[OXYGEN]) if self.sealed() else math.nan
 
     def to_limit(self) -> float:
-        """kg/m of the oxygen at first that could burn until all gas under the glass, mixed, is at the limit."""
+        """kg/m of the oxygen at first that can burn until all gas under the glass, mixed, is at the limit."""
         left = self.parameters.limit / PER_VOLUME * (FRESH / AIR) * self.air.inside("air")
         return max(self.oxygen_at_first() - left, 0.0)
 

@@ -10,7 +10,6 @@ import pygame
 
 from game.arrays import Floats, Longs
 from game.scenes.tower.building import floor_height, half_width
-from game.worlds.members.dust import LIFE
 from game.scenes.tower.frame import FLOORS
 from game.scenes.tower.measures import fall_of, front_of
 from game.scenes.tower.tables import COLUMN, NOT_YET
@@ -18,9 +17,10 @@ from game.scenes.tower.world import TowerState, TowerWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
 from game.worlds.hands.hand import Hand
+from game.worlds.members.dust import LIFE, as_seen
 from game.worlds.members.solids import bodies_between
-from game.worlds.painting.dust import draw_dust
 from game.worlds.painting.boards import paint_quads
+from game.worlds.painting.dust import draw_dust
 from game.worlds.painting.inks import color_of
 from game.worlds.painting.marks import draw_contacts
 from game.worlds.painting.polygons import NO_EDGE, paint
@@ -218,7 +218,7 @@ class TowerView:
             sheen = ((0.0, pygame.Color(0, 0, 0)), (1.0, color_of(hour.sheen)))
             canvas.veil(self.model.air.veil(), *self.model.air.box(), color_of(hour.dust[1]), sheen)
             dust = dust[np.floor(997.0 * dust[:, LIFE]) % SPARED == 0.0]  # the same ones in each picture
-        draw_dust(canvas, dust, hour.dust)
+        draw_dust(canvas, as_seen(dust), hour.dust)
 
     def _marks(self, canvas: Canvas) -> None:
         model = self.model

@@ -119,11 +119,13 @@ class Machine(Member):
         return ""
 
     def part_of(self, most: float) -> float:
-        """s that may be stepped at once of ``most``: all of it, or nearly up to the release if that is sooner.
+        """s that may be stepped at once of ``most``: all, or nearly up to the release if that is sooner.
 
         Flight turns by three degrees in a step: without this, a shot would depend on when it is fired.
         """
-        left = (math.radians(self.parameters.release) - self.flight) / self.turns if self.turns < 0.0 else most
+        left = (
+            (math.radians(self.parameters.release) - self.flight) / self.turns if self.turns < 0.0 else most
+        )
         return most if self.phase != THROWING or left >= most else min(max(NEAR * left, LEAST), most)
 
     def step(self, dt: float) -> None:

@@ -11,9 +11,18 @@ from game.scenes.trebuchet.world import TrebuchetState, TrebuchetWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand, legend_of
+from game.worlds.members.dust import as_seen
 from game.worlds.members.solids import turned_between
 from game.worlds.painting.boards import (
-    WHOLE, beams, paint_blocks, paint_pits, paint_quads, paint_shadows, paint_timber, placed, rects,
+    WHOLE,
+    beams,
+    paint_blocks,
+    paint_pits,
+    paint_quads,
+    paint_shadows,
+    paint_timber,
+    placed,
+    rects,
 )  # fmt: skip
 from game.worlds.painting.dust import draw_dust
 from game.worlds.painting.inks import color_of, scaled
@@ -33,7 +42,9 @@ SHARES = (1.0, 0.93, 1.06, 0.88, 0.98, 1.04)  # of the wall's colour, block afte
 # of the castle far behind the wall: left, right, top m, beside CASTLE_AT; merlons on top; windows
 CASTLE = ((-16.0, 34.0, 6.0), (-18.0, -13.0, 10.5), (2.0, 14.0, 13.5), (5.0, 9.0, 17.0), (30.0, 36.0, 11.5))
 CASTLE_AT, CASTLE_NEAR, CASTLE_FAR, CASTLE_INK = 112.0, 0.45, 0.7, (0x8A9098, 0x4A3650)
-WINDOWS = [(x, y, x + 0.3, y + 0.8) for x, y in ((-15.8, 8), (4.5, 10), (7, 14), (11, 10), (32.5, 9), (7.5, 7))]
+WINDOWS = [
+    (x, y, x + 0.3, y + 0.8) for x, y in ((-15.8, 8), (4.5, 10), (7, 14), (11, 10), (32.5, 9), (7.5, 7))
+]
 
 
 class TrebuchetView:
@@ -67,7 +78,7 @@ class TrebuchetView:
         radii = [stone_radius(1.0 / one) for one in model.world.bodies.inverse_masses[stones].tolist()]
         least, inks = canvas.px(2.4), np.full(len(stones), tones[5], dtype=np.int64)
         draw_spheres(canvas, places[stones], np.maximum(radii, least), turned[stones], inks)
-        draw_dust(canvas, model.dust.rows, DUST[late], (0.12, 0.08), 40)
+        draw_dust(canvas, as_seen(model.dust.rows), DUST[late], (0.12, 0.08), 40)
         self._landscape.draw_front(canvas)
         self._asked = canvas.asked
         if canvas.marks(False):

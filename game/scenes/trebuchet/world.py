@@ -27,7 +27,9 @@ EVERY, MOST = 0.15, 200  # s between two points of the trail, and how many there
 EARTH, STONES = range(2)  # sounds
 LEAST_HEARD, USUAL = 0.3, 60.0  # m/s of approach; kg that sounds as it is
 DUSTY, QUICK = 80.0, 6.0  # N s for a puff of dust; m/s, of the quickest
-ROLLS = 0.3  # rolling resistance on turf: that of wheels in sand (0.2 to 0.4), so that no stone rolls to the wall
+ROLLS = (
+    0.3  # rolling resistance on turf: that of wheels in sand (0.2 to 0.4), so that no stone rolls to the wall
+)
 
 
 class TrebuchetState(NamedTuple):
@@ -74,11 +76,12 @@ class TrebuchetWorld(World):
         left, said = dt, ""
         while left > 0.0:  # in parts where the hook lets go within the step
             part = self.machine.part_of(left)
-            said, left = self._advance(part) or said, left - part
+            said, left = self.go_on(part) or said, left - part
         self.dust.rows = advance_dust(self.dust.rows, dt)
         return said
 
-    def _advance(self, dt: float) -> str:
+    def go_on(self, dt: float) -> str:
+        """A step, or a part of one, of dt (s)."""
         phase, rows = self.machine.phase, self.world.bodies
         stone = self.machine.stones[-1] if self.flying == NOBODY else self.flying
         if self.flying != NOBODY and QUADRATIC_DRAG in self.active:

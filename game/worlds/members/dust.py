@@ -66,3 +66,9 @@ class Dust(Member):
     ) -> None:
         """New ones, see `puffs`."""
         self.rows = np.concatenate([self.rows, puffs(places, speeds, size, life, random)])
+
+
+def as_seen(dust: Floats) -> tuple[Floats, Floats, Floats]:
+    """Of puffs (n, DUST_WIDTH): places (n, 2) m, shares of their life that are over and radii m, (n,)."""
+    radii = dust[:, SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, AGE]))
+    return dust[:, PLACE], dust[:, AGE] / dust[:, LIFE], radii

@@ -39,14 +39,14 @@ HILLS = (
     Hill(0.17, 2.6, 21.0, 0.76, 0.55),
     Hill(0.32, 1.6, 33.0, 0.86, 1.0),
 )
-BLADES, PASSES = 90, 1.8  # of grass before the world, across the picture; how much faster it goes by
+BLADES, PASSES = 90, 1.8  # of grass before the world, across the picture; its motion over the world's
 HAZE = (0.5, 0.42, 0.34, 0.2)  # at the foot of each
 
 
 class Hour(NamedTuple):
-    """Colours of the sky above and at the horizon, of its light, of hills from the farthest on, of grass and of
-    the earth below. sun: where the light stands, shares of width and height; radius: share of the height; wide,
-    near: how much it brightens the sky far from it and close to it; stars: how bright they are.
+    """Colours of the sky above and at the horizon, of its light, of hills from the farthest on, of grass and
+    of the earth below. sun: where the light stands, shares of width and height; radius: share of the height.
+    wide, near: how much it brightens the sky far from it and close to it; stars: how bright they are.
     """
 
     above: int
@@ -141,7 +141,7 @@ class Landscape:
         )
 
     def draw_front(self, canvas: Canvas) -> None:
-        """Paint grass before the world, at the lower edge of the picture; it moves more than the world does."""
+        """Paint grass before the world, at the lower edge of the picture; it moves more than the world."""
         hour, seen = self._late if is_dark(canvas) else DAY, canvas.camera.visible()
         wide, tall = seen.right - seen.left, seen.top - seen.bottom
         gap = wide / BLADES
@@ -150,7 +150,12 @@ class Landscape:
         high = tall * (0.035 + 0.03 * np.abs(np.sin(0.13 * k)) + 0.03 * np.sin(2.9 * k) ** 2)
         tip, low = x + 0.4 * high * np.sin(1.7 * k), max(seen.bottom - self._ground + 0.1 * tall, 0.0)
         base = seen.bottom - 0.01 * tall - low  # a camera that rises leaves it below
-        corners = [(x - 0.9 * gap, base), (x + 0.9 * gap, base), (tip + 0.1 * gap, base + high), (tip, base + high)]
+        corners = [
+            (x - 0.9 * gap, base),
+            (x + 0.9 * gap, base),
+            (tip + 0.1 * gap, base + high),
+            (tip, base + high),
+        ]
         quads = np.stack([np.stack(np.broadcast_arrays(*one), axis=1) for one in corners], axis=1)
         inks = mixed(np.full(len(k), hour.grass), hour.earth, 0.45 + 0.4 * np.sin(4.1 * k) ** 2)
         paint_quads(canvas, quads.reshape(-1, 2), inks)
