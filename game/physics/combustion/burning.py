@@ -6,8 +6,8 @@ reactant of which there is less, so neither falls below nothing however long the
 cell's capacity (J/(m³ K), the same everywhere: of a gas at constant pressure density times temperature is).
 Soot burns off at a rate of its own; by its temperature and oxygen too if the size of its balls is given
 (`soot`). Hot gas radiates as T⁴, exactly, in proportion to the soot in it and to what glows of itself. A cell
-whose temperature rises from T to T' wants (T' - T) / (T dt) more space in a second: a source of the divergence, for
-the gas to be projected to.
+whose temperature rises from T to T' wants (T' - T) / (T dt) more space in a second: a source of the
+divergence, for the gas to be projected to.
 
 Cells (ny, nx, fields): the carried scalars of a gas; columns (4,) says where temperature (K), fuel, oxygen
 and soot (kg/m³) are among them.

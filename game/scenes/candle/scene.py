@@ -19,8 +19,8 @@ from game.worlds.scene import Parts, WorldScene
 
 class Candle(WorldScene):
     """A glass comes down over a candle. The flame burns on with the oxygen that is in the glass. It is out
-    when the air beside it has no more than 16 % of oxygen by volume, though most of it is there. Then the wick
-    smokes.
+    when the air beside it has no more than 16 % of oxygen by volume, though most of it is there. Then the
+    wick smokes.
 
     Wax vapour mixes with air, and burns where it is hot enough as far as there is oxygen. The heat of the
     flame makes the vapour: with less power the wick gives less. What is hot expands and rises. Walls cool the
@@ -62,11 +62,11 @@ class Candle(WorldScene):
         Strip("Power of the flame", "W/m", ("power",)),
     )  # fmt: skip
     hints = (
-        Hint(("G",), "glass down or up"), Hint(("L",), "light the wick"), Hint(("Drag",), "move the glass"),
+        Hint(("G",), "glass down or up"), Hint(("K",), "light the wick"), Hint(("Drag",), "move the glass"),
         Hint(("Right click",), "light the wick"),
     )  # fmt: skip
     actions = (
-        SceneAction("glass", "glass down or up", "G"), SceneAction("light", "light the wick", "L"),
+        SceneAction("glass", "glass down or up", "G"), SceneAction("light", "light the wick", "K"),
     )  # fmt: skip
     figure = staticmethod(draw_glass)
     equations = (

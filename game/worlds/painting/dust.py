@@ -18,7 +18,7 @@ def draw_dust(
     lift: tuple[float, float] = (0.3, 0.2),
     chunk: int = CHUNK,
 ) -> None:
-    """Puffs: places (n, 2) m, shares of their life that are over and radii m, (n,). inks: lit and in the shade;
+    """Puffs: places (n, 2) m, shares of their life that are over and radii m, (n,). inks: lit and in shade;
     lift: m by which light lies beside a puff's middle.
     """
     places, ages, radii = puffs

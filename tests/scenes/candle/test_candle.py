@@ -94,8 +94,8 @@ def test_nothing_goes_through_a_glass_that_stands() -> None:
 
 @pytest.mark.parametrize("half_width", [0.05, 0.06, 0.08])
 def test_it_is_out_when_the_law_says(half_width: float) -> None:
-    """By the law all gas under the glass is mixed. It nearly is: spent gas gathers above, fresh gas below feeds
-    the flame a little longer. 1.5 % of oxygen in the mean are 0.3 of the way from 20.9 to 16 %, so of the time.
+    """By the law all gas under the glass is mixed. It nearly is: spent gas gathers above, fresh gas below
+    feeds the flame longer. 1.5 % of oxygen in the mean are 0.3 of the way from 20.9 to 16 %, so of the time.
     """
     found = starved(half_width)
     assert found["burns"] == 0 and found["flame lived"] == pytest.approx(found["time by the law"], rel=0.3)
