@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import gc
 import os
+import sys
 import tempfile
 from collections.abc import Generator
 from pathlib import Path
@@ -40,8 +42,11 @@ os.environ["CAROM_HOME"] = _home.name
 # Python looks through the young objects at every 700th new one, and the compiler's millions of old ones again
 # and again: a twentieth of the time of tests that make many. Whoever wants it at once says gc.collect().
 gc.set_threshold(20_000, 25, 25)
+_WORKER = os.environ.get("PYTEST_XDIST_WORKER", "")  # "gw0", "gw1" and so on; none without pytest-xdist
+_BACKWARDS = _WORKER[-1:] in tuple("13579")
 _file: Path | None = None  # whose tests are run
 _held = 0  # bytes in memory after the last search for garbage
+_searched = 0  # and after the last one through all objects, however old
 SHOULD_PEAK = 1_500_000_000  # bytes that a process should take at most
 _peaks: dict[str, int] = {}  # bytes, by worker
 GROWN, MUCH = 64 << 20, 1 << 30  # bytes: so much more, or so much at all, is looked through
@@ -57,8 +62,23 @@ hypothesis.settings.register_profile(
 hypothesis.settings.load_profile("carom")
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, pytest.CollectReport, Any]:
+    """Every other worker reads the files of tests from the last to the first.
+
+    pytest rewrites the assertions of a file, which takes most of the time of collecting, and keeps what came
+    of it. Of two workers that begin at both ends each finds the half of the other one.
+    """
+    report = yield
+    if _BACKWARDS and isinstance(collector, pytest.Directory):
+        report.result.reverse()
+    return report
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Without the compiler, leave out the few tests that would take minutes each."""
+    """In one order for all workers; without the compiler, without the few tests that take minutes each."""
+    if _WORKER:
+        items.sort(key=lambda item: item.path.parts)
     if os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0"):
         return
     for item in items:
@@ -72,13 +92,30 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 
     A gc.collect() late in a session would take a second else, and a test that counts objects many of them.
     """
-    global _file
+    global _file, _searched
     if item.path != _file:
         _file = item.path
-        if resident_bytes() > MUCH:  # among what was taken out there may be what nobody needs any more
+        # Among what was taken out there may be what nobody needs any more.
+        thorough = resident_bytes() > max(MUCH, _searched + GROWN)
+        if thorough:
             gc.unfreeze()
         gc.collect()
         gc.freeze()
+        give_back()
+        if thorough:
+            _searched = resident_bytes()
+
+
+def give_back() -> None:
+    """Hand freed memory back to the system, where its C library lets one ask for that.
+
+    glibc keeps what is free below anything that lives: 100 MB after the pictures of one scene.
+    """
+    if _trim is not None:
+        _trim(0)
+
+
+_trim = getattr(ctypes.CDLL(None), "malloc_trim", None) if sys.platform.startswith("linux") else None
 
 
 @pytest.hookimpl(wrapper=True)
@@ -91,6 +128,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
     done = yield
     if resident_bytes() > _held + GROWN:
         gc.collect()
+        give_back()
         _held = resident_bytes()
     return done
 

@@ -1,9 +1,10 @@
-"""Docstrings and comments: short sentences, and no phrases that must be read twice."""
+"""Docstrings, comments, and what a person reads: short sentences, no phrases that must be read twice."""
 
 from __future__ import annotations
 
 import re
 import tokenize
+import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -15,6 +16,7 @@ from tests import words
 from tests.words import MOST_WORDS, docstrings, sentences
 
 ROOT = Path(game.__file__).resolve().parent
+LEVELS = ROOT.parent / "levels"
 FORBIDDEN = {
     r"\b(is|are) told of\b": "say what it receives",
     r"\b[Nn]obody\b": "no body, no particle, no player: name the thing",
@@ -45,6 +47,49 @@ def _said(file: Path) -> Iterator[tuple[int, str]]:
         for token in tokenize.tokenize(source.readline):
             if token.type == tokenize.COMMENT:
                 yield token.start[0], token.string
+
+
+@cache
+def shown() -> tuple[tuple[str, str], ...]:
+    """Place and text of everything that a person may read: strings of the package, files of levels."""
+    strings = [
+        (f"{file.relative_to(ROOT)}:{line}", text) for file in files() for line, text in words.literals(file)
+    ]
+    levels = [
+        (f"levels/{file.relative_to(LEVELS)}", text)
+        for file in sorted(LEVELS.rglob("*.toml"))
+        for text in words.texts(tomllib.loads(file.read_text(encoding="utf-8")))
+    ]
+    return (*strings, *levels)
+
+
+def test_what_a_person_reads_is_found():
+    """Help of a parameter, a step of a paper's page, a caption of a story, a message with a number."""
+    found = " | ".join(text for _, text in shown())
+    for said in ("farther from a pin than the links reach", "Leaves that have become too full are split",
+                 "There can be at most 1 bodies."):  # fmt: skip
+        assert said in found
+    assert any(place.startswith("levels/") for place, _ in shown())
+
+
+def test_no_sentence_that_a_person_reads_is_longer():
+    long = [
+        f"{place} {one.words} words: {one.text}"
+        for place, text in shown()
+        for one in (words.Sentence(ROOT, 0, part) for part in words.split(text))
+        if one.words > MOST_WORDS
+    ]
+    assert long == [], "\n".join(long)
+
+
+@pytest.mark.parametrize("phrase", FORBIDDEN)
+def test_no_phrase_that_a_person_must_read_twice(phrase):
+    found = [
+        f"{place} {match.group()}: {FORBIDDEN[phrase]}"
+        for place, text in shown()
+        for match in re.finditer(phrase, text)
+    ]
+    assert found == [], "\n".join(found)
 
 
 def test_no_sentence_is_longer_than_can_be_read_at_once():

@@ -16,6 +16,7 @@ WORD = re.compile(r"(?<![\w.^*/=+])(?:[A-Za-z][a-z'’-]*[a-z]|[aA]|[A-Z]{3,})(?
 APART = re.compile(r"^[ |=]|\S {3,}\S|^\w+\(.*\)$")  # of a table, a formula, code
 SYMBOL = re.compile(r"(?<![\w'’-])[B-HJ-Zb-zα-ωΔ](?:_\w+)?(?![\w'’(])")
 SYMBOLS = 5  # a sentence that names so many is a legend of formulas
+PROSE = 4  # words that a string has at least if it is a sentence for a person
 ENDS = re.compile(r"(?<=[.!?:])\s+")
 
 
@@ -43,6 +44,42 @@ def docstrings(file: Path) -> Iterator[tuple[int, str]]:
                 yield node.body[0].lineno, text
 
 
+def literals(file: Path) -> Iterator[tuple[int, str]]:
+    """Line and text of each string that is prose: help, captions, pages, messages.
+
+    Docstrings are left out, and what has no four words. A value that is put in counts as a figure.
+    """
+    tree, left_out = ast.parse(file.read_text(encoding="utf-8")), set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Expr):
+            left_out.add(id(node.value))
+        elif isinstance(node, ast.JoinedStr):
+            left_out |= {id(part) for part in ast.walk(node) if isinstance(part, ast.Constant)}
+    for node in ast.walk(tree):
+        text = ""
+        if isinstance(node, ast.JoinedStr):
+            parts = (part.value if isinstance(part, ast.Constant) else "1" for part in node.values)
+            text = "".join(str(part) for part in parts)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in left_out:
+            text = node.value
+        if len(text.split()) >= PROSE and text.count("{") < PROSE:  # a sheet of styles is none
+            yield node.lineno, text
+
+
+def texts(data: object) -> Iterator[str]:
+    """All strings of prose in what a level file holds."""
+    if isinstance(data, str) and len(data.split()) >= PROSE:
+        yield data
+    elif isinstance(data, dict | list):
+        for part in data.values() if isinstance(data, dict) else data:
+            yield from texts(part)
+
+
+def split(text: str) -> list[str]:
+    """Sentences and clauses of a text in one line."""
+    return ENDS.split(ABBREVIATED.sub(r"\1._", text))
+
+
 def paragraphs(text: str) -> Iterator[str]:
     """Paragraphs of prose and items of lists, each in one line.
 
@@ -57,5 +94,5 @@ def sentences(file: Path) -> Iterator[Sentence]:
     """The sentences of a file's docstrings; a colon ends one too, as a list may follow it."""
     for line, text in docstrings(file):
         for paragraph in paragraphs(text):
-            for sentence in ENDS.split(ABBREVIATED.sub(r"\1._", paragraph)):
+            for sentence in split(paragraph):
                 yield Sentence(file, line, sentence)

@@ -138,7 +138,7 @@ class Room:
 
     def __init__(self, name: str, known: EffectSet) -> None:
         if len(known) > MOST_BITS:
-            raise EffectError(f"{name}: {len(known)} effects; a mask has room for {MOST_BITS}")
+            raise EffectError(f"{name}: {len(known)} effects; a mask takes at most {MOST_BITS}")
         self.name = name
         self.known = known
         self._bits = {effect: 1 << number for number, effect in enumerate(known)}

@@ -7,7 +7,7 @@ from game.physics.effects import declare_effect
 SHAPE_MOTION = declare_effect(
     "shape-motion",
     "Own motion",
-    "Shapes drift and turn by themselves when nobody holds them.",
+    "Shapes drift and turn by themselves when no hand holds them.",
 )
 COHERENCE = declare_effect("coherence", "Coherence", "A query begins with what the last one ended with.")
 EXACT_ANSWER = declare_effect(

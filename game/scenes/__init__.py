@@ -41,6 +41,7 @@ from game.scenes import (
     tracks,
     trebuchet,
     two_balls,
+    waves,
     wind_tunnel,
 )
 from game.stage.catalogue import Catalogue
@@ -73,6 +74,7 @@ CATALOGUE = Catalogue(
         *levitation.ENTRIES,
         *wind_tunnel.ENTRIES,
         *cavity.ENTRIES,
+        *waves.ENTRIES,
         *smoke.ENTRIES,
         *depth.ENTRIES,
         *deformables.ENTRIES,

@@ -114,12 +114,13 @@ class ToolButton(NamedTuple):
 class Inspected(NamedTuple):
     """A single thing that was clicked: its title, and the parameters that say and set what is its own.
 
-    close: the action that puts its card away.
+    close: the action that puts its card away. told: a value that is measured all the time, beside the title.
     """
 
     title: str
     parameters: tuple[str, ...]
     close: str
+    told: str = ""
 
 
 class Sound(NamedTuple):

@@ -14,9 +14,8 @@ import msgspec
 import numpy as np
 
 from game.definition import DefinitionError
-from game.levels import Level, LevelError
+from game.levels import Level
 from game.physics.effects import EffectSet
-from game.physics.kernels.limits import LimitError
 from game.stage.declarations import (
     Comparison,
     Frame,
@@ -29,10 +28,10 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Decision, Pointer, StageEvent
+from game.stage.opening.from_level import check_locks, check_teaching, refusal, take_over
 from game.stage.parameters import (
     STEP_LENGTH,
     Parameter,
-    ParameterError,
     Parameters,
     check_defaults,
     parameters_of,
@@ -40,7 +39,6 @@ from game.stage.parameters import (
 from game.stage.part import structures_of
 from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
-from game.teaching import Teaching, TeachingError
 
 if TYPE_CHECKING:
     from game.stage.records.excerpt import Excerpt
@@ -95,53 +93,22 @@ class Scene(SceneDeclaration):
         self.level = level
         self.seed = seed if seed is not None else level.seed if level is not None else 0
         if level is not None:
-            self._take_over(level)
+            take_over(self, level)
         for key, value in (parameters or {}).items():
             self.parameter(key).__set__(self, value)
         if effects is not None:
             self.active = effects
         for name in effects_off:
             self.active = self.active.without(self.effect(name))
-        self._check_locks(level)
+        check_locks(self, level)
         try:
             self.build(level)
-        except (LevelError, ParameterError):
-            raise
         except ValueError as error:
-            asked_beside = bool(parameters) and isinstance(error, LimitError)
-            if level is None or asked_beside:
+            refused = refusal(error, level, asked_beside=bool(parameters))
+            if refused is error:
                 raise
-            if level.content is None and not isinstance(error, LimitError):
-                raise
-            field = "content" if level.content is not None else "parameters"
-            raise LevelError(level.path, field, str(error)) from error
-        if level is not None and level.teaching is not None:
-            self._check_teaching(level, level.teaching)
-
-    def _check_locks(self, level: Level | None) -> None:
-        """ParameterError if something that the level locks is not as the level has it."""
-        if level is None or level.teaching is None:
-            return
-        declared = self.declared_parameters()
-        try:
-            level.teaching.check_names(declared, [effect.name for effect in self.effects])
-        except TeachingError as error:
-            raise LevelError(level.path, f"teaching.{error.field}", error.reason) from None
-        for name in level.teaching.fixed:
-            if self.values[name] != self.level_value(name):
-                raise ParameterError(f"{name} = {self.values[name]!r}: locked by the level")
-        for name in level.teaching.locked_effects:
-            if (self.effect(name) in self.active) == (name in level.effects_off):
-                raise ParameterError(f"{name}: locked by the level")
-
-    def _check_teaching(self, level: Level, teaching: Teaching) -> None:
-        """LevelError for a readout that is asked for and never measured."""
-        known = [readout.name for readout in self.readouts()]
-        known += [name for strip in self.strips for name in strip.sometimes]
-        try:
-            teaching.check_readouts(known)
-        except TeachingError as error:
-            raise LevelError(level.path, f"teaching.{error.field}", error.reason) from None
+            raise refused from error
+        check_teaching(self, level)
 
     def level_value(self, name: str) -> Any:
         """What a parameter is in the level: said there, or its default."""
@@ -158,23 +125,6 @@ class Scene(SceneDeclaration):
         ]
         if missing:
             raise DefinitionError(f"{own.__name__}: define {', '.join(missing)} (see the class Scene)")
-
-    def _take_over(self, level: Level) -> None:
-        """Set parameters and effects as the level says; LevelError naming its file and field."""
-        if level.scene != self.name:
-            raise LevelError(level.path, "scene", f"is {level.scene!r}, expected {self.name!r}")
-        for key, value in level.parameters.items():
-            try:
-                self.parameter(key).__set__(self, value)
-            except ParameterError as error:
-                raise LevelError(
-                    level.path, f"parameters.{key}", str(error).removeprefix(f"{key}: ")
-                ) from None
-        for name in level.effects_off:
-            try:
-                self.active = self.active.without(self.effect(name))
-            except ParameterError as error:
-                raise LevelError(level.path, "effects.off", str(error)) from None
 
     def check_strips(self) -> None:
         """DefinitionError, naming strip and readout, if a chart asks for a value that is never measured."""
@@ -364,6 +314,11 @@ class Scene(SceneDeclaration):
         """What is to be heard, and where in it the scene is now; None: nothing."""
         return None
 
+    @classmethod
+    def is_heard(cls) -> bool:
+        """Whether there is ever anything to be heard."""
+        return cls.hearing is not Scene.hearing
+
     def worth_keeping(self) -> object:
         """A value that changes whenever the content should be kept against a crash; None: never."""
         return None
@@ -372,6 +327,11 @@ class Scene(SceneDeclaration):
     def stars(self) -> tuple[int, int] | None:
         """Most stars won by a person in this level, and how many there are; None: it has none."""
         return None
+
+    @property
+    def level_wanted(self) -> str:
+        """Name of the file, without its ending, of the scene's own level that is to be opened now; or ""."""
+        return ""
 
     @property
     def practised(self) -> Practised | None:

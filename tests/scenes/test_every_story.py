@@ -31,8 +31,8 @@ SMALL, OTHER = (64, 36), 20  # px of pictures that are compared; of 255, by whic
 LARGE_CHANGE = 0.1  # of the picture, within a second
 # Stories with nothing new for longer than `MOST_IDLE_S`, or not yet looked at; may only shrink.
 IDLE = frozenset(("c04/wind", "a26/evening"))
-REPLAYED_S = 24.0  # of a story: the rest is made twice in pieces, after each take-over
-TAKE_OVERS, BETWEEN_S, AFTER_S = 20, (0.5, 5.0), 0.4  # at least; s from one to the next, s that each lasts
+REPLAYED_S = 12.0  # of a story: the rest is made twice in pieces, after each take-over
+TAKE_OVERS, BETWEEN_S, AFTER_S = 20, (0.5, 5.0), 0.25  # at least; s from one to the next, s that each lasts
 
 pytestmark = pytest.mark.compiled
 
@@ -53,7 +53,7 @@ class Performance(NamedTuple):
     outside: list[float]  # s of film at which the view had no finite place
     taken_over: int
     harmed: list[str]  # what a take-over has broken, or changed for good
-    beginning: Recording  # the first third or so
+    beginning: Recording  # the first sixth or so
     changed: list[bool]  # by what the story offers at its end
     marked: list[tuple[float, int]]  # s of film; pixels that marks change there
     hidden: list[str]  # what keeps the subject of a moment from being seen well as it comes

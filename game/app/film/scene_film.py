@@ -13,7 +13,7 @@ from game.app.film.video import VideoWriter
 from game.app.stagehand.headless import prepare
 from game.app.stagehand.script import Script
 from game.app.stagehand.view import StageView
-from game.stage import Scene, Stage, Stamped
+from game.stage import Stage, Stamped
 from game.ui.look.layout import auto_scale
 from game.ui.look.look import Look
 from game.ui.look.theme import theme_named
@@ -36,7 +36,7 @@ def write_scene_film(
     script = Script(stage, events, players)
     track = Soundtrack()
     ear = Ear(track)
-    sounding = type(stage.scene).hearing is not Scene.hearing
+    sounding = stage.scene.is_heard()
     progress = Progress("Film")
     count = max(round(seconds * fps), 1)
     with VideoWriter(path, size, fps, sound=sounding) as video:

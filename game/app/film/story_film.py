@@ -59,7 +59,7 @@ class StoryFilm:
     @property
     def sounding(self) -> bool:
         """Whether there is anything to be heard."""
-        return type(self.stage.scene).hearing is not Scene.hearing
+        return self.stage.scene.is_heard()
 
     @property
     def seen(self) -> Frame:

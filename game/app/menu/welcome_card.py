@@ -11,6 +11,7 @@ from game.app.menu.cards import round_corners
 from game.app.menu.sketch import sketch
 from game.app.screens.card import CardScreen
 from game.app.screens.host import Host
+from game.app.stagehand.level_index import lessons_of, next_lesson
 from game.app.window.guard import Failure
 from game.stage.catalogue import STORIES
 from game.ui.look.shapes import draw_box
@@ -21,9 +22,11 @@ LINES = (
     "Games of billiards, and a laboratory of the physics in it.",
     "Play a match, watch a story that is computed as it plays, or see step by step how that is done.",
 )
+TAUGHT = "billiards"  # the scene of the lessons
 COURSE = "Course"  # the category of the menu
 ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 TOP, CHOICE, GAP, WORDS, RADIUS = 124, 212, 16, 68, 12  # design px
+MANY_ROWS, NARROW_GAP = 6, 4  # rows, from which on they stand closer; design px
 LOWER = 172  # design px, of a choice where there are two rows
 BESIDE_FROM = 560  # design px of the card's width below which one choice stands above the next
 
@@ -44,6 +47,7 @@ GAMES = (
 )
 OTHERS = (
     Choice("stories", "Watch a story", "a billiard match, fireworks, fire", "a09"),
+    Choice("lessons", "Learn the cue", "five strokes in ten minutes", "three-tables"),
     Choice("course", "See the course", "from key-frames to soft bodies", "c04"),
 )
 
@@ -63,10 +67,11 @@ class WelcomeCard(CardScreen):
         self._show_category = show_category
         names = {entry.name for entry in host.catalogue}
         games = tuple(game for game in GAMES if game.scene in names)
+        others = OTHERS if TAUGHT in names else tuple(one for one in OTHERS if one.name != "lessons")
         self._rows: tuple[tuple[Choice, ...], ...] = (
-            (games, OTHERS) if len(games) > 1 else ((*games, *OTHERS),)
+            (games, others) if len(games) > 1 else ((*games, *others),)
         )
-        self._choices = (*games, *OTHERS)
+        self._choices = (*games, *others)
         if len(self._rows) > 1:
             self.veil = Overlay(host.look, TOP + 2 * LOWER + GAP + 32.0, self.width)
         self.restyle()
@@ -77,11 +82,12 @@ class WelcomeCard(CardScreen):
 
     def places(self) -> list[Hotspot]:
         card, px = self.veil.card, self.host.look.px
-        left, top, gap = card.x + px(32), card.y + px(TOP), px(GAP)
+        left, top = card.x + px(32), card.y + px(TOP)
         width, height = max(2, card.w - px(64)), max(2, card.bottom - px(16) - top)
         rows = self._rows
         if card.w < px(BESIDE_FROM):
             rows = tuple((choice,) for choice in self._choices)
+        gap = px(GAP) if len(rows) < MANY_ROWS else px(NARROW_GAP)
         tall = max(1, min(px(CHOICE), (height - (len(rows) - 1) * gap) // len(rows)))
         spots = []
         for j, row in enumerate(rows):
@@ -108,7 +114,9 @@ class WelcomeCard(CardScreen):
         if self.leaving:
             return
         scene = next((game.scene for game in GAMES if game.name == name), None)
-        if scene is not None:
+        if name == "lessons":
+            self.host.open_scene(TAUGHT, level=next_lesson(lessons_of(TAUGHT)).path)
+        elif scene is not None:
             self.host.open_scene(scene)
         else:
             self._show_category(STORIES if name == "stories" else COURSE)

@@ -37,6 +37,10 @@ class Errands:
         self._waiting: deque[_Errand] = deque()  # the first one is under way
         self._thread: threading.Thread | None = None
         self._outcome: Act | Exception | None = None
+        self._rests = False  # the thread waits for the window to have looked into the scene
+        self._looking = False  # the window has seen that
+        self._in_haste = False  # the thread is waited for, so it is not to rest
+        self._go = threading.Event()
 
     @property
     def busy(self) -> bool:
@@ -68,22 +72,48 @@ class Errands:
     @property
     def inside(self) -> bool:
         """Whether a thread is at work in the scene itself."""
-        return self._thread is not None and self._waiting[0].inside
+        return self._thread is not None and self._waiting[0].inside and not self._looking
+
+    def rest(self) -> None:
+        """Called by work inside: let the window show the scene once as it is, then go on."""
+        if threading.current_thread() is not self._thread:
+            return
+        self._go.clear()
+        if self._in_haste:
+            return
+        self._rests = True
+        self._go.wait()
+        self._rests = False
+
+    def shown(self) -> None:
+        """The window has drawn the scene: a thread that rests goes on."""
+        if self._looking:
+            self._looking = False
+            self._go.set()
 
     def update(self, elapsed_s: float) -> None:
         """Let time pass, and go on as far as the thread has come."""
+        self._looking = self._rests and not self._go.is_set()
         self.seconds = self.seconds + elapsed_s if self.busy else 0.0
         if self._thread is not None and not self._thread.is_alive():
             self._end()
             self._go_on()
 
     def wait(self, seconds: float | None = None) -> None:
-        """Wait for the thread of what is under way, for tests."""
+        """Wait for the thread of what is under way; it rests no more."""
         if self._thread is not None:
+            self._hurry(True)
             self._thread.join(seconds)
+            self._hurry(False)
+
+    def _hurry(self, in_haste: bool) -> None:
+        self._in_haste, self._looking = in_haste, False
+        if in_haste:
+            self._go.set()
 
     def close(self) -> None:
         """The scene is left: what is to be kept is finished, with all that comes before it."""
+        self._hurry(True)
         while self._waiting and not self._waiting[-1].kept:
             self._waiting.pop()
         while self._waiting:
@@ -118,8 +148,7 @@ class Errands:
 
     def _end(self) -> None:
         """Wait for the thread and do what its errand has given."""
-        if self._thread is not None:
-            self._thread.join()
+        self.wait()
         outcome = self._outcome
         self._thread = self._outcome = None
         self._waiting.popleft()

@@ -31,7 +31,7 @@ from game.app.window.commands import Actions
 from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
 from game.compiler.prebuilt import anything_taken
-from game.stage import Action, Scene, Stage, StageEvent
+from game.stage import Action, Stage, StageEvent
 from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish
 
@@ -63,11 +63,12 @@ class ScenePlay:
         self._pace = 1.0  # of the level in play
         self._frame = stage.scene.frame()  # that the view was fitted to
         self.story: StoryPlay | None = None
+        self._wanted: Path | None = None  # level that the scene asks for
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
         self.lesson = Lesson(host, self.record, shell, self._offer_levels)
-        if type(stage.scene).hearing is not Scene.hearing:
+        if stage.scene.is_heard():
             host.sounds.prepare()
         story = opening.read_story(stage.scene_type)
         if story is not None:
@@ -238,7 +239,12 @@ class ScenePlay:
         return begun
 
     def step_out(self) -> bool:
-        """Take back a drag, or else leave the part of the scene that one is in; False if there is neither."""
+        """Stop a jump of a story, else take back a drag, or else leave the part of the scene that one is in.
+
+        False if there is none of these.
+        """
+        if self.story is not None and self.story.journey.stop():
+            return True
         if self.cancel():
             return True
         name = "" if self.stopped else self.stage.scene.way_out
@@ -318,6 +324,7 @@ class ScenePlay:
             self._stand_still(elapsed_s)
             return
         if not errands.busy:
+            self._go_where_it_wants()
             panel = self.shell.panel
             self.steps.go_on(elapsed_s, measuring=panel is not None and panel.shows_effects)
         if self.story is not None:
@@ -333,6 +340,13 @@ class ScenePlay:
             self._unseen_s += elapsed_s
             return
         self._follow(elapsed_s, still=self.stage.paused or errands.busy)
+
+    def _go_where_it_wants(self) -> None:
+        """Open the level that the scene asks for, once."""
+        wanted, before = self.shelf.own_level(self.stage.scene.level_wanted), self._wanted
+        self._wanted = wanted
+        if wanted is not None and wanted != before:
+            self.open_file(wanted)
 
     def _follow(self, elapsed_s: float, still: bool) -> None:
         """Sounds, camera, messages and shell as the scene is now."""
@@ -387,6 +401,7 @@ class ScenePlay:
         else:
             self.standstill.end()
             self._draw(surface)
+            errands.shown()
         if self.story is not None:
             self.story.draw_bar(surface)
         if self.story is None or self.story.journey.share is None:  # its bar says how far a jump has come

@@ -71,6 +71,13 @@ class Shelf:
             return
         self._record.errands.work(lambda: self._read(Path(path)))
 
+    def own_level(self, stem: str) -> Path | None:
+        """File of a level of the scene by its name; None without one, or if it is the present one."""
+        if not stem or self._record.watched or self._record.borrowed:
+            return None
+        files = level_files(self._record.stage.scene.name)
+        return next((path for path in files if path.stem == stem and path != self.present), None)
+
     def level_of(self, event: StageEvent) -> Path | None:
         """The level that an event asks for: by another value of the level's parameter, or an action so named.
 

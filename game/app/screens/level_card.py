@@ -22,7 +22,8 @@ from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
 
 GROUPS = (
-    ("ghost-", "Against the ghost"), ("set-", "Drills in sets"), ("drill-", "Drills"),
+    ("lesson-", "The first ten minutes"), ("ghost-", "Against the ghost"), ("set-", "Drills in sets"),
+    ("drill-", "Drills"),
     ("trick-", "Trick shots"), ("hard-", "Hard cases"),
 )  # fmt: skip  # by names of files
 OWN, OTHERS = "Your own", "Games"

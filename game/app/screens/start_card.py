@@ -9,6 +9,7 @@ import pygame
 
 from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.host import Host
+from game.app.stagehand.level_index import lessons_of, next_lesson
 from game.app.stagehand.opening import Opening
 from game.app.window.commands import Actions
 from game.stage.catalogue import Entry
@@ -46,6 +47,7 @@ class StartCard(CardScreen):
             if remembered.get(line.parameter) in dict(line.options):
                 self.chosen[line.parameter] = remembered[line.parameter]
         self._kept = below.kept()
+        self.lessons = lessons_of(entry.name)
         super().__init__(host)
         self.veil.size = (self.width, HEAD + ROW * len(self.lines) + FOOT)
         self.restyle()
@@ -73,6 +75,9 @@ class StartCard(CardScreen):
         self.host.tell("Your game goes on.", "N begins a new one.")
         self.close()
 
+    def _open_lesson(self) -> None:
+        self.host.open_scene(self.entry.name, level=next_lesson(self.lessons).path)
+
     def _open_levels(self) -> None:
         self.host.open_levels(self.entry, lambda path: self.host.open_scene(self.entry.name, level=path))
 
@@ -83,6 +88,8 @@ class StartCard(CardScreen):
             self._go_on()
         elif name == "levels":
             self._open_levels()
+        elif name == "lessons":
+            self._open_lesson()
         else:
             parameter, _, value = name.partition("=")
             self.chosen[parameter] = value
@@ -146,6 +153,7 @@ class StartCard(CardScreen):
         """The large one at the right, the others beside it."""
         px, card = self.host.look.px, self.veil.card
         names = ["play", *(["go-on"] if self._kept else []), "levels"]
+        names += ["lessons"] if self.lessons else []
         right, bottom = card.right - px(MARGIN), card.bottom - px(28)
         widths = [min(px(PLAY_WIDTH), (card.w - 2 * px(MARGIN)) // len(names) - px(GAP))] * len(names)
         spots = []
@@ -173,7 +181,12 @@ class StartCard(CardScreen):
             self._paint_segments(picture, line)
         self._paint_play(picture)
         self.draw_button(picture, "go-on", "Go on with your game")
-        self.draw_button(picture, "levels", "Puzzles, drills and levels")
+        many = self._kept and bool(self.lessons)
+        self.draw_button(picture, "levels", "Levels" if many else "Puzzles, drills and levels")
+        if self.lessons:
+            done = sum(bool(head.stars) for head in self.lessons)
+            of = f": {done} of {len(self.lessons)}" if done else ""
+            self.draw_button(picture, "lessons", f"First ten minutes{of}")
 
     def _paint_play(self, picture: pygame.Surface) -> None:
         spot = self.spots.find("play")

@@ -13,6 +13,7 @@ from game.app.stagehand.stars import kept_stars
 from game.files import read_text
 from game.levels import MAX_BYTES, level_files, story_files, user_level_files
 
+LESSON = "lesson-"  # how names of lessons begin
 MOST_KEPT = 2_000  # heads of files
 _TABLE = re.compile(r"^[ \t]*\[", re.MULTILINE)
 
@@ -31,6 +32,16 @@ class LevelHead(NamedTuple):
 def level_heads(scene_name: str) -> list[LevelHead]:
     """Heads of all levels of a scene in their order; what cannot be read is named by its file."""
     return list(_heads(scene_name))
+
+
+def lessons_of(scene_name: str) -> list[LevelHead]:
+    """Heads of a scene's own lessons, in their order."""
+    return [head for head in level_heads(scene_name) if head.path.stem.startswith(LESSON)]
+
+
+def next_lesson(lessons: list[LevelHead]) -> LevelHead:
+    """The first lesson without a star; the first of all after the last. IndexError for none."""
+    return next((head for head in lessons if not head.stars), lessons[0])
 
 
 def story_heads(scene_name: str) -> list[LevelHead]:

@@ -53,7 +53,7 @@ def as_ours(kind: Any) -> Any:
     if twin is None:
         own = dispatcher_registry[Kernels]
         twin = _twins[given] = own(given.py_func, locals=given.locals, targetoptions=given.targetoptions)
-    return types.Dispatcher(twin)
+    return types.Dispatcher(twin.called)
 
 
 class KernelTyping(Context):
@@ -79,7 +79,7 @@ class KernelTyping(Context):
     def resolve_value_type(self, val: Any) -> Any:
         """The type of a constant; of another target's function, that of its twin here."""
         if getattr(val, "targetdescr", None) is target:
-            return types.Dispatcher(val)
+            return types.Dispatcher(val.called)
         return as_ours(super().resolve_value_type(val))
 
     def resolve_function_type(self, func: Any, args: Any, kws: Any) -> Any:

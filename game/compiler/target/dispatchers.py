@@ -8,6 +8,7 @@ function of another package that a kernel calls is compiled once more for Carom'
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -38,6 +39,11 @@ class TargetDispatcher(Dispatcher):
         super().__init__(py_func, locals, targetoptions, pipeline_class)
         self._compiler._customize_flags = QuickFlags
         self._plain: Any = None
+
+    @property
+    def called(self) -> TargetDispatcher:
+        """The dispatcher that other functions of this target call."""
+        return self
 
     @property
     def _numba_type_(self) -> Any:
@@ -79,6 +85,21 @@ class KernelDispatcher(TargetDispatcher):
         pipeline = pipeline_class or (InnerCompiler if is_inner else OuterCompiler)
         super().__init__(py_func, locals, targetoptions, pipeline)
         self._is_shut = bool(self.targetoptions.get("no_cpython_wrapper"))
+        self.make_inner: Callable[[], KernelDispatcher] | None = None  # set where the kernel may be one
+        self._inner: KernelDispatcher | None = None
+
+    @property
+    def called(self) -> KernelDispatcher:
+        """The dispatcher that other kernels call.
+
+        For most it is an inner kernel of the same function. Machine code of its own and an entry for Python
+        are made only when Python calls. A kernel that calls itself calls the one that compiles.
+        """
+        if self.make_inner is None or self.is_compiling:
+            return self
+        if self._inner is None:
+            self._inner = self.make_inner()
+        return self._inner
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
         """The rule by which a call of the kernel is typed, the same for a constant as for a variable.

@@ -70,7 +70,7 @@ class InnerLibrary(KernelLibrary):
         manager, builder = _tidying(self._codegen)
         manager.run(self._final_module, builder)
         if any(one.name.startswith(_CIRCLE) for one in self._final_module.global_variables):
-            raise NotImplementedError("inner kernels that call each other in a circle: use lean_kernel")
+            raise NotImplementedError("lean or inner kernels that call each other in a circle: use kernel")
         self._finalize_dynamic_globals()
         self._finalized = True
 

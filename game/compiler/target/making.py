@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import numba
 from numba import config
 
 from game.compiler.cache import code_folder
+from game.compiler.progress import kernels
 from game.compiler.target.dispatchers import KernelDispatcher
 from game.compiler.target.kept import KernelCache
 
@@ -24,7 +26,22 @@ def make_kernel(function: Callable[..., Any], options: dict[str, Any]) -> Kernel
             said = f"{sorted(options.items())}|{numba.__version__}|{config.OPT}|{config.BOUNDSCHECK}"
             with contextlib.suppress(ValueError):
                 dispatcher._cache = KernelCache(function, folder, said)
+    if _may_be_inner(options):
+        dispatcher.make_inner = partial(_make_inner, function, options)
     return dispatcher
+
+
+def _make_inner(function: Callable[..., Any], options: dict[str, Any]) -> KernelDispatcher:
+    """The inner kernel of a function, for the kernels that call it."""
+    made = make_kernel(function, {**options, "no_cpython_wrapper": True, "no_cfunc_wrapper": True})
+    kernels.add(made)
+    return made
+
+
+def _may_be_inner(options: dict[str, Any]) -> bool:
+    """Whether a kernel may be called as an inner one: it counts no references and is not inlined by numba."""
+    has_entries = not (options.get("no_cpython_wrapper") or options.get("no_cfunc_wrapper"))
+    return has_entries and options.get("_nrt") is False and options.get("inline", "never") == "never"
 
 
 def _closes_over_integers(function: Callable[..., Any]) -> bool:

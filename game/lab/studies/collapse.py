@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from game.lab.studies.qualities import quality_marks
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.naming import words_of
 from game.physics.accretion import strike_times
 from game.physics.solids import TIERS, Material, SolidSettings, SolidWorld, box
 
 FLOORS, HEIGHT, THICK, STEP_S = 10, 3.0, 0.4, 1.0 / 60.0
+FALL_S = 3.5
 COUNTS = (1, 2, 4, 8, 12, 16, 24, 32, 64)
 SOLVERS = ("soft-step", "sequential-impulses")
 
@@ -45,27 +47,15 @@ def fall_of(settings: SolidSettings, floors: int = FLOORS, step: float = STEP_S)
     return 4.0 * law, law
 
 
-class CollapseTrial:
-    """A fall, from its start each time."""
-
-    simulated_s = 3.5
-
-    def __init__(self, setting: Setting):
-        self.substeps = int(setting.scene["substeps"])
-        self.settings = SolidSettings(solver=setting.method, substeps=self.substeps, iterations=1)
-
-    def reset(self) -> None:
-        """Nothing measured yet."""
-        self.error = 1.0
-
-    def run(self) -> None:
-        """Until the last floor is struck."""
-        took, law = fall_of(self.settings)
-        self.error = abs(took / law - 1.0)
-
-    def outcome(self) -> Outcome:
-        """Relative error of the time."""
-        return Outcome(max(self.error, 1e-9), round(self.substeps * self.simulated_s / STEP_S))
+def collapse_trial(setting: Setting) -> Trial:
+    """A fall, from its start each time: relative error of the time."""
+    substeps = int(setting.scene["substeps"])
+    settings = SolidSettings(solver=setting.method, substeps=substeps, iterations=1)
+    return computation(
+        FALL_S,
+        lambda: fall_of(settings),
+        lambda times: Outcome(max(abs(times[0] / times[1] - 1.0), 1e-9), round(substeps * FALL_S / STEP_S)),
+    )
 
 
 def collapse_settings() -> list[Setting]:
@@ -98,7 +88,7 @@ collapse_study = Study(
     knob=Knob("substeps", "substeps", parts=True),
     methods=tuple(Method(name, words_of(name), None) for name in SOLVERS),
     settings=collapse_settings,
-    trial=CollapseTrial,
+    trial=collapse_trial,
     reference="momentum, floor by floor",
     expectation="Floors overlap a little before they are stopped, and are struck at the end of a substep.",
     present=present_collapse,

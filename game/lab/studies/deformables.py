@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.deformables import Mesh, MeshCollider, MeshStore, blob, mean_edge, store_of
 from game.physics.kernels import elementwise
 
@@ -59,30 +60,19 @@ def _all_pairs() -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return collider.naive()
 
 
-class DetectionTrial:
-    """Detections of the pile with a size of cells (mean edges) and a table."""
+def detection_trial(cell: float, table: int) -> Trial:
+    """Detections of the pile with a size of cells (mean edges) and a table: pairs that differ from all."""
+    store, points, edge = _pile()
+    collider = MeshCollider(store, cell * edge, table)
 
-    simulated_s = 1.0  # one detection
-
-    def __init__(self, cell: float, table: int):
-        store, self.points, edge = _pile()
-        self.collider = MeshCollider(store, cell * edge, table)
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-
-    def run(self) -> None:
-        """One detection."""
-        self.collider.find(self.points)
-
-    def outcome(self) -> Outcome:
-        """Pairs that differ from testing all, and vertices that were met in the table."""
-        found = self.collider.contact_keys, self.collider.crossing_keys
+    def judge(_: object) -> Outcome:
+        found = collider.contact_keys, collider.crossing_keys
         wrong = sum(len(np.setxor1d(a, b)) for a, b in zip(found, _all_pairs(), strict=True))
-        counts = self.collider.counts
-        return Outcome(
-            float(wrong), counts.tested + counts.strangers, f"{wrong} wrong pairs" if wrong else ""
-        )
+        counts = collider.counts
+        failure = f"{wrong} wrong pairs" if wrong else ""
+        return Outcome(float(wrong), counts.tested + counts.strangers, failure)
+
+    return computation(1.0, lambda: collider.find(points), judge)
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:
@@ -102,7 +92,7 @@ table_study = Study(
         for method, tables in TABLES.items()
         for table in tables
     ],
-    trial=lambda setting: DetectionTrial(1.0, int(setting.knob)),
+    trial=lambda setting: detection_trial(1.0, int(setting.knob)),
     reference="All pairs tested one by one: the same pairs for each table.",
     expectation="A short table has long chains of vertices that are nowhere near. Beyond some slots for each "
     "vertex nothing is gained any more; whether the number is prime hardly matters.",
@@ -123,7 +113,7 @@ cell_study = replace(
         for method, table in (("usual", USUAL_TABLE), ("short", 101))
         for cell in CELLS
     ],
-    trial=lambda setting: DetectionTrial(setting.knob, USUAL_TABLE if setting.method == "usual" else 101),
+    trial=lambda setting: detection_trial(setting.knob, USUAL_TABLE if setting.method == "usual" else 101),
     expectation="Small cells are many to look at, large ones are full. Vertices met are fewest at the mean "
     "length of an edge, which the authors found best; time hardly changes from there to three times that.",
     present=_present,

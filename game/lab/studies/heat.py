@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import Computation
 from game.physics.heat import HeatGrid
 from game.physics.kernels import elementary, elementwise
 
@@ -39,29 +40,26 @@ def start_and_end() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return first, last
 
 
-class HeatTrial:
-    """The plate with so many steps."""
+def heat_trial(setting: Setting) -> Trial:
+    """The plate with so many steps: the root of the mean square of what the temperatures are off."""
+    first, last = start_and_end()
+    steps = int(setting.knob)
 
-    simulated_s = SECONDS
+    def begin() -> HeatGrid:
+        grid = HeatGrid(first, SIZE / CELLS, DIFFUSIVITY, 1.0, scheme=setting.method)
+        grid.fresh = 0  # nothing jumps here
+        return grid
 
-    def __init__(self, setting: Setting):
-        self.setting = setting
-        self.first, self.last = start_and_end()
+    def work(grid: HeatGrid) -> HeatGrid:
+        for _ in range(steps):
+            grid.step(SECONDS / steps)
+        return grid
 
-    def reset(self) -> None:
-        """A plate as at first."""
-        self.grid = HeatGrid(self.first, SIZE / CELLS, DIFFUSIVITY, 1.0, scheme=self.setting.method)
-        self.grid.fresh = 0  # nothing jumps here
+    def judge(grid: HeatGrid) -> Outcome:
+        off = grid.temperature - last
+        return Outcome(float(np.sqrt(np.mean(off * off))), steps)
 
-    def run(self) -> None:
-        """All steps."""
-        for _ in range(int(self.setting.knob)):
-            self.grid.step(SECONDS / int(self.setting.knob))
-
-    def outcome(self) -> Outcome:
-        """The root of the mean square of what the temperatures are off."""
-        off = self.grid.temperature - self.last
-        return Outcome(float(np.sqrt(np.mean(off * off))), int(self.setting.knob))
+    return Computation(SECONDS, begin, work, judge)
 
 
 def _settings() -> list[Setting]:
@@ -92,7 +90,7 @@ conduction_study = Study(
         Method("alternating", "Peaceman and Rachford", 2.0),
     ),
     settings=_settings,
-    trial=HeatTrial,
+    trial=heat_trial,
     reference="Three waves of the grid, each with its exact rate.",
     expectation="The explicit scheme needs 370 steps to be stable at all; the implicit ones are of second "
     "order from the first step on.",

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.acoustics import Levitator, LevitatorSettings, facing_rows
 from game.physics.kernels import elementwise
 
@@ -38,25 +39,15 @@ def _reference() -> NDArray[np.float64]:
     return np.asarray(fine + (fine - half) / 3.0)
 
 
-class TrapTrial:
-    """The grain with so many substeps."""
+def trap_trial(setting: Setting) -> Trial:
+    """The grain with so many substeps: farther than the next trap it was thrown out of its own."""
+    substeps = int(setting.knob)
 
-    simulated_s = STEP * STEPS
+    def judge(levitator: Levitator) -> Outcome:
+        away = float(elementwise.hypot(*(levitator.positions[0] - _reference())))
+        return Outcome(away, STEPS * substeps, "thrown out of its trap" if away > THROWN else "")
 
-    def __init__(self, setting: Setting):
-        self.substeps = int(setting.knob)
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-
-    def run(self) -> None:
-        """All steps."""
-        self.levitator = moved_grain(self.substeps)
-
-    def outcome(self) -> Outcome:
-        """How far it is from where it should be; farther than the next trap it was thrown out of its own."""
-        away = float(elementwise.hypot(*(self.levitator.positions[0] - _reference())))
-        return Outcome(away, STEPS * self.substeps, "thrown out of its trap" if away > THROWN else "")
+    return computation(STEP * STEPS, lambda: moved_grain(substeps), judge)
 
 
 def _settings() -> list[Setting]:
@@ -78,7 +69,7 @@ trap_study = Study(
     knob=Knob("substeps", "substeps of 1/60 s", parts=True),
     methods=(Method(CENTRED, "drift, kick, drift", 2.0),),
     settings=_settings,
-    trial=TrapTrial,
+    trial=trap_trial,
     reference="1000 and 500 substeps, extrapolated.",
     expectation="The trap swings at about 100 Hz: with too few substeps a swing the grain is thrown out.",
     present=_present,

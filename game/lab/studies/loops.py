@@ -117,7 +117,7 @@ loop_study = Study(
     settings=_settings,
     trial=LoopTrial,
     reference="the energy at the top, where the track presses no more.",
-    expectation="Each corner of chords is an impact that takes speed, so that none comes round; through a "
+    expectation="Each corner of chords is an impact that takes speed, so that none comes round. Through a "
     "smooth curve the limit is met to second order in the chords, whatever the substeps.",
     present=_present,
     workload=Workload("a disc of 0.1 m in a loop of 1 m, its limit found by halving"),

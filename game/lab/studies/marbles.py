@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from game.lab.studies.qualities import quality_marks
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.dominoes import STANDARD_GRAVITY
 from game.physics.kernels import elementary, elementwise
 from game.physics.solids import TIERS
@@ -94,25 +95,12 @@ ERRORS: dict[str, Callable[[float], float]] = {
 }  # fmt: skip
 
 
-class MarbleTrial:
-    """One ball, from rest to its goal; in the loop several, from as many heights."""
-
-    def __init__(self, setting: Setting):
-        self._error, self._h = ERRORS[setting.method], float(setting.knob)
-        self.simulated_s = LONGEST_S
-        self.reset()
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-        self._found = math.nan
-
-    def run(self) -> None:
-        """The whole of it."""
-        self._found = self._error(self._h)
-
-    def outcome(self) -> Outcome:
-        """The relative error."""
-        return Outcome(max(self._found, 1e-12), round(STEP_S / self._h))
+def marble_trial(setting: Setting) -> Trial:
+    """One ball, from rest to its goal; in the loop several, from as many heights: the relative error."""
+    error, h = ERRORS[setting.method], float(setting.knob)
+    return computation(
+        LONGEST_S, lambda: error(h), lambda found: Outcome(max(found, 1e-12), round(STEP_S / h))
+    )
 
 
 def marble_settings() -> list[Setting]:
@@ -147,7 +135,7 @@ marble_study = Study(
         Method(ROUND, "loop", None),
     ),
     settings=marble_settings,
-    trial=MarbleTrial,
+    trial=marble_trial,
     reference="2/3 g sin, the cycloid's time (Bernoulli 1696), 11/4 (R - r) (Huygens 1673)",
     expectation=(
         "Along a straight track each step is exact, and the speed follows from the energy everywhere; what "

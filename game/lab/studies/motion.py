@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from game.lab.ranges import counts_between
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import chosen_setting, computation
 from game.naming import words_of
 from game.physics.integrators import METHODS, ORDERS, integrate
 from game.physics.oscillators import (
@@ -24,29 +25,6 @@ from game.physics.oscillators import (
 FEWEST, MOST, POINTS = 20, 1_000, 10  # steps of a run
 SHORTEST, LONGEST = 1.0 / 2_000.0, 0.1  # s, steps that a scene can be set to
 INTEGRATORS = tuple(Method(name, words_of(name), ORDERS[name]) for name in METHODS)
-
-
-class MotionTrial:
-    """One run of a motion. run: method, step (s) and number of steps to where it ends."""
-
-    def __init__(
-        self, run: Callable[[str, float, int], float], setting: Setting, exact: float, seconds: float
-    ):
-        self.simulated_s = seconds
-        self._run, self._setting, self._exact = run, setting, exact
-        self._steps = max(1, round(seconds / setting.knob))
-        self._end = 0.0
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-
-    def run(self) -> None:
-        """The motion, from its start to its end."""
-        self._end = self._run(self._setting.method, self.simulated_s / self._steps, self._steps)
-
-    def outcome(self) -> Outcome:
-        """How far its end is from the exact one, and the steps it took."""
-        return Outcome(abs(self._end - self._exact), self._steps)
 
 
 class KnownMotion(NamedTuple):
@@ -88,8 +66,13 @@ def motion_study(
             for method in methods
         ]
 
-    def present(parameters: Mapping[str, Any]) -> Setting:
-        return Setting(str(parameters[choice]), float(parameters["step_length"]))
+    def trial(setting: Setting) -> Trial:
+        steps = max(1, round(seconds / setting.knob))
+        return computation(
+            seconds,
+            lambda: run(setting.method, seconds / steps, steps),
+            lambda end: Outcome(abs(end - motion.end), steps),
+        )
 
     return Study(
         name=name,
@@ -100,10 +83,10 @@ def motion_study(
         knob=Knob("step_length", "step", "s"),
         methods=tuple(methods),
         settings=settings,
-        trial=lambda setting: MotionTrial(run, setting, motion.end, seconds),
+        trial=trial,
         reference=reference,
         expectation=expectation,
-        present=present,
+        present=chosen_setting(choice, "step_length"),
         workload=Workload(motion.words),
     )
 

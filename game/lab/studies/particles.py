@@ -205,8 +205,8 @@ bounce_study = Study(
     trial=bounce_trial,
     reference="closed form of the flight, root of its distance from the stone, Newton's law.",
     expectation=(
-        "Handled at the end of the step an impact makes every method one of first order; the chord restores "
-        "the second, the root the full order."
+        "Handled at the end of the step an impact makes every method one of first order. The chord "
+        "restores the second, the root the full order."
     ),
     order_over="counter",
     envelope=True,

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.naming import words_of
 from game.physics.plates import METHODS, Plate
 from game.physics.plates.regimes import drop
@@ -38,24 +39,14 @@ def _reference() -> NDArray[np.float64]:
     return fallen("rk4", FINEST)
 
 
-class FallTrial:
-    """One fall."""
-
-    simulated_s = TIME
-
-    def __init__(self, setting: Setting):
-        self.method, self.steps = setting.method, max(1, round(TIME / setting.knob))
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-
-    def run(self) -> None:
-        """All of it."""
-        self.end = fallen(self.method, self.steps)
-
-    def outcome(self) -> Outcome:
-        """The largest error of any state."""
-        return Outcome(float(np.max(np.abs(self.end - _reference()))), self.steps)
+def fall_trial(setting: Setting) -> Trial:
+    """One fall: the largest error of any state."""
+    steps = max(1, round(TIME / setting.knob))
+    return computation(
+        TIME,
+        lambda: fallen(setting.method, steps),
+        lambda end: Outcome(float(np.max(np.abs(end - _reference()))), steps),
+    )
 
 
 def _settings() -> list[Setting]:
@@ -83,7 +74,7 @@ plate_study = Study(
     knob=Knob("step", "step", "a/U"),
     methods=tuple(Method(name, words_of(name), ORDERS[name], NOTES.get(name, "")) for name in METHODS),
     settings=_settings,
-    trial=FallTrial,
+    trial=fall_trial,
     reference=f"RK4 in {FINEST} steps; half as many agree to 1e-12.",
     expectation="Each has its order but RK4, which has 3 and not 4: the drag on the spin bends the law where "
     "the plate turns back.",

@@ -172,7 +172,7 @@ rotation_study = Study(
     reference="Jacobi's elliptic functions.",
     expectation=(
         "Orders 1, 2, 4. The exponential map is of order 1 like plain Euler, as its spin is still the old "
-        "one; the splitting costs little more than Euler and is of order 2."
+        "one. The splitting costs little more than Euler and is of order 2."
     ),
     floor=1e-11,
     present=present_in(SPIN_S),

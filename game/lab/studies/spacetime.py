@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from game.arrays import Floats
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.kernels import elementary
 from game.physics.spacetime.exact import exact_distance
 from game.physics.spacetime.motion import Laws
@@ -73,26 +74,17 @@ def relative_errors(pairs: PosePairs, found: Floats) -> Floats:
     return np.asarray(np.abs(found[:, 2] - pairs.exact) / pairs.exact)
 
 
-class BudgetTrial:
-    """All pose pairs, each asked with the same budget of tests."""
+def budget_trial(setting: Setting) -> Trial:
+    """All pose pairs, each asked with the same budget of tests: the mean error in shares of the distance."""
+    pairs = all_pairs()
 
-    def __init__(self, setting: Setting):
-        self.budget = int(setting.knob)
-        self.pairs = all_pairs()
-        self.simulated_s = float(sum(len(pairs.poses) for pairs in self.pairs))
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-
-    def run(self) -> None:
-        """All queries."""
-        self.found = [answers(pairs, self.budget) for pairs in self.pairs]
-
-    def outcome(self) -> Outcome:
-        """The mean error in shares of the distance, and the tests."""
-        errors = [relative_errors(pairs, found) for pairs, found in zip(self.pairs, self.found, strict=True)]
-        tests = int(sum(float(np.sum(found[:, 3])) for found in self.found))
+    def judge(found: list[Floats]) -> Outcome:
+        errors = [relative_errors(one, answer) for one, answer in zip(pairs, found, strict=True)]
+        tests = int(sum(float(np.sum(answer[:, 3])) for answer in found))
         return Outcome(float(np.mean(np.concatenate(errors))), tests)
+
+    queries = float(sum(len(one.poses) for one in pairs))
+    return computation(queries, lambda: [answers(one, int(setting.knob)) for one in pairs], judge)
 
 
 def _settings() -> list[Setting]:
@@ -112,7 +104,7 @@ budget_study = Study(
     knob=Knob("budget", "tests a query", parts=True),
     methods=(Method(TREES, "circle trees", None),),
     settings=_settings,
-    trial=BudgetTrial,
+    trial=budget_trial,
     reference="every edge against every edge.",
     expectation="The error falls slowly while circles are large, to rounding once all leaves are compared.",
     present=_present,

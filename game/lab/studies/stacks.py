@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from game.lab.studies.qualities import quality_marks
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import Computation
 from game.naming import words_of
 from game.physics.kernels import elementary
 from game.physics.solids import SOLVERS, TIERS, SolidSettings, SolidWorld, box
@@ -18,35 +19,30 @@ SUBSTEPS = (1, 2, 4, 8, 12, 16, 24, 32, 48, 64)
 FALLEN = 0.5  # m, of the top: the column stands no more
 
 
-class StackTrial:
-    """A column of unit boxes on the ground."""
+def stack_trial(setting: Setting) -> Trial:
+    """A column of unit boxes on the ground: how far its top is from where rigid boxes would have it."""
+    substeps = int(setting.knob)
 
-    simulated_s = SECONDS
-
-    def __init__(self, setting: Setting):
-        self.setting = setting
-
-    def reset(self) -> None:
-        """The column, not yet loaded by its weight."""
-        settings = SolidSettings(
-            effects=USUAL.without("sleep"), solver=self.setting.method, substeps=int(self.setting.knob)
+    def begin() -> SolidWorld:
+        world = SolidWorld(
+            SolidSettings(effects=USUAL.without("sleep"), solver=setting.method, substeps=substeps)
         )
-        self.world = SolidWorld(settings)
-        self.world.add_body(box(100.0, 2.0), (0.0, -1.0), kind="fixed")
+        world.add_body(box(100.0, 2.0), (0.0, -1.0), kind="fixed")
         for k in range(BOXES):
-            self.top = self.world.add_body(box(1.0, 1.0), (0.0, 0.5 + k))
+            world.add_body(box(1.0, 1.0), (0.0, 0.5 + k))
+        return world
 
-    def run(self) -> None:
-        """All steps."""
+    def work(world: SolidWorld) -> SolidWorld:
         for _ in range(round(SECONDS / STEP)):
-            self.world.step(STEP)
+            world.step(STEP)
+        return world
 
-    def outcome(self) -> Outcome:
-        """How far the top is from where rigid boxes would have it, and the substeps of a second."""
-        x, y = self.world.bodies.positions[self.top].tolist()
+    def judge(world: SolidWorld) -> Outcome:
+        x, y = world.bodies.positions[BOXES].tolist()  # of the top box: the ground is body 0
         sunk = elementary.hypot(y - (BOXES - 0.5), x)
-        failure = "it has fallen" if sunk > FALLEN else ""
-        return Outcome(sunk, int(self.setting.knob) * round(1.0 / STEP), failure)
+        return Outcome(sunk, substeps * round(1.0 / STEP), "it has fallen" if sunk > FALLEN else "")
+
+    return Computation(SECONDS, begin, work, judge)
 
 
 def _settings() -> list[Setting]:
@@ -80,7 +76,7 @@ stack_study = Study(
     knob=Knob("substeps", "substeps", parts=True),
     methods=tuple(Method(name, words_of(name)) for name in SOLVERS),
     settings=_settings,
-    trial=StackTrial,
+    trial=stack_trial,
     reference="rigid boxes do not sink.",
     expectation="Soft contacts sink by the inverse square of their frequency, which goes with the substeps.",
     present=_present,

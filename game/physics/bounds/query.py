@@ -157,10 +157,7 @@ class Query:
     def _more(self, what: str, needed: int, wished: int) -> int:
         """The capacity for more of a kind; LimitError if those that are needed are too many."""
         if needed > self.most:
-            raise LimitError(
-                f"the outlines lie in each other: more than {self.most} pairs of {what}, which there is no "
-                "room for"
-            )
+            raise LimitError(f"the outlines lie in each other: more than {self.most} pairs of {what}")
         return min(max(wished, needed), self.most)
 
     @property

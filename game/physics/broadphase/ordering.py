@@ -137,7 +137,7 @@ class PairSorter:
     def check(self, count: int) -> None:
         """LimitError if there may not be so many pairs."""
         if count > self.most:
-            raise LimitError(f"too many pairs: there is room for {self.most:,}".replace(",", "\u202f"))
+            raise LimitError(f"too many pairs: at most {self.most:,}".replace(",", "\u202f"))
 
     def reserve(self, count: int) -> None:
         """Make space for so many keys in ``keys``; what it held is lost. LimitError beyond ``most``."""

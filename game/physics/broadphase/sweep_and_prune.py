@@ -98,7 +98,7 @@ class SweepAndPrune(BroadPhase):
     def use_manager(self, manager: PairManager) -> None:
         """Keep the pairs in another manager, to which they go without events; ValueError if it is in use."""
         if len(manager) or manager.greatest < self.top - 1:
-            raise ValueError(f"manager: expected an empty pair manager with room for {self.top} ids")
+            raise ValueError(f"manager: expected an empty pair manager for {self.top} ids")
         manager.set_pairs(self.manager.pairs())
         manager.take_events()
         self.manager = manager
@@ -132,7 +132,7 @@ class SweepAndPrune(BroadPhase):
 
     def _make_room(self, needed: int) -> None:
         if needed > self.manager.greatest + 1:
-            raise ValueError(f"boxes: the pair manager has room for {self.manager.greatest + 1} ids only")
+            raise ValueError(f"boxes: the pair manager takes at most {self.manager.greatest + 1} ids")
         super()._make_room(needed)
 
     def _grow(self, capacity: int) -> None:

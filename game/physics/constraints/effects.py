@@ -8,7 +8,7 @@ from game.physics.fields import GRAVITY, GROUND
 LINKS = declare_effect("links", "Links", "Links between particles keep their length.")
 AREAS = declare_effect("areas", "Areas", "Closed outlines keep the area that they enclose.")
 ATTACHMENTS = declare_effect(
-    "attachments", "Attachments", "Nobody is farther from a pin than the links reach."
+    "attachments", "Attachments", "No particle is farther from a pin than the links reach."
 )
 TEARING = declare_effect("tearing", "Tearing", "A link that is stretched too far breaks.")
 DAMPING = declare_effect("damping", "Damping", "A force -k v against each motion.")

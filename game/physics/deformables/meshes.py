@@ -65,7 +65,7 @@ def store_of(meshes: Sequence[Mesh]) -> tuple[MeshStore, Floats]:
         counts.append(len(places))
         begin += len(places)
     if begin > MOST_VERTICES:
-        raise ValueError(f"meshes: {begin} vertices; there is room for {MOST_VERTICES}")
+        raise ValueError(f"meshes: {begin} vertices; at most {MOST_VERTICES}")
     all_triangles = np.concatenate(triangles)
     mesh_of = np.repeat(np.arange(len(meshes)), counts)
     return _assemble(all_triangles, mesh_of), np.concatenate(points)

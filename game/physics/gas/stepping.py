@@ -49,7 +49,7 @@ from game.physics.gas.projection import (
 from game.physics.gas.settings import GasSettings
 from game.physics.gas.solids import GasSolids
 from game.physics.gas.tracing import centre_velocities, largest_speed, stop_at_walls, trace
-from game.physics.gas.viscosity import add_laplacian, diffuse_velocity, turns_for
+from game.physics.gas.viscosity import add_laplacian, diffuse_velocity, steepest, turns_for
 from game.physics.grid import Edges
 from game.physics.grid.borders import INFLOW, NO_SLIP, WALL
 from game.physics.grid.ghosts import X, Y, fill_scalar_ghosts, fill_velocity_ghosts, set_side_velocities
@@ -325,7 +325,8 @@ def _drag(s: GasState, room: Room, solids: GasSolids, step: Step, q: float) -> N
         set_closed_faces(s.u, s.v, solids.faces)
         solids.set_slip(step.settings.slip)
     _free_sides(drag.free_u, drag.free_v, edges)
-    numbers = np.array([strength, turns_for(strength)])
+    steep = steepest(edges.kinds)
+    numbers = np.array([strength, turns_for(strength, steep), steep])
     diffuse_velocity(s.u, room.pad_u, room.other_u, room.way_u, drag.gain_u, drag.free_u, X, edges, numbers)
     diffuse_velocity(s.v, room.pad_v, room.other_v, room.way_v, drag.gain_v, drag.free_v, Y, edges, numbers)
 

@@ -9,13 +9,18 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from game.compiler.decorator import kernel
+from game.physics.grid.borders import NO_SLIP
 from game.physics.grid.ghosts import fill_velocity_ghosts
 from game.physics.grid.layout import PAD
 from game.physics.kernels import elementary
 
 EXACT = 1e-5  # of what viscosity does in a step, left over by the iteration
 MOST_TURNS = 400
+SMOOTH, STICKY = 8.0, 7.0 + math.sqrt(19.0 / 3.0)  # bounds of -h² laplace; where parabolas end at walls
 
 
 @kernel
@@ -36,9 +41,19 @@ def add_laplacian(padded, gain, part, out):
             goal[i] += part * (total + (down[i] * (low[i] - here) + up[i] * (high[i] - here)))
 
 
-def turns_for(strength: float) -> int:
-    """Turns of the iteration for nu dt / h² = strength, by its condition, 1 + 8 strength (Saad 2003)."""
-    root = math.sqrt(1.0 + 8.0 * strength)
+def steepest(kinds: NDArray[np.int64]) -> float:
+    """Bound of the eigenvalues of -h² laplace for the kinds of the sides (4,).
+
+    Behind a wall that the gas sticks to a ghost is a parabola's, so that cell's row is (4, -4/3), the others'
+    (-1, 2, -1). Between two such walls the largest eigenvalue falls with the count of rows. It begins at
+    that of four rows, the fewest of a grid: (7 + sqrt(19 / 3)) / 2 in each direction.
+    """
+    return STICKY if bool(np.any(kinds == NO_SLIP)) else SMOOTH
+
+
+def turns_for(strength: float, steep: float) -> int:
+    """Turns of the iteration for nu dt / h² = strength, by its condition, 1 + steep strength (Saad 2003)."""
+    root = math.sqrt(1.0 + steep * strength)
     rate = (root - 1.0) / (root + 1.0)
     return min(MOST_TURNS, max(1, math.ceil(elementary.log(0.5 * EXACT) / elementary.log(max(rate, 1e-12)))))
 
@@ -61,14 +76,15 @@ def _turn(x, goal, way, right, gain, free, strength, memory, step):
 
 @kernel
 def diffuse_velocity(field, x, other, way, gain, free, axis, edges, numbers):
-    """Solve (1 - strength h² laplace) field = field for free faces. numbers: (strength, turns).
+    """Solve (1 - strength h² laplace) field = field for free faces. numbers: (strength, turns, `steepest`).
 
     x, other: two padded arrays to work in; way (rows, columns) to work in. Chebyshev's iteration (Saad 2003,
-    algorithm 12.1) on the spectrum from 1 to 1 + 8 strength.
+    algorithm 12.1) on the spectrum from 1 to 1 + steepest strength.
     """
     strength, turns = numbers[0], int(numbers[1])
     rows, columns = field.shape
-    middle, half = 1.0 + 4.0 * strength, 4.0 * strength
+    half = 0.5 * numbers[2] * strength
+    middle = 1.0 + half
     ratio = middle / half
     rho = 1.0 / ratio
     for j in range(rows):

@@ -117,7 +117,7 @@ class Discs:
         ValueError if there is no space or a number is absurd.
         """
         if self.count == self.capacity:
-            raise ValueError(f"solids: there is room for {self.capacity}")
+            raise ValueError(f"solids: at most {self.capacity}")
         row = np.zeros(COLUMNS)
         row[:2] = checked_point("centre", centre)
         row[RADIUS] = radius

@@ -48,7 +48,7 @@ class Table(Generic[Rows]):
     def take_run(self, count: int) -> int:
         """The first of so many new slots in a row."""
         if self.top + count > self.most:
-            raise ValueError(f"{self.name}: there is room for {self.most}")
+            raise ValueError(f"{self.name}: at most {self.most}")
         if self.top + count > self.capacity:
             self._grow(max(2 * self.capacity, self.top + count))
         self.top += count

@@ -19,12 +19,13 @@ from game.physics.solids.arrays import layout
 from game.physics.solids.arrays.layout import JOINT_NAMES
 from game.physics.solids.arrays.plan import plan_joints
 from game.physics.solids.arrays.state import (
+    ASLEEP,
     DYNAMIC,
     KEY_FRAMED,
     WAKING,
 )
 from game.physics.solids.bodies import FASTEST, SolidBodies
-from game.physics.solids.effects import WIND_BIT
+from game.physics.solids.effects import JOINTS, WIND_BIT
 from game.physics.solids.energy import Energy, energy_of
 from game.physics.solids.joints.lines import load_of
 from game.physics.solids.joints.options import JointOptions
@@ -173,6 +174,23 @@ class SolidWorld(SolidBodies):
         self._joints.release(joint)
         self._exclude()
 
+    def joint_options(self, joint: int) -> JointOptions:
+        """What a joint has besides its kind, bodies and anchors. ValueError for an id that none has."""
+        self._known_joint(joint)
+        return JointOptions.of(self.joints, joint)
+
+    def change_joint(self, joint: int, **changes: Any) -> None:
+        """Other limits, compliance, drive or breaking loads: fields of `JointOptions`, but for length and
+        axis, which stay. ValueError, and nothing is changed, for nonsense and for what its kind has not.
+        """
+        changed = dataclasses.replace(self.joint_options(joint), **changes)
+        broken = self.joints.flags[joint] & (layout.BROKEN | layout.JUST_BROKEN)
+        changed.write(self.joints, joint)
+        self.joints.flags[joint] |= broken
+        for body in self.joints.bodies[joint].tolist():
+            self.wake(body)
+        self._exclude()
+
     def drive(self, joint: int, speed: float, most: float | None = None) -> None:
         """Another speed (m/s, rad/s) of a joint that is driven, and most force or torque. ValueError."""
         self._known_joint(joint)
@@ -205,10 +223,13 @@ class SolidWorld(SolidBodies):
         self.wake(int(self.joints.bodies[joint, 1]))
 
     def joint_load(self, joint: int) -> tuple[float, float]:
-        """Force N and torque N m that a joint carried in the last substep."""
+        """Force N and torque N m that a joint carried in the last substep in which its bodies were awake."""
         self._known_joint(joint)
         h = self._numbers.h if self._numbers else 1.0
-        force, torque = load_of(self.joints, joint)
+        whole = not self.joints.flags[joint] & layout.BROKEN and JOINTS in self._settings.effects
+        flags = self.bodies.flags[self.joints.bodies[joint]]
+        awake = (flags & (DYNAMIC | ASLEEP)) == DYNAMIC
+        force, torque = load_of(self.joints, joint, bool(whole and not awake.any()))
         return float(force / h), float(torque / h)
 
     def _exclude(self) -> None:

@@ -4,6 +4,11 @@ At points of the outline half a cell apart, pressure and velocity are read on th
 from the wall. So no cell that the outline cuts is asked: the pressure goes on in a straight line to the wall,
 the velocity is a parabola that is 0 on it. Where another part of the outline stands in the way, in a notch,
 both distances shrink.
+
+Beside the book of momentum, on Schäfer and Turek's cylinder (1996, 2D-1), drag at the wall is 4.1 % low on 12
+cells across, 0.4 % low on 20, 1.5 % high on 28. A third point on each normal gives -2.5, 2.0, 4.0 %, and
+bicubic reading -3.6, -0.1, 1.6 %. So it is not the slope's order that is missing: `sticking` leads faces near
+the wall only after the pressure is found.
 """
 
 from __future__ import annotations

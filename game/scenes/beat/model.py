@@ -45,7 +45,7 @@ class BeatModel(Part):
 
     def __init__(self, content: BeatContent, parameters: BeatParameters, seed: int) -> None:
         check_content(content)
-        self.parameters, self.seed = parameters, seed
+        self.content, self.parameters, self.seed = content, parameters, seed
         self.table, self.physics = Table.pool(), Physics()
         self.messages = Messages()
         self.data = BeatState(np.zeros(MOST_BEATS), np.zeros(MOST_NUMBERS), np.zeros(4))

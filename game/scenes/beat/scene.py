@@ -9,7 +9,6 @@ import numpy as np
 
 from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab.studies.billiards.rhythm import RHYTHM_STUDY
-from game.levels import Level
 from game.scenes.beat import BEAT, view
 from game.scenes.beat.figure import draw_laying
 from game.scenes.beat.level import DEFAULT, BeatContent
@@ -19,11 +18,11 @@ from game.scenes.beat.readouts import readouts_of
 from game.scenes.beat.searching import Searcher
 from game.scenes.beat.state import PLAYING, BeatState
 from game.scenes.shared.tables import view as table_view
-from game.stage import Decision, Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, SceneAction, WarmUp
-from game.worlds.expectations import captions_of
+from game.stage import Decision, Equation, Frame, Hearing, Hint, Pointer, Scene, SceneAction, WarmUp
+from game.worlds.scene import ModelScene, Told
 
 
-class Beat(Scene):
+class Beat(ModelScene):
     """Tap a beat with B, or on the bar below the table, and rest: a stroke is found whose impacts meet it.
     Nothing is steered. For each beat a ball is laid where one that moves then will just meet it, in any of
     many directions. The exact table says what comes of it. Layouts that click between the beats fall behind.
@@ -34,6 +33,9 @@ class Beat(Scene):
     parameters_type = BeatParameters
     parameters: BeatParameters
     content_type = BeatContent
+    at_once = True
+    told = Told(readouts_of)
+    restore = Scene.restore  # the arrays stay where they are
     default_content = DEFAULT
     effects = EXACT_EFFECTS
     quarter_turns = 1
@@ -54,14 +56,10 @@ class Beat(Scene):
         "Set the rounds to 0: clicks off the beat stay.",
     )
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.content = content
+    def make(self, content: BeatContent) -> None:
         self.model = BeatModel(content, self.parameters, self.seed)
+        self.said = self.model.messages
         self.searcher = Searcher(self.model)
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
 
     def state(self) -> BeatState:
         return self.model.data
@@ -69,6 +67,12 @@ class Beat(Scene):
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
         return [WarmUp("rhythm", cls), *table_view.warm_ups()]
+
+    def parameter_changed(self, name: str) -> None:
+        """The model reads them as it needs them."""
+
+    def effects_changed(self) -> None:
+        """All shots are played with all effects."""
 
     def decisions(self, at_once: bool = False) -> Sequence[Decision]:
         return self.searcher.decisions(at_once)
@@ -95,16 +99,9 @@ class Beat(Scene):
         return view.frame_of(self.model)
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        captions = captions_of(self.content.expected, self.readouts())
-        view.draw(canvas, self.model, self.previous, alpha, captions)
-
-    def readouts(self) -> tuple[Readout, ...]:
-        return readouts_of(self.model)
+        view.draw(canvas, self.model, self.previous, alpha, self.captions())
 
     def hearing(self) -> Hearing:
         model = self.model
         shown = model.shown if model.phase == PLAYING else None
         return Hearing((model.phase, model.beats), model.clock, () if shown is None else shown.sounds)
-
-    def messages(self) -> tuple[str, ...]:
-        return self.model.messages.take()

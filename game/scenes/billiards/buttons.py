@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from game.billiards.game.games import Ghost, Practice
+from game.billiards.game.games import Drill, Ghost, Practice
 from game.scenes.billiards import layout
-from game.scenes.billiards.beside import BESIDE
+from game.scenes.billiards.beside import BESIDE, COACH
 from game.scenes.billiards.modes import Replay, SetUp, leave
 from game.scenes.billiards.play import AIMING, REPLAY, ROLLING, SET_UP, Play
 from game.scenes.billiards.practice.drill_maker import DrillMaker
@@ -20,7 +20,7 @@ POWER_STEP = 0.1  # m/s for a key or a notch of the wheel
 
 
 class Buttons(Part):
-    """What buttons and keys do. hint_shown: the solution of a puzzle."""
+    """What buttons and keys do. hint_shown: the solution of a puzzle. goes_on: the next lesson is wanted."""
 
     def __init__(self, play: Play, replay: Replay, set_up: SetUp, side: Side, maker: DrillMaker) -> None:
         self.play = play
@@ -29,6 +29,7 @@ class Buttons(Part):
         self.side = side
         self.maker = maker
         self.hint_shown = False
+        self.goes_on = False
 
     def rows(self) -> list[tuple[str, str, bool]]:
         """Buttons right of the table, from below: action, words, whether it is on."""
@@ -43,12 +44,17 @@ class Buttons(Part):
         if play.phase == REPLAY:
             return [("replay", "Back", True)]
         back = play.model.match_behind
-        rows = [("set-up", "Set up", False), ("replay", "Replay", False),
+        lesson = play.model.content.lesson
+        rows = [] if lesson else [("set-up", "Set up", False)]
+        rows += [("replay", "Replay", False),
                 ("undo", "To match" if back else "Undo", back),
                 ("view", GUIDE_BUTTONS[play.guide], False)]  # fmt: skip
         game = play.model.frame.game
         if play.model.content.solution is not None:
             rows.append(("hint", "Hint", self.hint_shown))
+        rows.append(("coach", "Coach", self.side.beside == COACH))
+        if lesson:
+            rows.append(("lesson", "Next lesson", isinstance(game, Drill) and game.best > 0))
         if game.over:
             own = isinstance(game, Practice) and bool(game.set_up)
             again = "Again" if len(game.players) == 1 else "New match"
@@ -136,6 +142,9 @@ class Buttons(Part):
                 "demo": self._play_itself,
                 "hint": self._show_hint,
                 "centre": aiming.centre,
+                "breath": play.push.breathe,
+                "lesson": self._go_on,
+                "ask": self._ask,
             }[name]()
 
     def _strike_or_skip(self) -> None:
@@ -178,6 +187,13 @@ class Buttons(Part):
         self.play.let_go()
         self.play.rest_s = 0.0
         leave(self.replay, self.set_up)
+
+    def _ask(self) -> None:
+        self.play.parameters.beside = COACH
+        self.play.ask_coach()
+
+    def _go_on(self) -> None:
+        self.goes_on = bool(self.play.model.content.lesson)
 
     def _show_hint(self) -> None:
         self.hint_shown = not self.hint_shown

@@ -50,6 +50,7 @@ class BilliardsHand(Part):
         """Take back what is held."""
         if self.play.grip == grip.CUE:
             self.aiming.take_back()
+            self.play.push.let_go()
         self.play.grip = NOTHING
 
     def _begin_spin(self, event: Pointer) -> None:
@@ -115,6 +116,8 @@ class BilliardsHand(Part):
         elif layout.TABLE.holds(x, y):
             play.grip = grip.CUE
             self.aiming.begin_pull(event, cue_ball)
+            if play.push.chosen:
+                play.push.begin(event, self.aiming.cue.aim)
 
     def _call_at(self, x: float, y: float) -> bool:
         """Call the pocket or the ball at a point; False if there is none to be called."""
@@ -150,7 +153,11 @@ class BilliardsHand(Part):
         if frame.cue_ball is None or self.play.phase != AIMING:
             self.aiming.cue.let_go()
             return
-        done = self.aiming.release(event, frame.cue_ball)
+        if self.play.push.held:
+            self.play.push.let_go()
+            done = self.aiming.lay_down(event)
+        else:
+            done = self.aiming.release(event, frame.cue_ball)
         if done == "click":
             if frame.game.needs_call() and self._call_at(event.x, event.y):
                 self.play.keep_aim()
@@ -191,7 +198,11 @@ class BilliardsHand(Part):
         cue_ball = self.play.model.frame.cue_ball
         if cue_ball is None:
             return
-        if self.play.grip == grip.CUE:
+        if self.play.grip == grip.CUE and self.play.push.held:
+            self.aiming.note(event)
+            if self.play.push.move(event):
+                self.play.strike_by_hand()
+        elif self.play.grip == grip.CUE:
             self.aiming.pull(event, cue_ball)
         elif layout.TABLE.holds(event.x, event.y) and not self._may_call_pocket(event.x, event.y):
             self.aiming.turn_to(event, cue_ball)

@@ -72,8 +72,9 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
 
     alternating: in a combination match players take turns also after a stroke that counted.
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
-    the second and third star. in_hand: the cue ball may be moved before each try. tries, needed: a drill is
-    met if so many of so many tries meet its goal (0: there are no sets); of a run-drill, `needed` are balls.
+    the second and third star. lesson: what a drill teaches, in a sentence. in_hand: the cue ball may be moved
+    before each try. tries, needed: a drill is met if so many of so many tries meet its goal (0: there are no
+    sets); of a run-drill, `needed` are balls.
     ordered, pocket, off_cushions: see `RunDrill`. log: see practice/log_text.py. saved: a game under way, as
     msgspec writes it; tallies: what has been counted of its players; best: the best stroke of the rack.
     """
@@ -88,6 +89,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=16)] = []
     goal: Goal | None = None
     more: Annotated[list[Goal], msgspec.Meta(max_length=2)] = []
+    lesson: Annotated[str, msgspec.Meta(max_length=120)] = ""
     solution: Solution | None = None
     in_hand: Literal["", "behind the line", "anywhere"] = ""
     tries: Annotated[int, msgspec.Meta(ge=0, le=100)] = 0

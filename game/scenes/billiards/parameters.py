@@ -6,6 +6,7 @@ from game.scenes.billiards.beside import BESIDE, BESIDE_LABELS
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
+from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
 TABLE_PARAMETERS = (
@@ -32,7 +33,7 @@ class BilliardsParameters(Parameters):
     second_player = choices.player("Second player")
     beside = Choice(
         "none", BESIDE, labels=BESIDE_LABELS, group="Game", label="Beside the table",
-        help="strokes to go back to, every pot there is, or what was practised",
+        help="strokes to go back to, every pot there is, what was practised, or a coach",
     )  # fmt: skip
     race = Choice(
         "open", ("open", "1", "3", "5", "7"), labels=("No end", "1 rack", "3 racks", "5 racks", "7 racks"),
@@ -50,6 +51,12 @@ class BilliardsParameters(Parameters):
     hand = choices.noise_of_hand(
         "how far a person's tip, elevation, azimuth and speed stray, as a computer player's do"
     )
+    stroke_by = through.stroke_by()
+    reach = through.reach()
+    sway = through.sway()
+    miscues = through.miscues()
+    chalk = through.chalk()
+    recoil = through.recoil()
     cloud = Toggle(
         False, group="Stroke", label="Landing cloud", help="where the cue ball ends for the noise of a hand"
     )

@@ -15,9 +15,11 @@ from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.billiards.stroke.aiming import AT_THE_RACK, Aiming
 from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.guide import guide_of
-from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
+from game.scenes.billiards.stroke.motion import DRAWN, PUSHED, StrokeMotion, stroke_motion
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.through.measured import news_of_hand
+from game.scenes.shared.tables.through.push import MISCUE, Push
 from game.scenes.shared.tables.unsteady import STEADY_HAND, shaken
 from game.stage import Part
 from game.stage.messages import Messages
@@ -35,10 +37,11 @@ class Play(Part):
     """In which phase the game is, and since when.
 
     clock (2,) s: time of the phase, place in the replay; it belongs to the state. pending: the stroke for
-    which the cue swings; practised: with strokes in the air first. grip: what the pointer holds, which a new
+    which the cue swings; begins: how, as of `stroke_motion`. grip: what the pointer holds, which a new
     phase takes from it. rest_s: how long nothing has been done, s. by_hand: how many strokes a hand has
     played; meant, done: the last of them as it was aimed, and as the hand did it. own: the last such pairs of
-    strokes by a hand that strays. log: of all strokes.
+    strokes by a hand that strays. log: of all strokes. push: the cue of one that is pushed.
+    advised: number of strokes at which the coach was asked last, coached: how often in this rack.
     """
 
     def __init__(
@@ -51,7 +54,8 @@ class Play(Part):
         self.phase = AIMING
         self.clock = np.zeros(2)
         self.pending: Stroke | None = None
-        self.practised = False
+        self.begins = DRAWN
+        self.push = Push(parameters)
         self.grip = NOTHING
         self.plays_itself = False
         self.rest_s = 0.0
@@ -61,6 +65,8 @@ class Play(Part):
         self.done: Stroke | None = None
         self.own: tuple[tuple[Stroke, Stroke], ...] = ()
         self.log = Log()
+        self.advised = -1
+        self.coached = 0
         self._seed = seed
         self.messages = Messages()
 
@@ -127,9 +133,11 @@ class Play(Part):
         """The hand holds nothing any more, and no cue is drawn back."""
         self.grip = NOTHING
         self.aiming.cue.let_go()
+        self.push.let_go()
 
     def advance(self, dt: float) -> None:
         """One step of what goes on by itself."""
+        self.push.advance(dt)
         if self.phase == STRIKING:
             self.clock[PHASE_S] += dt
             self._swing()
@@ -156,7 +164,7 @@ class Play(Part):
         if stroke is None:
             last = self.model.frame.last
             stroke = last.stroke if last is not None else Stroke(1.0, 0.0)
-        return stroke_motion(stroke.cue_speed, self.practised)
+        return stroke_motion(stroke.cue_speed, self.begins)
 
     @property
     def shown_s(self) -> float:
@@ -167,11 +175,11 @@ class Play(Part):
 
     # -- a stroke -----------------------------------------------------------------------------------
 
-    def begin_stroke(self, stroke: Stroke, call: Call, practised: bool) -> None:
+    def begin_stroke(self, stroke: Stroke, call: Call, begins: str = DRAWN) -> None:
         """The cue starts to swing. ValueError if no stroke may be played now."""
         if self.phase != AIMING or not self.model.frame.playable:
             raise ValueError("stroke: none may be played now")
-        self.pending, self.practised = stroke, practised
+        self.pending, self.begins = stroke, begins
         self.aiming.call = call
         self.grip = NOTHING
         self.aiming.point_along(stroke.azimuth)
@@ -182,9 +190,19 @@ class Play(Part):
         frame, meant = self.model.frame, self.aiming.stroke
         call = call_for(frame, self.aiming.call, meant)
         radius = float(frame.layout.balls.radii[CUE_BALL])
-        done = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, radius)
-        self.begin_stroke(done, call, practised=False)
-        self._strayed(meant, done)
+        pushed = self.push.struck is not None
+        if pushed:
+            made = self.push.made(meant, radius)
+        else:
+            made = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, radius)
+        done = self.push.after_the_tip(made)
+        self.begin_stroke(done, call, PUSHED if pushed else DRAWN)
+        self._strayed(meant, made)
+        self.done = done
+        if self.push.slipped:
+            self.messages.say(MISCUE)
+        if pushed and (news := news_of_hand(self.own, radius)):
+            self.messages.say(news)
 
     def by_own_hand(self, meant: Stroke, noise: Noise) -> Stroke:
         """A stroke as a hand does it: the one that shakes as chosen, else one of that noise."""
@@ -236,6 +254,13 @@ class Play(Part):
         if self.phase == ROLLING:
             self.clock[PHASE_S] = self.shown_s
             self._roll()
+
+    def ask_coach(self) -> None:
+        """Ask what to play; the score says so until the next rack."""
+        strokes = self.model.frame.strokes
+        if self.may_aim and self.advised != strokes:
+            self.advised = strokes
+            self.coached += 1
 
     def toggle_lock(self) -> None:
         """Lock the aim or free it."""
@@ -296,6 +321,7 @@ class Play(Part):
         if not isinstance(self.model.frame.game, Drill):  # a shot that is tried again is aimed as it was
             self.aiming.point_along(AT_THE_RACK)
         self.pending, self.aiming.call = None, Call()
+        self.advised, self.coached = -1, 0
         self.let_go()
         self.start_phase(AIMING)
 

@@ -16,7 +16,7 @@ from game.scenes.billiards.opponents.thinking import decision_of
 from game.scenes.billiards.play import SET_UP, SLOW, SLOW_AFTER_S, SLOW_BEFORE_S, Play
 from game.scenes.billiards.practice.drill_maker import DrillMaker
 from game.scenes.billiards.practice.log_text import text_of_log
-from game.scenes.billiards.stroke.motion import stroke_motion
+from game.scenes.billiards.stroke.motion import PRACTISED, stroke_motion
 from game.stage.records.excerpt import Excerpt
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def stroke_excerpt(play: Play, scene: Scene) -> Excerpt | None:
     level = Level(scene=scene.name, title="A stroke", parameters=changed, content=content)
     event = decision_of(last.stroke, last.call)
     slowed_s = (SLOW_BEFORE_S + SLOW_AFTER_S) * (1.0 / SLOW - 1.0)
-    longest_s = stroke_motion(last.stroke.cue_speed, True).hit_s + play.shown_s + slowed_s + REST_S
+    longest_s = stroke_motion(last.stroke.cue_speed, PRACTISED).hit_s + play.shown_s + slowed_s + REST_S
     return Excerpt("stroke", level, scene.seed, scene.active, (event,), round(longest_s / scene.dt))
 
 

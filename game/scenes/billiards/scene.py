@@ -26,8 +26,10 @@ from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.parameters import TABLE_PARAMETERS, BilliardsParameters
 from game.scenes.billiards.play import REPLAY, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PoolAdvisor
+from game.scenes.billiards.practice.coach import Coach
 from game.scenes.billiards.practice.columns import frame_with
 from game.scenes.billiards.practice.drill_maker import DrillMaker
+from game.scenes.billiards.practice.lessons import level_after
 from game.scenes.billiards.practice.log_text import log_in
 from game.scenes.billiards.practice.sets import drill_title, standing_set
 from game.scenes.billiards.practice.side import DECISIONS, Side
@@ -119,6 +121,7 @@ class Billiards(CueGameScene):
         self.play.log = log_in(content.log, self.model.frame)
         self.set_up = SetUp(self.play)
         self.advisor = PoolAdvisor(self.play)
+        self.coach = Coach(self.play)
         self.side = Side(self.play, self.advisor)
         self.maker = DrillMaker(self.play, self.set_up)
         self.buttons = Buttons(self.play, self.replay, self.set_up, self.side, self.maker)
@@ -128,7 +131,7 @@ class Billiards(CueGameScene):
         self.seen = StrokeSeen(self.play)
         on_cloth = OnCloth(self.play, self.advisor, self.maker)
         self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, on_cloth, level)
-        self.column = ColumnView(self.play, self.side, self.advisor, level)
+        self.column = ColumnView(self.play, self.side, self.advisor, self.coach, level)
 
     def parameter_changed(self, name: str) -> None:
         if name in TABLE_PARAMETERS:
@@ -203,6 +206,11 @@ class Billiards(CueGameScene):
             return None
         return game.best, 1 + len(game.more)
 
+    @property
+    def level_wanted(self) -> str:
+        path = self.level.path if self.level is not None else None
+        return level_after(path.stem) if self.buttons.goes_on and path is not None else ""
+
     def save_content(self) -> BilliardsContent:
         return saving.content_of(self.play, self.maker)
 
@@ -220,7 +228,7 @@ class Billiards(CueGameScene):
 
 def _warm_up(scene: Billiards) -> None:
     """Play one stroke and look at it, so that all kernels of the table are compiled."""
-    scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call(), practised=False)
+    scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call())
     for _ in range(100):
         scene.advance(0.02)
     scene.readouts()

@@ -1,5 +1,6 @@
 """What is chosen before a game of billiards begins: parameters of the scene, in few words."""
 
+from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
 
 ALONE = ("game", "practice")
@@ -26,6 +27,7 @@ START = (
          ("none", "None")),
         "auto",
     ),
+    START_LINE,
     StartLine(
         "hand", "Your hand", "how much it shakes",
         (("none", "Not at all"), ("steady", "Steady"), ("average", "Average")), "none",

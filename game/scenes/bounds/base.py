@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from operator import methodcaller
+from typing import ClassVar
 
-from game.levels import Level
 from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes.bounds import view, walk
 from game.scenes.bounds.hand import Hand
@@ -13,20 +13,22 @@ from game.scenes.bounds.model import BoundsModel
 from game.scenes.bounds.panes import Panes
 from game.scenes.bounds.parameters import TREE_PARAMETERS, BoundsParameters
 from game.scenes.bounds.readouts import readouts_of
-from game.scenes.bounds.state import BoundsState
 from game.scenes.bounds.view import BoundsView
 from game.scenes.bounds.walk import Walk
 from game.scenes.shared.outlines.level import CoastEntry, OutlinesContent
-from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, WarmUp
-from game.worlds.expectations import captions_of, draw_captions
+from game.stage import Hint, Readout, SceneAction, WarmUp
+from game.worlds.expectations import Caption
+from game.worlds.scene import ModelScene, Told
 
 
-class BoundsScene(Scene):
+class BoundsScene(ModelScene):
     """Base of C08 and C09."""
 
     effects = SHAPE_MOTION | COHERENCE | EXACT_ANSWER
     dt = 1.0 / 60.0
     content_type = OutlinesContent
+    at_once = True
+    told = Told(saved=methodcaller("to_content"))
     second_kind: ClassVar[str] = "aabb"  # of the trees that are counted beside
 
     parameters_type = BoundsParameters
@@ -68,27 +70,17 @@ class BoundsScene(Scene):
         )
     )
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: OutlinesContent) -> None:
         self.model = BoundsModel(self.parameters, self.active, content, self.second_kind)
+        self.said = self.model.messages
         self.walk = Walk(self.model)
         panes = self.make_panes()
         self.hand = Hand(self.model, self.walk, panes)
         self.view = BoundsView(self.model, self.walk, panes)
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def make_panes(self) -> Panes:
         """What gives the parts of the picture."""
         return Panes(self.model)
-
-    def state(self) -> BoundsState:
-        return self.model.state()
-
-    def restore(self, state: BoundsState) -> None:
-        self.model.restore(state)
-
-    def save_content(self) -> OutlinesContent:
-        return self.model.to_content()
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
@@ -98,9 +90,6 @@ class BoundsScene(Scene):
         else:
             self.model.drift(dt)
         self.model.ask(self.model.coherent)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take_pointer(event)
 
     def action(self, name: str) -> None:
         self.hand.act(name)
@@ -118,31 +107,14 @@ class BoundsScene(Scene):
         elif name == "compare":
             self.model.compare_trees()
 
-    def effects_changed(self) -> None:
-        self.model.active = self.active
-        self.model.ask(coherent=False)
-
-    def messages(self) -> Sequence[str]:
-        return self.model.messages.take()
-
     # -- what is shown ------------------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
         return readouts_of(self.model, self.walk.under_way)
 
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        seen = self.model.content.view
-        return Frame(seen.left, seen.bottom, seen.right, seen.top)
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content = self.model.content
-        if content.expected and self.parameters.walked == "off":
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+    def captions(self) -> Sequence[Caption]:
+        """None in a walk, which has words of its own."""
+        return super().captions() if self.parameters.walked == "off" else ()
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:

@@ -24,7 +24,7 @@ class Hand(Part):
         self.model, self.walk = model, walk
         self.panes = panes
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event, in the part of the picture where it is."""
         seen, panes = self.model.content.view, self.panes()
         reach = REACH * (seen.top - seen.bottom)

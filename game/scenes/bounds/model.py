@@ -144,6 +144,11 @@ class BoundsModel(Part):
 
     # -- what is remembered -------------------------------------------------------------------------
 
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on; the next query begins anew."""
+        self.active = active
+        self.ask(coherent=False)
+
     def state(self) -> BoundsState:
         """The outlines and the last query."""
         record = self.pair.query.record() if self.pair.query is not None else NO_RECORD

@@ -8,32 +8,34 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from game.levels import Level
 from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.effects import BOUNDARY, BOXES, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.scenes.boxes.hand import Hand
 from game.scenes.boxes.level import HEIGHT, WIDTH, BoxesContent
-from game.scenes.boxes.model.arrays import LOWER, UPPER, BoxesState
+from game.scenes.boxes.model.arrays import LOWER, UPPER
 from game.scenes.boxes.model.base import BoxesModel
 from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.parameters import MAKING, BoxesParameters
 from game.scenes.boxes.view.outside import draw_outside
 from game.scenes.boxes.view.world import MOST_LINES, BoxesView
 from game.scenes.boxes.warm_up import exercise
-from game.stage import Frame, Hint, Parameter, Pointer, Scene, SceneAction, SetParameter, StageEvent, WarmUp
+from game.stage import Frame, Hint, Parameter, Pointer, SceneAction, SetParameter, StageEvent, WarmUp
 from game.ui.painters.boxes import warm_up as warm_up_painter
-from game.worlds.expectations import captions_of, draw_captions
+from game.worlds.expectations import draw_captions
+from game.worlds.scene import ModelScene, Told
 
 BATCH = 50  # boxes added or removed by one key
 MANY = 10_000  # boxes; to make all structures again takes longer than a frame from here on
 
 
-class BoxesScene(Scene):
+class BoxesScene(ModelScene):
     """Base of the broad-phase scenes: a subclass names its parameters, model and view."""
 
     effects = MOTION | BOUNDARY
     content_type = BoxesContent
+    at_once = True
+    told = Told(saved=lambda model: model.boxes.to_content())
     default_content: ClassVar[BoxesContent] = BoxesContent()
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     may_be_infinite = frozenset(("lowers", "uppers", "swept_lowers", "swept_uppers"))
@@ -41,6 +43,7 @@ class BoxesScene(Scene):
     parameters: BoxesParameters
     model_type: ClassVar[type[BoxesModel]]
     model: BoxesModel
+    hand_type: ClassVar[type[Hand]] = Hand
     view_type: ClassVar[type[BoxesView]]
 
     phases: ClassVar[tuple[tuple[str, Callable[[], BroadPhase]], ...]] = ()  # to compile, by name
@@ -65,52 +68,22 @@ class BoxesScene(Scene):
         SceneAction("fewer", f"{BATCH} fewer boxes", "down"),
     )
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: BoxesContent) -> None:
         self.model = self.model_type(self.parameters, self.active, self.seed)
+        self.said = self.model.messages
         self.model.begin(content)
-        self.hand = self.make_hand()
+        self.hand = self.hand_type(self.model)
         self.view = self.view_type(self.model, self.hand)
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
-
-    def make_hand(self) -> Hand:
-        """The hand on the model."""
-        return Hand(self.model)
-
-    def state(self) -> BoxesState:
-        return self.model.state()
-
-    def restore(self, state: BoxesState) -> None:
-        self.model.restore(state)
-
-    def save_content(self) -> BoxesContent | None:
-        return self.model.boxes.to_content()
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take_pointer(event)
-
     def action(self, name: str) -> None:
         self.model.set_count(len(self.model.boxes) + (BATCH if name == "more" else -BATCH))
-
-    def parameter_changed(self, name: str) -> None:
-        self.model.parameter_changed(name)
-
-    def effects_changed(self) -> None:
-        self.model.active = self.active
-        self.model.effects_changed()
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Where there are many boxes, or will be, all that makes the structures again; and steps back."""
         after = float(event.value) if isinstance(event, SetParameter) and event.name == "count" else 0.0
         return not isinstance(event, Pointer) and max(len(self.model.boxes), after) > MANY
-
-    def messages(self) -> Sequence[str]:
-        return self.model.messages.take()
 
     # -- what is shown ------------------------------------------------------------------------------
 
@@ -133,15 +106,9 @@ class BoxesScene(Scene):
     def frame(self) -> Frame:
         return self.view.frame()
 
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
+    def draw_expected(self, canvas: Any) -> None:
         draw_outside(canvas, self.model)
-        if self.model.expected:
-            captions = captions_of(self.model.expected, self.readouts())
-            draw_captions(canvas, (0.5 * WIDTH, HEIGHT), captions)
+        draw_captions(canvas, (0.5 * WIDTH, HEIGHT), self.captions())
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -48,7 +48,7 @@ class Hand(Part):
         """The box that the hand means at a place, or NO_BOX."""
         return self.model.box_at(at)
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event."""
         at, model = (event.x, event.y), self.model
         self.pointed = at

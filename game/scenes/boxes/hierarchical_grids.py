@@ -8,14 +8,13 @@ from game.physics.broadphase import HierarchicalGrid, NaiveBroadPhase
 from game.scenes.boxes import C06
 from game.scenes.boxes.compared import ComparedScene
 from game.scenes.boxes.figure import draw_levels
-from game.scenes.boxes.hand import Hand
 from game.scenes.boxes.model.hierarchical_grids import MOST_STACKED, HierarchicalGridModel
 from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.parameters import HierarchyParameters
 from game.scenes.boxes.readouts import hierarchy_readouts
 from game.scenes.boxes.stack_hand import StackHand
 from game.scenes.boxes.view.hierarchical_grids import MOST_CELLS, HierarchicalGridView
-from game.stage import Equation, Readout, Strip
+from game.stage import Equation, Strip
 
 
 class HierarchicalGridScene(ComparedScene):
@@ -37,6 +36,7 @@ class HierarchicalGridScene(ComparedScene):
     parameters: HierarchyParameters
     model_type = HierarchicalGridModel
     model: HierarchicalGridModel
+    hand_type = StackHand
     view_type = HierarchicalGridView
 
     phases = (("hierarchical grids", HierarchicalGrid), ("naive pairs", NaiveBroadPhase))
@@ -50,6 +50,7 @@ class HierarchicalGridScene(ComparedScene):
         ),
         Strip("Box tests", "", ("box tests",)),
     )
+    told = ComparedScene.told._replace(readouts=hierarchy_readouts)
     figure = staticmethod(draw_levels)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t, \quad v' = -v", "explicit Euler; beyond the boundary"),
@@ -70,12 +71,6 @@ class HierarchicalGridScene(ComparedScene):
         "Let cells grow by 16 from level to level: fewer levels, more tests in each.",
         "Open the hard case of boxes that grow: they pass from level to level, and no pair is lost.",
     )
-
-    def make_hand(self) -> Hand:
-        return StackHand(self.model)
-
-    def readouts(self) -> list[Readout]:
-        return hierarchy_readouts(self.model)
 
     def why_idle(self, name: str) -> str:
         if name == "stack" and len(self.model.boxes) > MOST_STACKED:

@@ -21,7 +21,7 @@ from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.parameters import RaceParameters
 from game.scenes.boxes.readouts import race_readouts
 from game.scenes.boxes.view.race import RaceView
-from game.stage import Action, Equation, Hint, Readout, SceneAction, StageEvent, Strip
+from game.stage import Action, Equation, Hint, SceneAction, StageEvent, Strip
 
 IN_STRIP = ("uniform", "hierarchical", "sweep", "bsp", "kinetic")
 
@@ -71,6 +71,7 @@ class BroadPhaseRace(BoxesScene):
     )
     hints = (*BoxesScene.hints, Hint(("X",), "find the crossover"))
     actions = (*BoxesScene.actions, SceneAction("crossover", "find the crossover", "x"))
+    told = BoxesScene.told._replace(readouts=race_readouts)
     figure = staticmethod(draw_costs)
     equations = (
         Equation("Naive", r"\frac{n(n-1)}{2}", "tests"),
@@ -98,9 +99,6 @@ class BroadPhaseRace(BoxesScene):
 
     def takes_long(self, event: StageEvent | None) -> bool:
         return event == Action("crossover") or super().takes_long(event)
-
-    def readouts(self) -> list[Readout]:
-        return race_readouts(self.model)
 
     def why_idle(self, name: str) -> str:
         if name == "workload":  # those of a level may leap, too

@@ -23,7 +23,7 @@ def _begun_and_ended(model: BoxesModel) -> tuple[Readout, Readout]:
 
 def _expected_alone(model: BoxesModel) -> list[Readout]:
     """What costs too much to be measured where no level expects it."""
-    if any(entry.readout == "pairs missed" for entry in model.expected):
+    if any(entry.readout == "pairs missed" for entry in model.content.expected):
         return [Readout("pairs missed", model.missed_pairs())]
     return []
 

@@ -22,7 +22,7 @@ class StackHand(Hand):
         self.sheet: Sheet | None = None
         self.grasped: Sheet | None = None
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         if self.model.stacked and event.kind != "cancel":
             busy = self.model.held >= 0 or self.anchor is not None
             sheet = sheet_at(sheets_of(self.model), event.x, event.y)
@@ -39,7 +39,7 @@ class StackHand(Hand):
                 return
             x, y = self.sheet.back(event.x, event.y)
             event = msgspec.structs.replace(event, x=x, y=y)
-        super().take_pointer(event)
+        super().take(event)
 
     def box_at(self, at: tuple[float, float]) -> int:
         """As ever; in a stack the topmost box of the level whose sheet is pointed at."""

@@ -13,7 +13,7 @@ from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.parameters import SweepParameters
 from game.scenes.boxes.readouts import sweep_readouts
 from game.scenes.boxes.view.sweep_and_prune import SweepAndPruneView
-from game.stage import Equation, Readout, Strip
+from game.stage import Equation, Strip
 
 
 class SweepAndPruneScene(ComparedScene):
@@ -49,6 +49,7 @@ class SweepAndPruneScene(ComparedScene):
         ),
         Strip("Pairs", "", ("pairs",)),
     )
+    told = ComparedScene.told._replace(readouts=sweep_readouts)
     figure = staticmethod(draw_swap)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t, \quad v' = -v", "explicit Euler; beyond the boundary"),
@@ -67,9 +68,6 @@ class SweepAndPruneScene(ComparedScene):
         "Let all leap, and switch sorting again off: swaps and time show what was spared.",
         "Put all boxes on one line: on the other axis every hair's breadth is a swap.",
     )
-
-    def readouts(self) -> list[Readout]:
-        return sweep_readouts(self.model)
 
     def why_idle(self, name: str) -> str:
         if name == "axes" and len(self.model.boxes) > MOST_TICKS:

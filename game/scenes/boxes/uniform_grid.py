@@ -12,7 +12,7 @@ from game.scenes.boxes.model.uniform_grid import UniformGridModel
 from game.scenes.boxes.parameters import GridParameters
 from game.scenes.boxes.readouts import grid_readouts
 from game.scenes.boxes.view.uniform_grid import UniformGridView
-from game.stage import Equation, Readout, Strip
+from game.stage import Equation, Strip
 
 
 class UniformGridScene(BoxesScene):
@@ -48,6 +48,7 @@ class UniformGridScene(BoxesScene):
         Strip("Pair managers", "s", ("matrix", "hash")),
         Strip("Grid", "s", ("grid",)),
     )
+    told = BoxesScene.told._replace(readouts=grid_readouts)
     figure = staticmethod(draw_cells)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t", "explicit Euler"),
@@ -67,6 +68,3 @@ class UniformGridScene(BoxesScene):
         "Raise the number to 4000 and watch the memory of the matrix; the hash table hardly grows.",
         "Put all boxes on one line, or cluster them: the load of a few cells, and the time, go up.",
     )
-
-    def readouts(self) -> list[Readout]:
-        return grid_readouts(self.model)

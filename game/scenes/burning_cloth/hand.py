@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from game.scenes.burning_cloth.model import BurningClothModel
 from game.scenes.burning_cloth.tables import HALF, TALL
+from game.worlds.hands.fire import blow, hold_match, pour
 from game.worlds.hands.hand import Hand, Use
 
 NO_CLOTH = "There is no cloth here to write on."
-
-
-def _hold_match(hand: Hand) -> str:
-    hand.model.match.held = hand.at
-    return ""
 
 
 def _write(hand: Hand) -> str:
@@ -20,11 +16,6 @@ def _write(hand: Hand) -> str:
 
 def _write_on(hand: Hand) -> str:
     hand.model.write_at(hand.at, hand.verb == "wash")
-    return ""
-
-
-def _pour(hand: Hand) -> str:
-    hand.model.pour(hand.at)
     return ""
 
 
@@ -37,19 +28,14 @@ def _drag(hand: Hand) -> str:
     return ""
 
 
-def _blow(hand: Hand) -> str:
-    hand.model.blow(hand.at, hand.moved)
-    return ""
-
-
 def _drop(hand: Hand) -> None:
     hand.model.cloth.release()
     hand.model.match.held = None
 
 
 USES = {
-    "match": Use(_hold_match, _hold_match), "write": Use(_write, _write_on), "wash": Use(_write, _write_on),
-    "water": Use(_pour, _pour), "drag": Use(_grab, _drag), "blow": Use(move=_blow),
+    "match": Use(hold_match, hold_match), "write": Use(_write, _write_on), "wash": Use(_write, _write_on),
+    "water": Use(pour, pour), "drag": Use(_grab, _drag), "blow": Use(move=blow),
 }  # fmt: skip
 
 

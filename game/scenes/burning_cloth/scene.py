@@ -22,7 +22,7 @@ from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
 from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class BurningCloth(WorldScene):
@@ -49,9 +49,8 @@ class BurningCloth(WorldScene):
     parameters_type = BurningClothParameters
     parameters: BurningClothParameters
     model: BurningClothModel
-    parts = Parts(
-        BurningClothModel, cloth_hand, BurningClothView, readouts_of, saved, targets, hearing, names
-    )
+    parts = Parts(BurningClothModel, cloth_hand, BurningClothView)
+    told = Told(readouts_of, saved, targets, hearing, names)
     tiny = {"tier": "own", "meshes": 16}
     painters = (
         ("polygons", warm_up_painter), ("cloth", warm_up_sheet), ("backdrop", warm_up_backdrop),
@@ -92,7 +91,7 @@ class BurningCloth(WorldScene):
         Equation("A hot cloth shines", r"q = 2 ε σ (T^4 - T_a^4)", "Stefan 1879, Boltzmann 1884; two sides"),
     )
     try_this = (
-        "Set the retardant to 0: the whole cloth burns, and nobody can read what was written.",
+        "Set the retardant to 0: the whole cloth burns, and what was written cannot be read.",
         "Wet the cloth across a letter: the front stops at 373 K until the water is gone.",
         "Choose Fisher's law: embers begin wherever it is a little warm, and the front slows down for long.",
         "Write a word of your own with the brush, and hold the match to it.",

@@ -30,6 +30,7 @@ ACTIONS = (
     SceneAction("ends", "where the balls end after the chosen stroke", "E"),
     keys.PLAY_ITSELF,
     keys.CENTRE,
+    keys.HOLD_BREATH,
     *keys.TURNS,
     *keys.options(2),
 )

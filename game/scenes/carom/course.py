@@ -9,7 +9,6 @@ from game.scenes.carom.model import CaromModel
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.shared.tables.course import AIMING, CueCourse
 from game.scenes.shared.tables.cue import MAX_SPEED
-from game.scenes.shared.tables.unsteady import shaken
 
 MOST_KEPT = 60  # own strokes
 
@@ -48,7 +47,7 @@ class Course(CueCourse):
     def strike_by_hand(self, safety: bool = False) -> None:
         """The stroke that is set, as the hand of a person does it."""
         meant = self.stroke
-        made = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, BALL_RADIUS)
+        made = self.by_the_hand(meant, BALL_RADIUS)
         if self.chosen is not None:
             self.own = (*self.own, (self.chosen, made))[-MOST_KEPT:]
             if len(self.own) == FEWEST:

@@ -29,6 +29,7 @@ class CaromHand(Part):
         """A pointer event."""
         if event.kind == "cancel" or (event.kind == "down" and event.button == 3):
             self.course.cue.let_go()
+            self.course.push.let_go()
             self.course.grip = NOTHING
         elif event.kind == "down" and event.button == 1 and not self.course.grip:
             self._press(event)
@@ -69,6 +70,8 @@ class CaromHand(Part):
         elif course.may_aim and layout.TABLE.holds(x, y):
             course.grip = grip.CUE
             course.cue.pointer(event, *course.cue_ball, ready=True)
+            if course.push.chosen:
+                course.push.begin(event, course.cue.aim)
 
     def _move(self, event: Pointer) -> None:
         """What is held follows the pointer; else the cue turns to it."""
@@ -78,6 +81,11 @@ class CaromHand(Part):
         elif held.kind is Held.TIP:
             left, up = layout.tip_at(event.x, event.y, LARGEST_TIP)
             course.parameters.tip_left, course.parameters.tip_up = round(left, 3), round(up, 3)
+        elif held.kind is Held.CUE and course.push.held:
+            if course.push.move(event):
+                course.grip = NOTHING
+                course.cue.let_go()
+                course.strike_by_hand()
         elif held.kind is Held.CUE:
             course.cue.pointer(event, *course.cue_ball, ready=True)
             if course.cue.speed >= LEAST_SPEED:
@@ -120,6 +128,10 @@ class CaromHand(Part):
     def _let_fly(self, event: Pointer) -> None:
         """The pulled cue strikes; a mere click frees the aim from the chosen stroke."""
         course = self.course
+        if course.push.held:
+            course.push.let_go()
+            course.cue.let_go()
+            return
         course.cue.pointer(event, *course.cue_ball, ready=True)
         strikes = course.cue.phase != CUE_AIMING
         course.cue.data[1:3] = 0.0, CUE_AIMING
@@ -154,6 +166,8 @@ class CaromHand(Part):
             course.strike_by_hand(safety=True)
         elif name in ("map", "explain", "ends"):
             setattr(parameters, name, not getattr(parameters, name))
+        elif name == "breath":
+            course.push.breathe()
         elif name == "demo":
             course.plays_itself = not course.plays_itself
         elif name == "centre":

@@ -5,6 +5,7 @@ from __future__ import annotations
 from game.billiards.shot.cloths import CLOTH_LABELS, CLOTHS, HEATED
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
+from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
 KINDS = ("three-cushion", "one-cushion", "straight-rail")
@@ -33,6 +34,12 @@ class CaromParameters(Parameters):
     tip_up = choices.tip("Tip up")
     elevation = choices.elevation(60.0)
     hand = choices.noise_of_hand("how far your tip, elevation, azimuth and speed stray")
+    stroke_by = through.stroke_by()
+    reach = through.reach()
+    sway = through.sway()
+    miscues = through.miscues()
+    chalk = through.chalk()
+    recoil = through.recoil()
     path = Toggle(True, group="Stroke", label="Path of the stroke", help="what the aimed stroke would do")
     cloth = Choice(
         HEATED, tuple(CLOTHS), labels=tuple(CLOTH_LABELS.values()), group="Table",

@@ -12,6 +12,7 @@ from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
+from game.scenes.cavity.level import CavityContent
 from game.scenes.cavity.parameters import CavityParameters
 from game.stage import Part
 
@@ -33,8 +34,8 @@ class CavityState(NamedTuple):
 class CavityModel(Part):
     """A square of 1 m of gas."""
 
-    def __init__(self, parameters: CavityParameters, active: EffectSet, seed: int):
-        self.parameters, self.active = parameters, active
+    def __init__(self, content: CavityContent, parameters: CavityParameters, active: EffectSet, seed: int):
+        self.content, self.parameters, self.active = content, parameters, active
         self.heated = parameters.flow == "heated"
         n = int(parameters.cells)
         self.gas = Gas(Grid(n, n, 1.0 / n), self._borders(), self._settings(), ("temperature",))

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import attrgetter
 from typing import Any
 
 from game.lab.studies.gases.flows import cavity_study
-from game.levels import Level
 from game.physics.gas import GAS
 from game.physics.gas.effects import CONFINEMENT
 from game.scenes.cavity import CAVITY
@@ -17,9 +17,9 @@ from game.scenes.cavity.model import CavityModel
 from game.scenes.cavity.parameters import OF_MAKING, OF_PICTURE, CavityParameters
 from game.scenes.cavity.readouts import readouts_of
 from game.scenes.cavity.view import CavityView
-from game.stage import Equation, Frame, Hint, Readout, Strip
-from game.worlds.expectations import captions_now, captions_of, draw_captions
-from game.worlds.scene import ModelScene
+from game.stage import Equation, Frame, Hint, Strip
+from game.worlds.expectations import draw_captions
+from game.worlds.scene import ModelScene, Told
 
 
 class Cavity(ModelScene):
@@ -40,6 +40,8 @@ class Cavity(ModelScene):
     model: CavityModel
     effects = GAS.known.without(CONFINEMENT)
     content_type = CavityContent
+    told = Told(readouts_of, attrgetter("content"))
+    not_of_model = (*OF_PICTURE, *OF_MAKING)
     default_content = DEFAULT
     study = cavity_study
     figure = staticmethod(draw_profiles)
@@ -59,27 +61,15 @@ class Cavity(ModelScene):
     )
     try_this = (
         "Choose the advection of 1999: the eddy is weaker, as if the gas were thicker than it is.",
-        "Go from 64 to 128 cells: the error falls to about a third.",
+        "Go from 64 to 128 cells: the error falls to little more than a quarter.",
         "Turn the pressure off, and see that an eddy needs one.",
         "Heat a wall instead: the Nusselt number says how much more heat the eddy carries than gas at rest.",
     )
 
-    def build(self, level: Level | None) -> None:
-        self.content = self.content_of(level)
-        self.model = CavityModel(self.parameters, self.active, self.seed)
+    def make(self, content: CavityContent) -> None:
+        self.model = CavityModel(content, self.parameters, self.active, self.seed)
         self.hand = CavityHand(self.model)
         self.view = CavityView(self.model)
-        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
-
-    def parameter_changed(self, name: str) -> None:
-        if name not in (*OF_PICTURE, *OF_MAKING):
-            self.model.change_parameter(name)
-
-    def save_content(self) -> CavityContent:
-        return self.content
-
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         if self.model.heated:
@@ -94,7 +84,5 @@ class Cavity(ModelScene):
     def frame(self) -> Frame:
         return Frame(-0.08, -0.06, 1.08, 1.1)
 
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        if self.content.expected:
-            draw_captions(canvas, (0.5, 0.985), captions_now(self, self.content.expected))
+    def draw_expected(self, canvas: Any) -> None:
+        draw_captions(canvas, (0.5, 0.985), self.captions())

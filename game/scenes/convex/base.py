@@ -3,26 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import methodcaller
 from typing import Any, ClassVar
 
-from game.levels import Level
 from game.physics.narrowphase import ConvexPolygon
 from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes.convex.hand import Hand
 from game.scenes.convex.level import PairContent, ShapeEntry
-from game.scenes.convex.model.pair import PairModel, PairState
+from game.scenes.convex.model.pair import PairModel
 from game.scenes.convex.parameters import PairParameters
 from game.scenes.convex.readouts import PairReadouts
-from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
-from game.worlds.expectations import captions_of, draw_captions
+from game.stage import Hint, Readout, SceneAction, Strip, WarmUp
+from game.worlds.expectations import Caption, draw_captions
+from game.worlds.scene import ModelScene, Told
 
 
-class ConvexPairScene(Scene):
+class ConvexPairScene(ModelScene):
     """Base of C10 and C11. A subclass names its model and draws."""
 
     effects = SHAPE_MOTION | COHERENCE | EXACT_ANSWER
     dt = 1.0 / 60.0
     content_type = PairContent
+    at_once = True
+    told = Told(saved=methodcaller("to_content"))
     takes: ClassVar[frozenset[str]] = frozenset()
     parameters_type = PairParameters
     parameters: PairParameters
@@ -62,29 +65,13 @@ class ConvexPairScene(Scene):
         b=ShapeEntry(corners=5, radius=1.2, position=(1.9, 0.1), spin=-24.0),
     )
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: PairContent) -> None:
         self.model = self.model_type(self.parameters, self.active, content)
+        self.said = self.model.messages
         self.hand = Hand(self.model)
         self._readouts = self.readouts_type(self.model)
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
-
-    def state(self) -> PairState:
-        return self.model.state()
-
-    def restore(self, state: PairState) -> None:
-        self.model.restore(state)
-
-    def save_content(self) -> PairContent | None:
-        return self.model.to_content()
 
     # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take_pointer(event)
 
     def action(self, name: str) -> None:
         self.hand.act(name)
@@ -95,13 +82,6 @@ class ConvexPairScene(Scene):
         else:
             self.model.query(fresh=name in ("start_a", "start_b"))
 
-    def effects_changed(self) -> None:
-        self.model.active = self.active
-        self.model.query(fresh=COHERENCE not in self.active)
-
-    def messages(self) -> Sequence[str]:
-        return self.model.messages.take()
-
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
@@ -109,10 +89,6 @@ class ConvexPairScene(Scene):
 
     def standing(self) -> dict[str, float]:
         return self.model.standing(self.dt)
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return Frame(view.left, view.bottom, view.right, view.top)
 
     def slider_range(self, name: str) -> tuple[float, float] | None:
         """Features that there are: 2 n of a polygon of n corners."""
@@ -123,15 +99,14 @@ class ConvexPairScene(Scene):
             return None
         return 0.0, float(max(2 * len(outlines[index].points) - 1, 1))
 
-    def draw(self, canvas: Any, alpha: float) -> None:
-        raise NotImplementedError
+    def captions(self) -> Sequence[Caption]:
+        """None before there are two polygons."""
+        return super().captions() if self.model.ready else ()
 
     def draw_expected(self, canvas: Any) -> None:
-        """What the level expects beside what is measured, above the polygons."""
-        content = self.model.content
-        if content.expected and self.model.ready:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+        """Above the polygons, whatever else the frame shows."""
+        shown = self.shown()
+        draw_captions(canvas, (0.5 * (shown.left + shown.right), shown.top), self.captions())
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -25,7 +25,7 @@ class Hand(Part):
         self.model = model
         self.shown = WHOLE
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event in the level's unit."""
         model, view, before = self.model, self.model.content.view, self.model.board
         reach = REACH * (view.top - view.bottom)

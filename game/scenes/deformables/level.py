@@ -82,7 +82,7 @@ class DeformablesContent(LevelEntry, frozen=True, kw_only=True):
         """ValueError if there are too many bodies."""
         count = sum(body.copies[0] * body.copies[1] for body in self.bodies)
         if count > MOST_BODIES:
-            raise ValueError(f"bodies: {count} of them; there is room for {MOST_BODIES}")
+            raise ValueError(f"bodies: {count} of them; at most {MOST_BODIES}")
 
 
 DEFAULT = DeformablesContent(

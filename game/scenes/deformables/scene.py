@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from game.lab.studies.deformables import cell_study
-from game.levels import Level
 from game.physics.deformables.effects import SOFT
 from game.scenes.deformables import DEFORMABLES
 from game.scenes.deformables.figure import draw_two_passes
@@ -16,9 +14,8 @@ from game.scenes.deformables.model import DeformablesModel, exercise
 from game.scenes.deformables.parameters import OF_PICTURE, DeformablesParameters
 from game.scenes.deformables.readouts import readouts_of
 from game.scenes.deformables.view import DeformablesView
-from game.stage import Equation, Frame, Hint, Readout, Strip, WarmUp
-from game.worlds.expectations import captions_now, captions_of, draw_captions
-from game.worlds.scene import ModelScene
+from game.stage import Equation, Frame, Hint, Strip, WarmUp
+from game.worlds.scene import ModelScene, Told
 
 
 class Deformables(ModelScene):
@@ -40,6 +37,8 @@ class Deformables(ModelScene):
     model: DeformablesModel
     effects = SOFT.known
     content_type = DeformablesContent
+    told = Told(readouts_of)
+    not_of_model = (*OF_PICTURE, "step_length")
     default_content = DEFAULT
     study = cell_study
     figure = staticmethod(draw_two_passes)
@@ -73,19 +72,10 @@ class Deformables(ModelScene):
     def warm_ups(cls) -> Sequence[WarmUp]:
         return (WarmUp("soft bodies", exercise),)
 
-    def build(self, level: Level | None) -> None:
-        self.content = self.content_of(level)
-        self.model = DeformablesModel(self.content, self.parameters, self.active)
+    def make(self, content: DeformablesContent) -> None:
+        self.model = DeformablesModel(content, self.parameters, self.active)
         self.hand = DeformablesHand(self.model)
         self.view = DeformablesView(self.model)
-        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
-
-    def parameter_changed(self, name: str) -> None:
-        if name not in OF_PICTURE and name != "step_length":
-            self.model.change_parameter(name)
-
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return (
@@ -97,8 +87,3 @@ class Deformables(ModelScene):
     def frame(self) -> Frame:
         middle = self.model.middle
         return Frame(middle - 0.5 * WIDTH - 0.03, -0.26, middle + 0.5 * WIDTH + 0.03, HEIGHT)
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        if self.content.expected:
-            draw_captions(canvas, (self.model.middle, HEIGHT), captions_now(self, self.content.expected))

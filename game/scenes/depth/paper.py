@@ -101,21 +101,22 @@ OBJECT_NORM = Paper(
             r"\sigma^2 = \abs{\v{t}}^2 + 4 k^2 \sin^2 (\theta / 2)",
         ),
         Step(
-            "The authors begin with a motion that parts the bodies, find what then touches, make contacts "
-            "linear, and solve for the shortest motion within them; and again, until nothing changes. Where "
-            "that ends depends on where it begins (thick: for one angle, from two beginnings).",
+            "The authors begin with a motion that parts the bodies. They find what then touches, make "
+            "contacts linear, and solve for the shortest motion within them. So they go on until nothing "
+            "changes. Where that ends depends on where it begins (thick: for one angle, from two "
+            "beginnings).",
             draw_local,
         ),
         Step(
             "In the plane there is but one angle, so we take all of them. For one angle the displacements "
-            "that overlap are the Minkowski differences of the convex parts, and the shortest one out of "
-            "them leads to a foot on an edge or to a crossing of two.",
+            "that overlap are the Minkowski differences of the convex parts. The shortest one out of them "
+            "leads to a foot on an edge or to a crossing of two.",
             draw_differences,
             r"B_j - A_i(\theta)",
         ),
         Step(
             "Over an interval of angles no point of A_i goes farther than ρ. The differences eroded by it "
-            "are overlaps for every angle within, and so bound the depth from below, even where it jumps "
+            "are overlaps for every angle within. So they bound the depth from below, even where it jumps "
             "because A comes to fit into a gap.",
             draw_bound,
             r"\rho = 2 R_i \sin (w / 2)",
@@ -128,7 +129,8 @@ OBJECT_NORM = Paper(
     ),
     showed=(
         "Rigid and articulated models of tens of thousands of triangles in space, a locally shortest "
-        "motion in tens of milliseconds; used to plan motions, to animate with contacts, and to grasp.",
+        "motion in tens of milliseconds. It is used to plan motions, to animate with contacts, and to "
+        "grasp.",
     ),
     measure=_measure,
     limits=(
@@ -140,7 +142,7 @@ OBJECT_NORM = Paper(
     ),
     after=(
         "The norm goes back to Kazerounian and Rastegar (1992). Zhang, Kim and Manocha (2007) first "
-        "computed the depth with rotation by it; later the contact space was sampled and learned "
+        "computed the depth with rotation by it. Later the contact space was sampled and learned "
         "beforehand, so that a query only looks up what is near.",
     ),
 )

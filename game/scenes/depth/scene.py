@@ -6,20 +6,20 @@ from collections.abc import Sequence
 from typing import Any
 
 from game.lab.studies.narrowphase.rotation import depth_study
-from game.levels import Level
 from game.scenes.depth import DEPTH
 from game.scenes.depth.figure import draw_two_ways
 from game.scenes.depth.hand import NOTCH, DepthHand
 from game.scenes.depth.level import DEFAULT, DepthContent
-from game.scenes.depth.model import DepthModel, DepthState
+from game.scenes.depth.model import DepthModel
 from game.scenes.depth.parameters import OF_PICTURE, DepthParameters
 from game.scenes.depth.readouts import readouts_of
 from game.scenes.depth.view import DepthView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
-from game.worlds.expectations import captions_of, draw_captions, with_headroom
+from game.stage import Equation, Frame, Hint, SceneAction, Strip
+from game.worlds.expectations import with_headroom
+from game.worlds.scene import ModelScene, Told
 
 
-class Depth(Scene):
+class Depth(ModelScene):
     """How far must A move so that it no longer overlaps B? The least displacement is one answer. Often a
     little turn helps: a bar in a slot, two combs, a corner that is caught.
 
@@ -36,6 +36,8 @@ class Depth(Scene):
     parameters_type = DepthParameters
     parameters: DepthParameters
     content_type = DepthContent
+    at_once = True
+    told = Told(readouts_of, DepthModel.to_content)
     default_content = DEFAULT
     takes = frozenset({"right"})
     study = depth_study
@@ -73,31 +75,10 @@ class Depth(Scene):
         "Press B: brute force tests thousands of motions, and finds none shorter.",
     )
 
-    def build(self, level: Level | None) -> None:
-        self.content = self.content_of(level)
-        self.model = DepthModel(self.content, self.parameters)
+    def make(self, content: DepthContent) -> None:
+        self.model = DepthModel(content, self.parameters)
         self.hand = DepthHand(self.model)
         self.view = DepthView(self.model)
-        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
-
-    def parameter_changed(self, name: str) -> None:
-        if name not in OF_PICTURE:
-            self.model.query()
-
-    def state(self) -> DepthState:
-        return self.model.state()
-
-    def restore(self, state: DepthState) -> None:
-        self.model.restore(state)
-
-    def save_content(self) -> DepthContent:
-        return self.model.to_content()
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def action(self, name: str) -> None:
         if name == "move-out":
@@ -109,9 +90,6 @@ class Depth(Scene):
         else:
             self.hand.turn(NOTCH if name == "turn-left" else -NOTCH, self.hand.chosen)
 
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
-
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return (
             ("disc:chalk", "A", ""),
@@ -121,11 +99,12 @@ class Depth(Scene):
         )
 
     def frame(self) -> Frame:
-        return with_headroom(Frame(-2.3, -2.1, 4.7, 2.1), len(self.content.expected))
+        return with_headroom(Frame(-2.3, -2.1, 4.7, 2.1), len(self.model.content.expected))
+
+    def parameter_changed(self, name: str) -> None:
+        if name not in OF_PICTURE:
+            self.model.query()
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
-        if self.content.expected:
-            frame = self.frame()
-            top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_of(self.content.expected, self.readouts()))
+        self.draw_expected(canvas)

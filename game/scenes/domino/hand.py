@@ -63,7 +63,7 @@ def _add(hand: Hand) -> str:
     hand.point = None
     if place is None:
         return "There is no floor below."
-    return "" if hand.model.dominoes.add(place) else "There is no room for more dominoes."
+    return "" if hand.model.dominoes.add(place) else "No more dominoes fit in."
 
 
 def _remove(hand: Hand) -> str:

@@ -20,7 +20,7 @@ from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.landscape import warm_up_landscape
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.painting.spheres import warm_up_spheres
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Domino(WorldScene):
@@ -41,7 +41,8 @@ class Domino(WorldScene):
     parameters_type = DominoParameters
     parameters: DominoParameters
     model: DominoWorld
-    parts = Parts(DominoWorld, domino_hand, DominoView, readouts, saved, targets, hearing, names)
+    parts = Parts(DominoWorld, domino_hand, DominoView)
+    told = Told(readouts, saved, targets, hearing, names)
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type = DominoContent
     not_of_model = OF_PICTURE

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.tables import HALF, TALL
+from game.worlds.hands.fire import blow, hold_match, pour
 from game.worlds.hands.hand import Hand, Use
-
-
-def _blow(hand: Hand) -> str:
-    hand.model.blow(hand.at, hand.moved)
-    return ""
 
 
 def _grab(hand: Hand) -> str:
@@ -25,17 +21,7 @@ def _lead(hand: Hand) -> str:
 def _add_log(hand: Hand) -> str:
     added = hand.model.add_log(hand.at)
     hand.point = None
-    return "" if added else "There is no room for more wood."
-
-
-def _hold_match(hand: Hand) -> str:
-    hand.model.match.held = hand.at
-    return ""
-
-
-def _pour(hand: Hand) -> str:
-    hand.model.pour(hand.at)
-    return ""
+    return "" if added else "No more wood fits in."
 
 
 def _drop(hand: Hand) -> None:
@@ -44,8 +30,8 @@ def _drop(hand: Hand) -> None:
 
 
 USES = {
-    "blow": Use(move=_blow), "drag": Use(_grab, _lead), "log": Use(_add_log),
-    "match": Use(_hold_match, _hold_match), "water": Use(_pour, _pour),
+    "blow": Use(move=blow), "drag": Use(_grab, _lead), "log": Use(_add_log),
+    "match": Use(hold_match, hold_match), "water": Use(pour, pour),
 }  # fmt: skip
 
 

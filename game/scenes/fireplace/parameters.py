@@ -25,7 +25,7 @@ class FireplaceParameters(Parameters):
     )
     haste = Param(
         1.0, 0.25, 4.0, log=True, group="Wood", label="Burning rate",
-        help="times as quick as usual; the wood is light, so that an hour of real wood goes by in a minute",
+        help="times as quick as usual; the wood is light, so that an hour of real wood passes in a minute",
     )  # fmt: skip
     moisture = Param(
         0.0, 0.0, 1.0, group="Wood", rebuild=True,

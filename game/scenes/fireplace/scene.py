@@ -21,7 +21,7 @@ from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
 from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Fireplace(WorldScene):
@@ -46,7 +46,8 @@ class Fireplace(WorldScene):
     parameters_type = FireplaceParameters
     parameters: FireplaceParameters
     model: FireplaceModel
-    parts = Parts(FireplaceModel, fire_hand, FireplaceView, readouts_of, saved, targets, hearing, names)
+    parts = Parts(FireplaceModel, fire_hand, FireplaceView)
+    told = Told(readouts_of, saved, targets, hearing, names)
     tiny = {"tier": "own", "cells": 16}
     painters = (
         ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_glowing),
@@ -96,7 +97,7 @@ class Fireplace(WorldScene):
         if name == "match":
             self.model.match.strike(self.model.time)
         elif name == "log":
-            return "" if self.model.add_log((0.0, 0.7)) else "There is no room for more wood."
+            return "" if self.model.add_log((0.0, 0.7)) else "No more wood fits in."
         elif name == "blow":
             for x in (-0.2, 0.0, 0.2):
                 self.model.blow((x, 0.1), (0.12 if x <= 0.0 else -0.12, 0.08))

@@ -12,7 +12,6 @@ from game.scenes.fireworks.model import MUZZLE, FireworksModel
 from game.stage import Part, Pointer
 
 REACH = 7.0  # m, how near to the listener the pointer takes hold
-BANK = 10.0  # m above the lower edge of the view, where the listener stands
 HIGHEST = 1_000.0  # m
 
 
@@ -23,15 +22,11 @@ class FireworksHand(Part):
         self.model = model
         self.held = False
 
-    def listener_place(self) -> Point:
-        """Where the listener is drawn, m."""
-        return float(self.model.thunder.ear[0]), self.model.content.view.bottom + BANK
-
     def take(self, event: Pointer) -> str:
         """A pointer event in world coordinates; what there is to say about it, or ""."""
         point = (_within(event.x, FARTHEST), _within(event.y, HIGHEST))
         if event.kind == "down" and event.button == 1:
-            if elementary.dist(point, self.listener_place()) < REACH:
+            if elementary.dist(point, self.model.listener_place()) < REACH:
                 self.held = True
                 return ""
             return self._fire(point)

@@ -6,6 +6,8 @@ from typing import Annotated, Literal
 
 import msgspec
 
+from game.worlds.entries.entry import LevelEntry
+
 Metre = Annotated[float, msgspec.Meta(ge=-2000.0, le=2000.0)]
 Second = Annotated[float, msgspec.Meta(ge=0.0, le=100_000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]  # m/s
@@ -18,7 +20,7 @@ MOST_CUES = 2_000
 FARTHEST = 2000.0  # m
 
 
-class Cue(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Cue(LevelEntry, frozen=True, kw_only=True):
     """Shells of the programme. time: s, when the first is fired. at: m, where it is to burst in still air.
 
     tube: m, where it is fired from; without one below the place. depth: m behind the shore.
@@ -35,14 +37,14 @@ class Cue(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True,
     delay: Second = 0.0
 
 
-class Gust(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Gust(LevelEntry, frozen=True, kw_only=True):
     """The wind (m/s) that is added at a time (s) of the programme; between two it changes evenly."""
 
     time: Second
     wind: Speed
 
 
-class Aloft(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Aloft(LevelEntry, frozen=True, kw_only=True):
     """A shell that is in the air from the beginning: m, m/s. fuse: s until it bursts."""
 
     shell: Shell
@@ -52,7 +54,7 @@ class Aloft(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tru
     fuse: Annotated[float, msgspec.Meta(gt=0.0, le=1000.0)] = 1.0
 
 
-class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class View(LevelEntry, frozen=True, kw_only=True):
     """The part of the world in view, m."""
 
     left: Metre = -180.0
@@ -61,9 +63,7 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
     top: Metre = 164.0
 
 
-class FireworksContent(
-    msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True
-):
+class FireworksContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a level. again: s after which the programme begins anew, 0: never. begins: s on the clock.
 
     listener: m, where along the bank the sound is heard.

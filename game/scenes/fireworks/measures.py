@@ -14,6 +14,7 @@ from game.physics.kernels import elementary, elementwise, linear
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.shells import BURSTS, HEADS, SHELLS
 
+NAMED_S = 3.0  # s after which a burst is not named any more
 PIECES = 64  # of Simpson's rule for stars that burn away
 
 
@@ -59,6 +60,12 @@ def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:
     return stars[:, stars[step.BORN] == instant]
 
 
+def burst_middle(model: FireworksModel) -> tuple[float, float, float]:
+    """Where the middle of these stars is, m."""
+    x, y, z = stars_of_burst(model)[[step.X, step.Y, step.Z]].mean(axis=1).tolist()
+    return x, y, z
+
+
 def thrown_now(model: FireworksModel) -> int:
     """Stars of all kinds that the newest burst threw and that still burn."""
     instant, shell = float(model.burst[0]), int(model.burst[4])
@@ -92,6 +99,15 @@ def burst_now(model: FireworksModel) -> BurstNow | None:
         float(np.max(speed)),
         float(np.max(np.abs(off[2]))),
     )
+
+
+def wind_at_smoke(model: FireworksModel) -> float:
+    """Mean wind (m/s) at the heights of the puffs; nan without smoke. It grows with height by the shear."""
+    smoke, air = model.system.stars("smoke"), model.system.air
+    if not smoke.shape[1]:
+        return math.nan
+    heights = np.clip(smoke[step.Y], 0.0, air.ceiling)
+    return model.wind * (1.0 + air.shear * float(heights.mean()))
 
 
 def smoke_drift(model: FireworksModel) -> float:

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from typing import NamedTuple
+from collections.abc import Iterator
+from itertools import islice
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from game.arrays import Floats, Longs
 from game.physics.effects import EffectSet
-from game.physics.fields import GRAVITY, QUADRATIC_DRAG, WIND
+from game.physics.fields import QUADRATIC_DRAG, WIND
 from game.physics.generations import Air, StarSystem, step
 from game.physics.generations import kinds as k
+from game.physics.generations.system import StarState
 from game.physics.kernels import elementary
 from game.scenes.fireworks.aiming import LEAST_RISE, aim
 from game.scenes.fireworks.level import FARTHEST, FireworksContent, Point
@@ -18,13 +22,14 @@ from game.scenes.fireworks.parameters import FireworksParameters
 from game.scenes.fireworks.shells import BURSTS, HEADS, SHELL_DRAG, SHELLS, all_kinds
 from game.scenes.fireworks.stars import Amounts
 from game.scenes.fireworks.thunder import Thunder
-from game.stage import Part
+from game.worlds.world import Kept, Member, World
 
 MUZZLE = 1.2  # m above the ground
 TUBES_EVERY = 20.0  # m
 ROCKET_START = 24.0  # m/s
 WIND_CEILING = 400.0  # m
 SOFT_S = 0.35  # s, with which the camera follows its bearing
+BANK = 10.0  # m above the lower edge of the view, where the listener stands
 FLASHES = 96
 MARKS = 256
 INSTANT, FLASH_X, FLASH_Y, FLASH_DEPTH, FLASH_WHAT, FLASH_SHELL = range(6)
@@ -67,16 +72,51 @@ class Programme:
         return a.wind + (b.wind - a.wind) * (time - a.time) / (b.time - a.time)
 
 
-class FireworksModel(Part):
+class FireworksState(NamedTuple):
+    """Stars as `StarSystem` keeps them; sound waves, what was heard and the listener; flashes and counts."""
+
+    fields: Floats
+    identities: Longs
+    alive: Longs
+    tallies: Longs
+    clock: Floats
+    waves: Floats
+    heard: Floats
+    sound_counts: Longs
+    ear: Floats
+    flashes: Floats
+    burst: Floats
+    counts: Longs
+    marks: Floats
+
+
+class Stars(Member):
+    """The stars of a system, whose fields stand in the state one by one."""
+
+    def __init__(self, system: StarSystem):
+        self.system = system
+
+    def state(self) -> StarState:
+        return self.system.state()
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        self.system.restore(StarState(*islice(fields, len(StarState._fields))))
+
+
+class FireworksModel(World):
     """Stars, programme, wind and sound. ``fired``: shells of the programme so far, ``round``: its repeats;
     ``off_mark``: m by which the last one missed; ``walk_to``: where along the bank the listener goes, m;
     ``bearing``: from where the show is seen, degrees.
     """
 
+    state_type = FireworksState
+    content: FireworksContent
+    parameters: FireworksParameters
+
     def __init__(
         self, content: FireworksContent, parameters: FireworksParameters, active: EffectSet, seed: int
     ):
-        self.content, self.parameters, self.active = content, parameters, active
+        super().__init__(content, parameters, active)
         self.programme = Programme(content)
         kinds = all_kinds(Amounts(parameters.sparks, parameters.places))
         self.system = StarSystem(kinds, effects=active, method=parameters.method, seed=seed)
@@ -93,6 +133,8 @@ class FireworksModel(Part):
         self.marks = np.full(
             (MARKS, 4), NO_BURST
         )  # of shells in the air: kind, instant s and place m of the burst
+        self.members = (Stars(self.system), self.thunder, Kept(self, "flashes", "burst", "counts", "marks"))
+        self.was_full = False
         self.fired = self.rounds = 0
         self.walk_to = content.listener
         self.bearing = self._turning = parameters.bearing
@@ -116,6 +158,10 @@ class FireworksModel(Part):
             else 0.0
         )
 
+    def listener_place(self) -> Point:
+        """Where the listener is drawn, m."""
+        return float(self.thunder.ear[0]), self.content.view.bottom + BANK
+
     def configure(self, ahead: float = 0.0) -> None:
         """Hand all parameters to the system; ``ahead``: s from now at which the wind is taken."""
         system, parameters = self.system, self.parameters
@@ -129,8 +175,10 @@ class FireworksModel(Part):
         system.table.kinds[:, k.LINEAR] = self._drags[:, 0] * lighter
         system.table.kinds[:, k.QUADRATIC] = self._drags[:, 1] * lighter
 
+    def change_parameter(self, name: str) -> None:
+        self.configure()
+
     def change_effects(self, active: EffectSet) -> None:
-        """Compute these effects from now on."""
         self.active = active
         self.configure()
 
@@ -153,8 +201,7 @@ class FireworksModel(Part):
         else:
             drag = SHELL_DRAG * self.parameters.air if QUADRATIC_DRAG in self.active else 0.0
             wind = 0.0 if blind else self.wind * (1.0 + self.parameters.shear * 0.5 * at[1])
-            gravity = self.parameters.gravity if GRAVITY in self.active else 0.0
-            velocity, fuse = aim(way, gravity, drag, wind)
+            velocity, fuse = aim(way, self.gravity(), drag, wind)
             self._put(shell, (start, MUZZLE), velocity, depth, fuse)
             instant = self.system.time_s + fuse
             self.marks[int(self.counts[LAUNCHED]) % MARKS] = SHELLS.index(shell), instant, *at
@@ -184,11 +231,6 @@ class FireworksModel(Part):
         for i, shell in enumerate(SHELLS):
             x = 16.0 * (i - 0.5 * (len(SHELLS) - 1))
             self.fire(shell, (x, 105.0 + 25.0 * (i % 2)), x)
-
-    @property
-    def dropped(self) -> int:
-        """Stars for which there was no place."""
-        return self.system.tally(step.DROPPED)
 
     def clear(self) -> None:
         """Put out all stars."""
@@ -221,7 +263,7 @@ class FireworksModel(Part):
 
     # -- a step -------------------------------------------------------------------------------------
 
-    def advance(self, dt: float) -> None:
+    def advance(self, dt: float) -> str:
         """One step of everything."""
         now = self.system.time_s
         self._go_round(dt)
@@ -232,6 +274,10 @@ class FireworksModel(Part):
             self._take(row)
         walk_to = (min(max(self.walk_to, -FARTHEST), FARTHEST), self.parameters.distance)
         self.thunder.go_on(now, dt, walk_to)
+        if self.was_full or not self.system.tally(step.DROPPED):
+            return ""
+        self.was_full = True
+        return "No place is left for some stars: they are dropped and counted."
 
     def _go_round(self, dt: float) -> None:
         """The bearing follows its parameter softly: twice over by the same share."""

@@ -2,59 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, ClassVar, NamedTuple
-
-import numpy as np
+from typing import ClassVar
 
 from game.lab.studies.stars import star_study
-from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WIND
 from game.physics.generations import BURNING, THRUST, TRAILS
-from game.physics.generations.system import StarState
 from game.scenes.fireworks import A09
 from game.scenes.fireworks.figure import draw_ballistics
 from game.scenes.fireworks.hand import FireworksHand
 from game.scenes.fireworks.level import FireworksContent
 from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.parameters import FireworksParameters
-from game.scenes.fireworks.readouts import readouts
-from game.scenes.fireworks.sounds import hearing
+from game.scenes.fireworks.told import hearing, names, readouts, sizes, targets
 from game.scenes.fireworks.view import FireworksView, warm_up_shine
 from game.stage import (
     Equation,
-    Frame,
-    Hearing,
     Hint,
-    Pointer,
-    Readout,
-    Scene,
     SceneAction,
     Strip,
-    WarmUp,
 )
-from game.stage.messages import Messages
+from game.worlds.scene import Parts, Told, WorldScene
 
 
-class FireworksState(NamedTuple):
-    """Stars as `StarSystem` keeps them; sound waves, what was heard and the listener; flashes and counts."""
-
-    fields: np.ndarray
-    identities: np.ndarray
-    alive: np.ndarray
-    tallies: np.ndarray
-    clock: np.ndarray
-    waves: np.ndarray
-    heard: np.ndarray
-    sound_counts: np.ndarray
-    ear: np.ndarray
-    flashes: np.ndarray
-    burst: np.ndarray
-    counts: np.ndarray
-    marks: np.ndarray
-
-
-class Fireworks(Scene):
+class Fireworks(WorldScene):
     """A shell is thrown from a mortar, and bursts at the top of its way into stars, which leave sparks or
     burst again. Each star is a point with a mass that burns away. The air drags it, the more the less of it
     is left, and carries it with the wind. Births and bursts have their own instant within a step.
@@ -74,11 +44,13 @@ class Fireworks(Scene):
     effects = GRAVITY | DRAG | QUADRATIC_DRAG | WIND | GROUND | BURNING | THRUST | TRAILS
     parameters_type = FireworksParameters
     parameters: FireworksParameters
+    model: FireworksModel
+    parts = Parts(FireworksModel, FireworksHand, FireworksView)
+    told = Told(readouts, targets=targets, hearing=hearing, names=names, sizes=sizes)
+    painters = (("shine", warm_up_shine),)
     content_type = FireworksContent
     default_content: ClassVar[FireworksContent] = FireworksContent()
     study = star_study
-    takes = frozenset(("right",))
-    covers = True
     legend_in_panel = True
 
     strips = (
@@ -130,82 +102,6 @@ class Fireworks(Scene):
         "Open the level with one burst in still air and choose explicit Euler: the radius is off at once.",
     )
 
-    # -- building -----------------------------------------------------------------------------------
-
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
-        self.model = FireworksModel(content, self.parameters, self.active, self.seed)
-        self.hand = FireworksHand(self.model)
-        self.view = FireworksView(self.model, self.hand)
-        self.said = Messages()
-        self.was_full = 0
-
-    def parameter_changed(self, name: str) -> None:
-        self.model.configure()
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> FireworksState:
-        model, thunder = self.model, self.model.thunder
-        return FireworksState(
-            *model.system.state(), thunder.waves, thunder.heard, thunder.counts, thunder.ear,
-            model.flashes, model.burst, model.counts, model.marks,
-        )  # fmt: skip
-
-    def restore(self, state: FireworksState) -> None:
-        self.model.system.restore(StarState(*state[:5]))
-        for mine, theirs in zip(self.state()[5:], state[5:], strict=True):
-            np.copyto(mine, theirs)
-
-    # -- a step, and what comes in ------------------------------------------------------------------
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-        dropped = self.model.dropped
-        if dropped > 0 and not self.was_full:
-            self.said.say("No place is left for some stars: they are dropped and counted.")
-            self.was_full = 1
-
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
-
-    def action(self, name: str) -> None:
-        if name == "salvo":
-            self.model.fire_all()
-        else:
-            self.model.clear()
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
-
-    def check(self) -> None:
-        self.model.system.check()
-
-    @classmethod
-    def warm_ups(cls) -> Sequence[WarmUp]:
-        return (WarmUp("stars", lambda: cls().advance(cls.dt)), WarmUp("shine", warm_up_shine))
-
-    # -- what there is to see and hear --------------------------------------------------------------
-
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
-
-    def hearing(self) -> Hearing:
-        return hearing(self.model)
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return self.view.targets()
-
-    def story_names(self) -> list[tuple[tuple[float, float], str]]:
-        return self.view.names()
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return Frame(view.left, view.bottom, view.right, view.top)
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, alpha)
+    def do(self, name: str) -> str:
+        (self.model.fire_all if name == "salvo" else self.model.clear)()
+        return ""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.physics.kernels import elementary
 from game.stage import Sound
+from game.worlds.world import Member
 
 SPEED_OF_SOUND = 343.2  # m/s, at 20 °C
 WALKING = 100.0  # m/s at most, so that a hand is followed at once and no wave is overtaken
@@ -25,8 +26,10 @@ WAITING, LAST, LOST = range(3)  # counts: waves on their way, heard so far, with
 NEAR = 120.0  # m, at which an event is as loud as it is
 
 
-class Thunder:
+class Thunder(Member):
     """Waves on their way to the listener, and what was heard last. All of it is state."""
+
+    kept = ("waves", "heard", "counts", "ear")
 
     def __init__(self, listener: float, distance: float) -> None:
         self.waves = np.zeros((MOST_WAVES, 6))

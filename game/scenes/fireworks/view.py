@@ -7,15 +7,15 @@ import math
 import numpy as np
 
 from game.physics.fields import WIND
-from game.physics.generations.step import FIELDS, X, Y, Z
+from game.physics.generations.step import FIELDS
 from game.scenes.fireworks import model as m
 from game.scenes.fireworks import thunder
 from game.scenes.fireworks.eye import Seen, projected, seen_from
 from game.scenes.fireworks.hand import FireworksHand
 from game.scenes.fireworks.landscape import Landscape
 from game.scenes.fireworks.looks import FLASH_COLORS, GOLD, look_of, shades_of
-from game.scenes.fireworks.measures import burst_now, stars_of_burst
-from game.scenes.fireworks.model import FireworksModel
+from game.scenes.fireworks.measures import NAMED_S, burst_middle, burst_now
+from game.scenes.fireworks.model import FireworksModel, FireworksState
 from game.scenes.fireworks.shells import SHELLS
 from game.scenes.fireworks.shine import CELLS, FLASH_FADES, Glow, light_smoke, shed_light, shine
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
@@ -28,9 +28,6 @@ BLOOM = 1.25
 MOST_WAVES = 4  # of sound that are drawn
 FLASH_S = 1.6  # s, for which a flash is drawn
 SOUND_S = 4.0  # s, for which a wave of sound is drawn
-NOWHERE = (0.0, 100.0)
-
-NAMED_S = 3.0  # s after which a burst is not named any more
 
 
 class FireworksView:
@@ -43,32 +40,6 @@ class FireworksView:
         self._shades = {name: shades_of(look) for name, look in self._looks.items()}
         self._places = np.zeros((0, 2))
 
-    def targets(self) -> dict[str, tuple[float, float]]:
-        """What a story may look at."""
-        model = self.model
-        burst = model.burst
-        smoke = model.system.stars("smoke")
-        return {
-            "burst": self._seen_at(*burst[1:4].tolist()) if burst[0] >= 0.0 else NOWHERE,
-            "shell": self._highest_shell(),
-            "smoke": self._seen_at(*smoke[[X, Y, Z]].mean(axis=1).tolist()) if smoke.shape[1] else NOWHERE,
-            "listener": self.hand.listener_place(),
-        }
-
-    def names(self) -> list[tuple[tuple[float, float], str]]:
-        """The newest burst by its shell and radius, the listener by the distance."""
-        model, newest = self.model, burst_now(self.model)
-        found = [(self.hand.listener_place(), f"listener, {model.parameters.distance:.0f} m off")]
-        if newest is not None and newest.age < NAMED_S:
-            shell = SHELLS[int(model.burst[4])]
-            found.append(
-                (
-                    self._seen_at(*self._burst_middle()),
-                    f"{shell}, {newest.stars} stars, {newest.radius:.0f} m",
-                )
-            )
-        return found
-
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
         rows = [
@@ -80,23 +51,7 @@ class FireworksView:
             rows.append(("arrow:green", "wind", ""))
         return rows
 
-    def _highest_shell(self) -> tuple[float, float]:
-        """The shell that is farthest up; the newest burst without one."""
-        best = (-1.0, NOWHERE)
-        for name in SHELLS:
-            stars = self.model.system.stars(name)
-            if stars.shape[1]:
-                i = int(np.argmax(stars[Y]))
-                best = max(best, (float(stars[Y, i]), self._seen_at(*stars[[X, Y, Z], i].tolist())))
-        if best[0] < 0.0 and self.model.burst[0] >= 0.0:
-            return self._seen_at(*self.model.burst[1:4].tolist())
-        return best[1]
-
-    def _seen_at(self, x: float, y: float, z: float) -> tuple[float, float]:
-        """Where a place (m) is seen when the eye aims at the middle of the fleet."""
-        return projected(seen_from(0.0, 0.0, 0.0, self.model.bearing), x, y, z)[:2]
-
-    def draw(self, canvas: Canvas, alpha: float) -> None:
+    def draw(self, canvas: Canvas, previous: FireworksState | None, alpha: float) -> None:
         """All of it, from the back to the front."""
         self._reserve()
         back = (1.0 - alpha) * self.model.parameters.step_length
@@ -208,7 +163,7 @@ class FireworksView:
     # -- what explains ------------------------------------------------------------------------------
 
     def _draw_listener(self, canvas: Canvas) -> None:
-        x, y = self.hand.listener_place()
+        x, y = self.model.listener_place()
         ink = self.landscape.night(canvas).bank
         canvas.circle((x, y + 4.3), 1.1, fill=ink)
         canvas.polygon([(x - 1.5, y), (x - 1.3, y + 3.2), (x + 1.3, y + 3.2), (x + 1.5, y)], fill=ink)
@@ -218,7 +173,7 @@ class FireworksView:
         model = self.model
         newest = burst_now(model)
         if newest is not None and newest.age < NAMED_S:
-            x, y, near = projected(seen, *self._burst_middle())
+            x, y, near = projected(seen, *burst_middle(model))
             canvas.circle(
                 (x, y), near * newest.ballistics, outline="text1", width=1.2, dash=EXACT_DASH, alpha=0.6
             )
@@ -237,12 +192,8 @@ class FireworksView:
                 )
         if WIND in model.active:
             self._draw_wind(canvas)
-        x, y = self.hand.listener_place()
+        x, y = self.model.listener_place()
         canvas.handle((x, y + 7.5), self.hand.held)
-
-    def _burst_middle(self) -> tuple[float, float, float]:
-        x, y, z = stars_of_burst(self.model)[[X, Y, Z]].mean(axis=1).tolist()
-        return x, y, z
 
     def _draw_wind(self, canvas: Canvas) -> None:
         frame, wind = self.model.content.view, self.model.wind

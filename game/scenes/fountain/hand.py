@@ -60,7 +60,7 @@ class FountainHand(Part):
         elif new:
             index = self.model.add_stone(point)
             if index < 0:
-                return f"There is room for {MOST_STONES} stones."
+                return f"There can be at most {MOST_STONES} stones."
             self.held, self.target, self.grip = ("stone", index), point, (0.0, 0.0)
         return ""
 

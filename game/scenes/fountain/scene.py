@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any, ClassVar
 
 from game.lab.studies.particles import bounce_study
-from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles import OBSTACLES
 from game.scenes.fountain import C04
@@ -21,19 +19,16 @@ from game.scenes.fountain.view import FountainView
 from game.scenes.shared.repeats import Repeat
 from game.stage import (
     Equation,
-    Frame,
     Hint,
     Pointer,
-    Readout,
     SceneAction,
     SetParameter,
     StageEvent,
     Strip,
 )
-from game.stage.messages import Messages
 from game.stage.states.state import copy_state
-from game.worlds.expectations import captions_now, captions_of, draw_captions
-from game.worlds.scene import ModelScene
+from game.worlds.expectations import draw_captions
+from game.worlds.scene import ModelScene, Told
 
 MANY_PLACES = 200_000
 
@@ -60,6 +55,7 @@ class Fountain(ModelScene):
     parameters: FountainParameters
     model: FountainModel
     content_type = FountainContent
+    told = Told(readouts, FountainModel.content_now, story_targets, names=story_names)
     default_content: ClassVar[FountainContent] = FountainContent()
     study = bounce_study
     takes = frozenset(("right",))
@@ -130,28 +126,19 @@ class Fountain(ModelScene):
 
     # -- building -----------------------------------------------------------------------------------
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: FountainContent) -> None:
         self.model = FountainModel(content, self.parameters, self.active, self.seed)
         self.hand = FountainHand(self.model)
         self.view = FountainView(self.model)
-        self.said = Messages()
         self.repeat = Repeat(content.repeat)
         self._beginning = copy_state(self.state()) if content.repeat else None
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Very many places, which are all laid out again."""
         return isinstance(event, SetParameter) and event.name == "places" and float(event.value) > MANY_PLACES
 
-    def parameter_changed(self, name: str) -> None:
-        self.model.change_parameter(name)
-
     def why_idle(self, name: str) -> str:
         return "Three methods are shown." if name == "method" and self.model.beside else ""
-
-    def save_content(self) -> FountainContent:
-        return self.model.content_now()
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
@@ -165,7 +152,7 @@ class Fountain(ModelScene):
     def pointer(self, event: Pointer) -> None:
         if event.kind == "down":
             self.repeat.end()
-        self.said.say(self.hand.take(event))
+        super().pointer(event)
 
     def action(self, name: str) -> None:
         if name == "emit":
@@ -173,32 +160,16 @@ class Fountain(ModelScene):
         else:
             self.model.clear()
 
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
-
     # -- what there is to see -----------------------------------------------------------------------
 
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
-
-    def story_targets(self) -> dict[str, tuple[float, float]]:
-        return story_targets(self.model)
-
-    def story_names(self) -> list[tuple[tuple[float, float], str]]:
-        return story_names(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return Frame(view.left, view.bottom, view.right, view.top)
-
     def draw(self, canvas: Any, alpha: float) -> None:
-        content = self.model.content
         self.view.draw(canvas, self.previous, alpha)
-        if content.zoom is not None:
-            self.view.draw_inset(canvas, content.zoom, self.previous, alpha)
-        top = (0.5 * (content.view.left + content.view.right), content.view.top)
-        captions = captions_now(self, content.expected)
-        draw_captions(canvas, top, captions, self.repeat.left)
+        zoom = self.model.content.zoom
+        if zoom is not None:
+            self.view.draw_inset(canvas, zoom, self.previous, alpha)
+        self.draw_expected(canvas)
+
+    def draw_expected(self, canvas: Any) -> None:
+        frame = self.frame()
+        top = (0.5 * (frame.left + frame.right), frame.top)
+        draw_captions(canvas, top, self.captions(), self.repeat.left)

@@ -29,7 +29,7 @@ def limited(point: Point, most: float = level.FARTHEST) -> Point:
 def with_key(motion: Motion, key: KeyEntry) -> tuple[Motion, int]:
     """A key more, behind those of its time; its number. ValueError if there is no space."""
     if len(motion.keys) >= level.MOST_KEYS:
-        raise ValueError(f"there is room for {level.MOST_KEYS} key-frames")
+        raise ValueError(f"at most {level.MOST_KEYS} key-frames")
     place = sum(other.time <= key.time for other in motion.keys)
     return _with_keys(motion, [*motion.keys[:place], key, *motion.keys[place:]]), place
 
@@ -40,7 +40,7 @@ def with_key_at_end(motion: Motion, point: Point, angle: float, closed: bool) ->
     A closed curve keeps the time of one piece to go back to the first key.
     """
     if len(motion.keys) >= level.MOST_KEYS:
-        raise ValueError(f"there is room for {level.MOST_KEYS} key-frames")
+        raise ValueError(f"at most {level.MOST_KEYS} key-frames")
     count = len(motion.keys)
     pieces = count + closed
     last = motion.keys[-1].time

@@ -30,7 +30,7 @@ class Hand(Part):
     def _places(self) -> Places:
         return places_of(self.model.motion.view)
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event in world coordinates."""
         point, document = editing.limited((event.x, event.y)), self.model.document
         if event.kind == "down":

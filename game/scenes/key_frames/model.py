@@ -73,7 +73,7 @@ class KeyFrameModel(Part):
         if self.document.held == NOTHING and self.player.advance(dt):
             self.place_box()
 
-    def follow_parameter(self, name: str) -> None:
+    def change_parameter(self, name: str) -> None:
         """A parameter has a new value."""
         document, player = self.document, self.player
         if name in SHAPING or name in CHOSEN:

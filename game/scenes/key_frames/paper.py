@@ -38,6 +38,29 @@ def _draw_knots(pen: Pen) -> None:
             pen.line(((x, y - 4.0), (x, y + 4.0)), COLORS[kind], 1.8)
 
 
+def _draw_slopes(pen: Pen) -> None:
+    """At one point: the parabola through it and its neighbours by centripetal knots, and its slope there."""
+    knots = np.concatenate(([0.0], np.cumsum(np.hypot(*np.diff(POINTS, axis=0).T) ** 0.5)))
+    time = np.linspace(knots[0], knots[2], 61)
+    parts = [
+        np.prod([(time - knots[j]) / (knots[i] - knots[j]) for j in range(3) if j != i], axis=0)
+        for i in range(3)
+    ]
+    parabola = np.stack(parts, axis=1) @ POINTS[:3]
+    pen.line([tuple(p) for p in parabola.tolist()], "text3", 1.4, dash=4.0)
+    curve = CatmullRom(POINTS)
+    pen.line([tuple(p) for p in curve.point(np.linspace(0.0, 3.0, 181)).tolist()], "green", 1.8)
+    ahead = curve.point(np.array([1.0, 1.0 + 1e-6]))
+    slope = (ahead[1] - ahead[0]) / np.hypot(*(ahead[1] - ahead[0]))
+    x, y = POINTS[1].tolist()
+    pen.arrow((x, y), (x + 64.0 * slope[0], y + 64.0 * slope[1]), "amber", 2.0)
+    for k, (x, y) in enumerate(POINTS.tolist()):
+        dot(pen, (x, y), "accent" if k < 3 else "text3", 4.0)
+    pen.words("parabola", 30.0, 24.0, "text2", align="left")
+    pen.words("curve", 30.0, 40.0, "green", align="left")
+    pen.words("slope", 30.0, 56.0, "amber", align="left")
+
+
 def _draw_curves(pen: Pen) -> None:
     """The three curves through four points, two of which lie close together."""
     for kind, color in COLORS.items():
@@ -123,7 +146,8 @@ CATMULL_ROM = Paper(
             r"t_{i+1} = t_i + |\v{P}_{i+1} - \v{P}_i|^{\alpha}",
         ),
         Step(
-            "At each point take the slope of the parabola through it and its two neighbours, by those knots."
+            "At each point take the slope of the parabola through it and its two neighbours, by those knots.",
+            _draw_slopes,
         ),
         Step(
             "Each piece is the cubic with these slopes at its ends; it depends on four points.", _draw_curves
@@ -136,8 +160,8 @@ CATMULL_ROM = Paper(
     ),
     showed=(
         "They proved that of all powers only one half guarantees that no piece has a cusp or crosses "
-        "itself, bounded how far a curve can go from its chord, and showed it on hair, paths of cameras "
-        "and strokes.",
+        "itself. They bounded how far a curve can go from its chord, and showed it on hair, paths of "
+        "cameras and strokes.",
     ),
     measure=_measure,
     limits=(

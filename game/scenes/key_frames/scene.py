@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from operator import attrgetter
 from typing import Any, ClassVar
 
 import numpy as np
 
 from game.lab.studies.animation.keyframing import keyframing_study
-from game.levels import Level
 from game.physics.animation import CONSTANT_SPEED, EASING, CubicBezier, Easing, Keyframes
 from game.physics.kernels import elementary
 from game.scenes.key_frames import C01
@@ -25,14 +25,12 @@ from game.stage import (
     Equation,
     Frame,
     Hint,
-    Pointer,
-    Readout,
     SceneAction,
     Strip,
     WarmUp,
 )
-from game.worlds.expectations import captions_now, captions_of, draw_captions
-from game.worlds.scene import ModelScene
+from game.worlds.expectations import Caption, captions_now
+from game.worlds.scene import ModelScene, Told
 
 
 class KeyFraming(ModelScene):
@@ -55,6 +53,7 @@ class KeyFraming(ModelScene):
     name, task, title = C01.names
     effects = EASING | CONSTANT_SPEED
     content_type = Motion
+    told = Told(readouts_of, attrgetter("motion"))
     default_content: ClassVar[Motion] = Motion()
     parameters_type = KeyFrameParameters
     parameters: KeyFrameParameters
@@ -135,23 +134,16 @@ class KeyFraming(ModelScene):
 
     # -- building -----------------------------------------------------------------------------------
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: Motion) -> None:
         self.model = KeyFrameModel(self.parameters, self.active, content)
+        self.said = self.model.document.messages
         self.hand = Hand(self.model)
         self.view = KeyFramingView(self.model)
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     # -- events -------------------------------------------------------------------------------------
 
-    def parameter_changed(self, name: str) -> None:
-        self.model.follow_parameter(name)
-
     def action(self, name: str) -> None:
         take_action(self.model, name)
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take_pointer(event)
 
     @property
     def resting(self) -> bool:
@@ -160,32 +152,20 @@ class KeyFraming(ModelScene):
     def slider_range(self, name: str) -> tuple[float, float] | None:
         return range_of_slider(name, self.model.motion.view)
 
-    def messages(self) -> Sequence[str]:
-        return self.model.document.messages.take()
-
     # -- remembering --------------------------------------------------------------------------------
-
-    def save_content(self) -> Motion:
-        return self.model.motion
 
     # -- what there is to see -----------------------------------------------------------------------
 
-    def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
+    def shown(self) -> Frame:
         view = self.model.motion.view
         return Frame(view.left, view.bottom, view.right, view.top)
 
+    def captions(self) -> Sequence[Caption]:
+        return captions_now(self, self.model.motion.expected)
+
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
-        motion = self.model.motion
-        if motion.expected:
-            top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
-            draw_captions(canvas, top, captions_now(self, motion.expected))
+        self.draw_expected(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -14,7 +14,7 @@ from game.scenes.leaves.told import hearing, names, readouts, sizes, targets
 from game.scenes.leaves.view import LeavesView
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Leaves(WorldScene):
@@ -35,10 +35,8 @@ class Leaves(WorldScene):
     parameters_type = LeavesParameters
     parameters: LeavesParameters
     model: LeavesModel
-    parts = Parts(
-        LeavesModel, leaves_hand, LeavesView, readouts, targets=targets, hearing=hearing, sizes=sizes,
-        names=names,
-    )  # fmt: skip
+    parts = Parts(LeavesModel, leaves_hand, LeavesView)
+    told = Told(readouts, targets=targets, hearing=hearing, sizes=sizes, names=names)
     painters = (("polygons", warm_up_painter),)
     effects = PLATES.known
     content_type = LeavesContent

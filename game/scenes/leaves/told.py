@@ -16,6 +16,7 @@ from game.scenes.leaves.model import NAMES as SPECIES_NAMES
 from game.scenes.leaves.sounds import HALF, NAMES
 from game.scenes.leaves.ways import TOOK, TURNED
 from game.stage import Hearing, Readout
+from game.worlds.hearing import ROOM, wind
 
 VERBS = {FLUTTER: "flutters", TUMBLE: "tumbles", GLIDE: "glides"}
 
@@ -78,5 +79,6 @@ def names(model: LeavesModel) -> list[tuple[Point, str]]:
 
 
 def hearing(model: LeavesModel) -> Hearing:
-    """What was heard in the last moments."""
-    return Hearing("leaves", model.plates.time, model.heard.sounds(NAMES, HALF))
+    """What was heard in the last moments, and the wind as it blows at the leaves."""
+    steady = (ROOM, wind(model.gusts_now()))
+    return Hearing("leaves", model.plates.time, model.heard.sounds(NAMES, HALF), steady)

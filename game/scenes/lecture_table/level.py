@@ -101,10 +101,10 @@ def _racked(table: Table, gap: float, radius_spread: float, mass_spread: float, 
 
 
 def content_of(
-    table: Lecture, numbers: NDArray[np.int64], base: LectureTableContent | None, plays_itself: bool
+    table: Lecture, numbers: NDArray[np.int64], base: LectureTableContent, plays_itself: bool
 ) -> LectureTableContent:
     """The table as it is now; ``base``: the level that it began with."""
-    state, base = table.state, base or LectureTableContent()
+    state = table.state
     rows = [
         BallEntry(
             number=int(numbers[i]),

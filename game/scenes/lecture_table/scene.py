@@ -9,7 +9,6 @@ from game.billiards.lecture.state import LECTURE_EFFECTS
 from game.billiards.lecture.table import warm_ups as table_warm_ups
 from game.billiards.table.passing import warm_up as warm_passing
 from game.lab.studies.billiards.lecture_table import lecture_table_study
-from game.levels import Level
 from game.scenes.lecture_table import LECTURE_TABLE, view
 from game.scenes.lecture_table.figure import draw_tunnelling
 from game.scenes.lecture_table.hand import take_action, take_pointer
@@ -21,10 +20,11 @@ from game.scenes.lecture_table.sounds import hearing_of
 from game.scenes.lecture_table.turns import Turns
 from game.scenes.shared.tables import view as table_view
 from game.scenes.shared.tables.cue import CueControl
-from game.stage import Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hearing, Hint, Pointer, Scene, SceneAction, Strip, WarmUp
+from game.worlds.scene import ModelScene, Told
 
 
-class LectureTable(Scene):
+class LectureTable(ModelScene):
     """The billiard table as the lecture builds it. In each step a ball's velocity is added to its position;
     what has gone wrong by then is repaired: a ball beyond a cushion is put back and turned round. Two balls
     that overlap are moved apart and exchange the parts of their velocities along the line of centres. Every
@@ -43,6 +43,9 @@ class LectureTable(Scene):
     quarter_turns = 1
     takes = frozenset(("right",))
     content_type = LectureTableContent
+    default_content = LectureTableContent(plays_itself=True)
+    told = Told(readouts_of)
+    restore = Scene.restore  # the arrays stay where they are
     study = lecture_table_study
 
     strips = (
@@ -82,14 +85,13 @@ class LectureTable(Scene):
 
     # -- building and stepping ----------------------------------------------------------------------
 
-    def build(self, level: Level | None) -> None:
-        self.content = level.content if level is not None and level.content is not None else None
-        content = self.content or LectureTableContent(plays_itself=True)
+    def make(self, content: LectureTableContent) -> None:
         chosen = self.parameters
         layout = layout_of(content, chosen.radius_spread, chosen.mass_spread, self.seed)
         self.model = LectureTableModel(layout, chosen, self.active, self.seed)
         self.cue = CueControl(0.5 * math.pi)
         self.turns = Turns(self.model, self.cue, content, self.seed)
+        self.said = self.turns.messages
 
     def parameter_changed(self, name: str) -> None:
         self.model.table.settings = self.parameters.settings
@@ -114,7 +116,8 @@ class LectureTable(Scene):
         return self.model.state(self.cue.data)
 
     def save_content(self) -> LectureTableContent:
-        return content_of(self.model.table, self.model.numbers, self.content, self.turns.plays_itself)
+        model, base = self.model, self.content_of(self.level)
+        return content_of(model.table, model.numbers, base, self.turns.plays_itself)
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
@@ -140,12 +143,6 @@ class LectureTable(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw(canvas, self.model, self.turns, self.previous, alpha)
-
-    def readouts(self) -> tuple[Readout, ...]:
-        return readouts_of(self.model)
-
-    def messages(self) -> tuple[str, ...]:
-        return self.turns.messages.take()
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model, self.cue.speed)

@@ -68,6 +68,46 @@ def _draw_heart(pen: Pen) -> None:
     pen.words("1.6 m/s", 20.0, 40.0, "vermilion", "left")
 
 
+def _draw_node(pen: Pen) -> None:
+    """Pressure amplitude about the focus: both rows in step, and one of them turned by half a wave."""
+    cells, side = 24, 5.2
+    for left, turned, words in ((16.0, False, "in step"), (155.0, True, "half a wave turned")):
+        still = _levitator(0.0)
+        if not turned:
+            still.array.focus(still.wave.number, still.place, np.zeros_like(still.offsets))
+        at = (np.arange(cells) + 0.5) / cells * 2.4 * WAVE - 1.2 * WAVE
+        x, y = still.place
+        places = np.stack([np.tile(x + at, cells), np.repeat(y + at, cells)], axis=1)
+        field = still.sample(places)
+        loud = np.hypot(field[:, 0], field[:, 1]).reshape(cells, cells)
+        for j in range(cells):
+            for i in range(cells):
+                color = pen.veiled("chalk", 1.0 - float(loud[j, i] / loud.max()))
+                pen.box(left + side * i, 164.0 - side * (j + 1), side + 0.3, side + 0.3, color)
+        if turned:
+            dot(pen, (left + 0.5 * side * cells, 164.0 - 0.5 * side * cells), "yellow", 4.5)
+        pen.words(words, left + 0.5 * side * cells, 182.0, "text2")
+    pen.words("pressure about the focus", 148.0, 20.0, "text2")
+
+
+def _draw_lattice(pen: Pen) -> None:
+    """Grains that were let go off the nodes of plane waves from four sides, and where each has come."""
+    array = facing_rows(4, model.COUNT, model.PITCH, model.APART, STRENGTH)
+    settings = LevitatorSettings(substeps=16, gravity=0.0, pattern="plane")
+    places = [((i - 2.5) * 0.55 * WAVE, (j - 1.5) * 0.55 * WAVE) for j in range(4) for i in range(6)]
+    levitator = Levitator(array, places, settings=settings)
+    ways = [levitator.positions]
+    for _ in range(120):
+        levitator.step(DT)
+        ways.append(levitator.positions)
+    scale = 70.0 / WAVE
+    for way in np.stack(ways, axis=1).tolist():
+        line = [(148.0 + scale * x, 104.0 - scale * y) for x, y in way]
+        pen.line(line, "text3", 1.2)
+        pen.disc(*line[0], 2.0, "text2")
+        dot(pen, line[-1], "yellow", 4.5)
+
+
 def _measure() -> Iterator[Comparison]:
     still = _levitator(0.0)
     x, y = still.place
@@ -134,8 +174,8 @@ PIXIE_DUST = Paper(
     ),
     idea=(
         "Take arrays of ultrasonic transducers that face each other and can each be given a phase. Where "
-        "they are made to arrive together, a standing wave forms; move that place by the phases alone, "
-        "and the traps with the grains in them move along.",
+        "they are made to arrive together, a standing wave forms. Move that place by the phases alone, and "
+        "the traps with the grains in them move along.",
     ),
     steps=(
         Step(
@@ -149,20 +189,25 @@ PIXIE_DUST = Paper(
             "focus, some thousand pascal loud.",
             draw_focus,
         ),
-        Step("Turn one of two facing rows by half a wave, so that the focus is a node and holds a grain."),
+        Step(
+            "Turn one of two facing rows by half a wave, so that the focus is a node and holds a grain.",
+            _draw_node,
+        ),
         Step(
             "Move the focus, and renew the phases all the time. The grain follows like a mass on a "
             "spring, with the air's drag; led too fast it is left behind.",
             _draw_heart,
         ),
         Step(
-            "With plane waves from four sides the nodes make a lattice, which holds a picture of many grains."
+            "With plane waves from four sides the nodes make a lattice, which holds a picture of many "
+            "grains.",
+            _draw_lattice,
         ),
     ),
     showed=(
-        "Grains 4.25 mm apart, placed to 0.5 mm and led at up to 0.72 m/s, of materials up to 7 g/cm³; as "
-        "a screen for a projector, as figures drawn in the air and as a lattice of points, also together "
-        "with hands and things that were tracked.",
+        "Grains 4.25 mm apart, placed to 0.5 mm and led at up to 0.72 m/s, of materials up to 7 g/cm³. "
+        "They were a screen for a projector, figures drawn in the air and a lattice of points. Hands and "
+        "things that were tracked moved them too.",
     ),
     measure=_measure,
     limits=(
@@ -172,8 +217,8 @@ PIXIE_DUST = Paper(
         "in a room.",
     ),
     after=(
-        "One-sided arrays that make twin, vortex and bottle traps (Marzo and others 2015), many "
-        "grains moved one by one (Marzo and Drinkwater 2019), and a grain led at metres a second, so that "
-        "it draws a picture that the eye sees whole, lit and touchable (Hirayama and others 2019).",
+        "One-sided arrays that make twin, vortex and bottle traps (Marzo and others 2015), and many grains "
+        "moved one by one (Marzo and Drinkwater 2019). A grain led at metres a second draws a picture that "
+        "the eye sees whole, lit and touchable (Hirayama and others 2019).",
     ),
 )

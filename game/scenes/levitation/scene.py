@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from game.lab.studies.levitation import trap_study
-from game.levels import Level
 from game.physics.acoustics.effects import GRAINS
 from game.scenes.levitation import LEVITATION
 from game.scenes.levitation.figure import draw_standing_wave
@@ -16,9 +15,9 @@ from game.scenes.levitation.model import APART, LevitationModel
 from game.scenes.levitation.parameters import OF_PICTURE, LevitationParameters
 from game.scenes.levitation.readouts import readouts_of
 from game.scenes.levitation.view import LevitationView
-from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip
-from game.worlds.expectations import captions_now, captions_of, draw_captions
-from game.worlds.scene import ModelScene
+from game.stage import Equation, Frame, Hint, SceneAction, Strip
+from game.worlds.expectations import draw_captions
+from game.worlds.scene import ModelScene, Told
 
 
 class Levitation(ModelScene):
@@ -40,6 +39,8 @@ class Levitation(ModelScene):
     model: LevitationModel
     effects = GRAINS.known
     content_type = LevitationContent
+    told = Told(readouts_of)
+    not_of_model = OF_PICTURE
     default_content = DEFAULT
     study = trap_study
     takes = frozenset(("right",))
@@ -69,20 +70,14 @@ class Levitation(ModelScene):
         "Open the lattice: four rows hold a grain at every half wave, both ways.",
     )
 
-    def build(self, level: Level | None) -> None:
-        self.content = self.content_of(level)
-        self.model = LevitationModel(self.content, self.parameters, self.active)
+    def make(self, content: LevitationContent) -> None:
+        self.model = LevitationModel(content, self.parameters, self.active)
         self.hand = LevitationHand(self.model)
         self.view = LevitationView(self.model)
-        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
-
-    def parameter_changed(self, name: str) -> None:
-        if name not in OF_PICTURE:
-            self.model.change_parameter(name)
 
     def save_content(self) -> LevitationContent:
         places = tuple((float(x), float(y)) for x, y in self.model.levitator.positions)
-        return LevitationContent(grains=places, expected=self.content.expected)
+        return LevitationContent(grains=places, expected=self.model.content.expected)
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.place)
@@ -90,11 +85,8 @@ class Levitation(ModelScene):
     def action(self, name: str) -> None:
         self.model.clear()
         if name == "refill":
-            for place in [*self.model.node_places(), *self.content.grains]:
+            for place in [*self.model.node_places(), *self.model.content.grains]:
                 self.model.add(place)
-
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return (
@@ -109,6 +101,4 @@ class Levitation(ModelScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha, self.model.steps * self.dt)
-        if self.content.expected:
-            top = (0.0, 0.5 * APART - 0.004)
-            draw_captions(canvas, top, captions_now(self, self.content.expected))
+        draw_captions(canvas, (0.0, 0.5 * APART - 0.004), self.captions())

@@ -62,7 +62,7 @@ class Balls(Member):
     def add(self, entry: BallEntry, gate: int, time: float) -> int:
         """A ball that a gate holds, or none; its number. ValueError."""
         if len(self.table.body) >= MOST_BALLS:
-            raise ValueError(f"balls: there is room for {MOST_BALLS}")
+            raise ValueError(f"balls: at most {MOST_BALLS}")
         ball = self.tracks.riders.add_ball(
             entry.at, entry.radius, entry.velocity, share=DISC, mass=_mass(entry.radius),
             friction=self.grips[0] if entry.friction is None else entry.friction, restitution=OFF_TRACKS,

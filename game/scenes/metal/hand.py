@@ -35,7 +35,7 @@ def _grab(hand: Hand) -> str:
 def _make(hand: Hand) -> str:
     model: MetalWorld = hand.model
     if len(model.balls.table.body) >= MOST_BALLS:
-        return f"There is room for {MOST_BALLS} balls."
+        return f"There can be at most {MOST_BALLS} balls."
     model.changed = True
     hand.held = model.held = model.add(BallEntry(at=hand.at, radius=model.parameters.radius))
     return ""

@@ -22,7 +22,7 @@ from game.ui.painters.wall import warm_up_wall
 from game.worlds.entries.tracks import TrackEntry
 from game.worlds.hands.hand import hint_of, tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class MetalBalls(WorldScene):
@@ -45,7 +45,8 @@ class MetalBalls(WorldScene):
     parameters_type = MetalParameters
     parameters: MetalParameters
     model: MetalWorld
-    parts = Parts(MetalWorld, metal_hand, MetalView, readouts, saved, targets, hearing, names)
+    parts = Parts(MetalWorld, metal_hand, MetalView)
+    told = Told(readouts, saved, targets, hearing, names)
     tool_prefix = ""
     painters = (("polygons", warm_up_painter), ("wall", warm_up_wall), ("steel", warm_up_steel))
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS

@@ -18,7 +18,7 @@ from game.scenes.metal.parameters import TOOLS
 from game.scenes.metal.world import MetalState, MetalWorld
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.steel import draw_steel
-from game.ui.painters.wall import Wall, is_dark
+from game.ui.painters.wall import LAMPS, Wall, is_dark
 from game.worlds.entries.track_forms import curve_of
 from game.worlds.hands.hand import Hand, legend_of
 from game.worlds.hands.marks import draw_track_hand
@@ -32,6 +32,7 @@ TOP_EDGE, LOW_EDGE = (-1.0, 0.72, 1.0, 1.0), (-1.0, -1.0, 1.0, -0.78)
 CAST = np.array((0.11, -0.15))  # m: where the shadow on the wall lies
 SHADOW, BLACK = 0x000000, pygame.Color(0, 0, 0)
 GATES = 0xD0763C
+LAMPS_AT = np.array(LAMPS)  # m
 BELOW = 0.3  # m: the bench is so far below a track
 CUP = (math.radians(-160.0), math.radians(-20.0))  # rad: what a holder covers of a ball
 BLOCKS = (0xC7703F, 0xD9A24B, 0x7E9B58, 0x4F86A6, 0xA86A7F)
@@ -90,7 +91,7 @@ class MetalView:
         self._draw_seesaws(canvas, bodies, turned, dark)
         self._draw_plugs(canvas, dark)
         self._draw_holders(canvas, places)
-        draw_steel(canvas, places[there], radii[there], angles[there], dark)
+        draw_steel(canvas, places[there], radii[there], angles[there], LAMPS_AT, dark)
         self._draw_floors(canvas, dark, glass=True)
         self._asked = canvas.asked
         if canvas.marks(self.model.parameters.marks):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from game.lab.studies.plates import plate_study
-from game.levels import Level
 from game.physics.plates.effects import PLATES
 from game.scenes.plates import FALLING
 from game.scenes.plates.figure import draw_forces
@@ -13,8 +12,8 @@ from game.scenes.plates.model import CEILING, FLOOR, LEFT, PlatesModel
 from game.scenes.plates.parameters import OF_PICTURE, PlatesParameters
 from game.scenes.plates.readouts import readouts_of
 from game.scenes.plates.view import MAP_RIGHT, PlatesView
-from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip
-from game.worlds.scene import BuiltScene
+from game.stage import Equation, Frame, Hint, SceneAction, Strip
+from game.worlds.scene import BuiltScene, Told
 
 
 class FallingPlates(BuiltScene):
@@ -40,6 +39,7 @@ class FallingPlates(BuiltScene):
     hand: PlatesHand
     effects = PLATES.known
     content_type = PlatesContent
+    told = Told(readouts_of)
     not_of_model = OF_PICTURE
     default_content = DEFAULT
     study = plate_study
@@ -84,12 +84,10 @@ class FallingPlates(BuiltScene):
         "Raise the wind at once to 10 m/s: half of it is taken over in that step, by the air taken along.",
     )
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: PlatesContent) -> None:
         self.model = PlatesModel(content, self.parameters, self.active)
         self.hand = PlatesHand(self.model)
         self.view = PlatesView(self.model, self.hand)
-        self.check_content(content)
 
     def action(self, name: str) -> None:
         model = self.model
@@ -100,9 +98,6 @@ class FallingPlates(BuiltScene):
         if name == "row":
             for entry in DEFAULT.plates:
                 model.add(entry.plate(), entry.at, entry.tilt, entry.velocity, entry.spin)
-
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
 
     def shown(self) -> Frame:
         return Frame(LEFT - 0.02, FLOOR - 0.04, MAP_RIGHT + 0.04, CEILING + 0.02)

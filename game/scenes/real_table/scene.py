@@ -8,7 +8,6 @@ import numpy as np
 
 from game.billiards.fitting.tracks import TrackError
 from game.lab.studies.billiards.real_table import real_table_study
-from game.levels import Level
 from game.scenes.real_table import REAL_TABLE, view
 from game.scenes.real_table.comparison import MODELS
 from game.scenes.real_table.figure import draw_residuals
@@ -17,8 +16,8 @@ from game.scenes.real_table.model import RealTableModel, own_files, tracks_folde
 from game.scenes.real_table.parameters import RealTableParameters
 from game.scenes.real_table.readouts import readouts_of
 from game.scenes.shared.tables import view as table_view
-from game.stage import Equation, Frame, Hint, Readout, Scene, SceneAction, Strip, WarmUp
-from game.stage.messages import Messages
+from game.stage import Equation, Frame, Hint, SceneAction, Strip, WarmUp
+from game.worlds.scene import ModelScene, Told
 
 
 class RealTableState(NamedTuple):
@@ -31,7 +30,7 @@ class RealTableState(NamedTuple):
     places: np.ndarray
 
 
-class RealTable(Scene):
+class RealTable(ModelScene):
     """Where balls of a real table were seen, and what models of it compute. The dots are samples of a track;
     the line is the path of the exact table with the stroke that explains them best: direction, speed, and the
     point of the ball that the tip meets.
@@ -49,6 +48,8 @@ class RealTable(Scene):
     parameters_type = RealTableParameters
     parameters: RealTableParameters
     content_type = RealTableContent
+    default_content = RealTableContent()
+    told = Told(readouts_of)
     quarter_turns = 1
     study = real_table_study
     strips = (Strip("Cue ball off its track", "m", MODELS, colors=tuple(view.COLORS[m] for m in MODELS)),)
@@ -69,18 +70,13 @@ class RealTable(Scene):
         "Compare what a shot costs: the model that follows the impact step by step is the dearest exact one.",
     )
 
-    def build(self, level: Level | None) -> None:
-        content = level.content if level is not None else None
-        self.model = RealTableModel(content or RealTableContent(), self.parameters)
-        self.messages_to_read = Messages()
+    def make(self, content: RealTableContent) -> None:
+        self.model = RealTableModel(content, self.parameters)
 
     def parameter_changed(self, name: str) -> None:
         if name == "shot":
             self.model.further = 0
             self.model.time = 0.0
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
 
     def state(self) -> RealTableState:
         return RealTableState(np.array([self.model.time]), *self.model.computed)
@@ -100,12 +96,12 @@ class RealTable(Scene):
 
     def _open(self) -> None:
         if not own_files():
-            self.messages_to_read.say(f"There are no track files in {tracks_folder()}.")
+            self.said.say(f"There are no track files in {tracks_folder()}.")
             return
         try:
             self.model.open_next()
         except (TrackError, OSError) as problem:
-            self.messages_to_read.say(str(problem))
+            self.said.say(str(problem))
 
     def frame(self) -> Frame:
         return view.frame_of(self.model)
@@ -114,12 +110,6 @@ class RealTable(Scene):
         time = self.model.time
         before = self.previous.clock[0] if self.previous is not None else time
         view.draw(canvas, self.model, before + alpha * (time - before) if before <= time else time)
-
-    def readouts(self) -> tuple[Readout, ...]:
-        return readouts_of(self.model)
-
-    def messages(self) -> tuple[str, ...]:
-        return self.messages_to_read.take()
 
 
 def _compare_once() -> None:

@@ -36,7 +36,7 @@ class Hand(Part):
         self._last: Point = (0.0, 0.0)
         self.hovered = NOBODY
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event in coordinates of the picture."""
         point = (min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST))
         if event.kind == "down":

@@ -38,6 +38,16 @@ class Push(NamedTuple):
     left: float  # s
 
 
+class RigidState(NamedTuple):
+    """What moves, of what it is made, and what is remembered of it."""
+
+    rows: Floats  # (3, 13)
+    accounts: Floats  # (3, 4)
+    design: Floats  # (n, 6)
+    density: float  # kg/m³
+    trail: Floats  # (2, TRAIL, 3): direction of L in the body's frame, by step number modulo TRAIL
+
+
 class RigidModel(Part):
     """The bodies of a content, stepped as the parameters say.
 
@@ -79,7 +89,7 @@ class RigidModel(Part):
                 upper=half,
             )
 
-    def parameter_changed(self, name: str) -> None:
+    def change_parameter(self, name: str) -> None:
         """Take over the new value of a parameter."""
         if name == "density":
             self.bodies.change_density(self.parameters.density, self.parameters.keep)
@@ -145,3 +155,15 @@ class RigidModel(Part):
             body.states[0, P:] = 0.0
         self.push = None
         self.bodies.meet()
+
+    def state(self) -> RigidState:
+        """Its own arrays, not copies."""
+        bodies = self.bodies
+        return RigidState(bodies.rows, bodies.accounts, bodies.design, bodies.density, self.trail)
+
+    def restore(self, state: RigidState) -> None:
+        """Put a state back; bodies of another design are made again."""
+        self.bodies.take(state.rows, state.design, float(state.density))
+        np.copyto(self.bodies.accounts, state.accounts)
+        np.copyto(self.trail, state.trail)
+        self.configure()

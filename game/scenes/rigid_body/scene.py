@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from game.lab.studies.rotation import rotation_study
-from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.free_top import turn_freely
@@ -19,14 +18,14 @@ from game.scenes.rigid_body.model import RigidModel
 from game.scenes.rigid_body.parameters import RigidBodyParameters
 from game.scenes.rigid_body.readouts import readouts_of
 from game.scenes.rigid_body.saving import content_of
-from game.scenes.rigid_body.state import RigidState, restore, state_of
 from game.scenes.rigid_body.view import RigidView
-from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Stamped, Strip, WarmUp
+from game.stage import Frame, Hint, Pointer, SceneAction, Stamped, Strip, WarmUp
 from game.ui.painters.spheres import WARM_UPS
-from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
+from game.worlds.expectations import draw_captions, with_headroom
+from game.worlds.scene import ModelScene, Told
 
 
-class RigidBodyScene(Scene):
+class RigidBodyScene(ModelScene):
     """Spheres are joined to one body. Its mass, centre and inertia tensor follow from theirs by the offset
     theorem. Its state is position, quaternion, momentum and angular momentum. Velocity and spin follow from
     those.
@@ -53,6 +52,8 @@ class RigidBodyScene(Scene):
     parameters: RigidBodyParameters
     effects = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES
     content_type = RigidContent
+    told = Told(readouts_of, content_of)
+    model: RigidModel
     study = rotation_study
     takes = frozenset(("right",))
 
@@ -117,35 +118,16 @@ class RigidBodyScene(Scene):
 
     # -- building -----------------------------------------------------------------------------------
 
-    def build(self, level: Level | None) -> None:
-        given = self.content_of(level)
-        self.model = RigidModel(given, self.parameters, self.active)
+    def make(self, content: RigidContent) -> None:
+        self.model = RigidModel(content, self.parameters, self.active)
+        self.said = self.model.messages
         self.hand = Hand(self.model)
         self.view = RigidView(self.model, self.hand)
-        captions_of(given.expected, self.readouts())  # refuses an unknown readout
-
-    def parameter_changed(self, name: str) -> None:
-        self.model.parameter_changed(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> RigidState:
-        return state_of(self.model)
-
-    def restore(self, state: RigidState) -> None:
-        restore(self.model, state)
-
-    def save_content(self) -> RigidContent:
-        return content_of(self.model)
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.held())
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take_pointer(event)
 
     def action(self, name: str) -> None:
         if name == "undo":
@@ -159,22 +141,13 @@ class RigidBodyScene(Scene):
         else:
             self.parameters.tool = name
 
-    def messages(self) -> Sequence[str]:
-        return self.model.messages.take()
-
     # -- what there is to see -----------------------------------------------------------------------
 
-    def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
+    def shown(self) -> Frame:
+        return self.model.panes.frame()
 
     def frame(self) -> Frame:
-        return with_headroom(self.model.panes.frame(), len(self.model.content.expected))
+        return with_headroom(self.shown(), len(self.model.content.expected))
 
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(self.previous, canvas, alpha)
-        expected = self.model.content.expected
-        if expected:
-            draw_captions(canvas, (0.0, self.frame().top), captions_now(self, expected))
+    def draw_expected(self, canvas: Any) -> None:
+        draw_captions(canvas, (0.0, self.frame().top), self.captions())

@@ -16,10 +16,9 @@ from game.scenes.rigid_body.bodies import Bodies
 from game.scenes.rigid_body.camera import camera_matrix
 from game.scenes.rigid_body.hand import Hand
 from game.scenes.rigid_body.level import COLOR, COLORS, RADIUS
-from game.scenes.rigid_body.model import RigidModel
+from game.scenes.rigid_body.model import RigidModel, RigidState
 from game.scenes.rigid_body.momentum_sphere import draw_momentum_sphere
 from game.scenes.rigid_body.sphere_card import draw_sphere_card
-from game.scenes.rigid_body.state import RigidState
 from game.stage import blend, blend_quaternions
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.painters.spheres import OUTLINE_CORNERS, SpherePainter, trace_outline
@@ -60,7 +59,7 @@ class RigidView:
                 rows.append(("arrow:green", "angular momentum L", ""))
         return rows
 
-    def draw(self, before: RigidState | None, canvas: Canvas, alpha: float) -> None:
+    def draw(self, canvas: Canvas, before: RigidState | None, alpha: float) -> None:
         """All of it, from the back to the front, ``alpha`` of the way from the state ``before`` to now."""
         model, shown = self.model, self.model.parameters
         view = camera_matrix(shown.turn, shown.tilt)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import methodcaller
 from typing import Any, ClassVar
 
-from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
 from game.scenes.skeletons.guide import steps_of
 from game.scenes.skeletons.hand import FigureHand
@@ -13,10 +13,10 @@ from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, Vie
 from game.scenes.skeletons.model import FigureModel
 from game.scenes.skeletons.parameters import BINDING, FigureParameters
 from game.scenes.skeletons.rig import Rig, WeightRules
-from game.stage import Frame, Hint, Parameter, Pointer, SceneAction, WarmUp
-from game.worlds.expectations import Caption, captions_now, captions_of, draw_captions, with_headroom
+from game.stage import Frame, Hint, Parameter, SceneAction, WarmUp
+from game.worlds.expectations import Caption, with_headroom
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import ModelScene
+from game.worlds.scene import ModelScene, Told
 
 PLAIN = FigureContent(
     bones=(
@@ -62,6 +62,7 @@ class FigureScene(ModelScene):
     effects = SKINNING | JOINT_LIMITS
     dt = 1.0 / 60.0
     content_type = FigureContent
+    told = Told(saved=methodcaller("save_content"))
 
     parameters: FigureParameters
     model: FigureModel
@@ -76,25 +77,11 @@ class FigureScene(ModelScene):
             sorted(super().declared_parameters().items(), key=lambda item: cls.groups.index(item[1].group))
         )
 
-    def build(self, level: Level | None) -> None:
-        self.make_parts(self.content_of(level))
-        captions_of(self.model.content.expected, self.readouts())  # refuses an unknown readout
-
-    def make_parts(self, content: FigureContent) -> None:
-        """Model, hand and view of a figure."""
-        raise NotImplementedError
-
-    def advance(self, dt: float) -> None:
-        self.model.advance(dt)
-
     def parameter_changed(self, name: str) -> None:
         if name in BINDING:
             self.model.bind_again()
         elif name == "tool":
             self.hand.take_tool()
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take_pointer(event)
 
     def action(self, name: str) -> None:
         self.hand.take_action(name)
@@ -105,12 +92,6 @@ class FigureScene(ModelScene):
             return self.hints
         return (*MAKING[tool], *self.hints[1:])
 
-    def messages(self) -> Sequence[str]:
-        return self.model.messages.take()
-
-    def save_content(self) -> FigureContent:
-        return self.model.save_content()
-
     def frame(self) -> Frame:
         view = self.model.bench.figure.view
         return self.with_captions(Frame(view.left, view.bottom, view.right, view.top))
@@ -119,17 +100,13 @@ class FigureScene(ModelScene):
         """A frame with space for what is expected."""
         return with_headroom(frame, len(self.model.content.expected) + len(self.guide()))
 
+    def captions(self) -> Sequence[Caption]:
+        return [*super().captions(), *self.guide()]
+
     def guide(self) -> list[Caption]:
         """The steps of making a figure, and which of them are done; none but in a level made for it."""
         model = self.model
         return steps_of(model.bench.figure, model.rig.now - model.rig.bound) if model.content.guide else []
-
-    def draw_captions(self, canvas: Any) -> None:
-        """What is expected and measured, above the figure."""
-        frame, expected = self.frame(), self.model.content.expected
-        top = (0.5 * (frame.left + frame.right), frame.top)
-        captions = captions_now(self, expected)
-        draw_captions(canvas, top, [*captions, *self.guide()])
 
 
 def warm_ups_of_figures() -> tuple[WarmUp, ...]:

@@ -156,7 +156,7 @@ def _grow(bench: Bench, rig: Rig, point: Point, on_it: bool) -> Turn:
     if parent == NOWHERE:
         return Turn(with_message(bench, "Click the parent bone first."))
     if len(figure.bones) >= MOST_BONES:
-        return Turn(with_message(bench, f"There is room for {MOST_BONES} bones."))
+        return Turn(with_message(bench, f"There can be at most {MOST_BONES} bones."))
     x, y = joint_of(bench, rig.skeleton)
     dx, dy = point[0] - x, point[1] - y
     turn = math.degrees(elementary.atan2(dy, dx) - rig.skeleton.world_angle(parent))

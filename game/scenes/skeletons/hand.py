@@ -31,7 +31,7 @@ class FigureHand(Part):
         if tool == "skin":
             model.stand_as_bound()
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event in the figure's own coordinates."""
         model = self.model
         before, limited = model.bench.held, JOINT_LIMITS in model.active
@@ -72,7 +72,7 @@ class ReachingHand(FigureHand):
         super().__init__(model)
         self.pulling = False
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event in the picture: it is for the figure under it, or for that where a drag began."""
         model, shown = self.model, self.model.parameters
         view = model.bench.figure.view
@@ -89,7 +89,7 @@ class ReachingHand(FigureHand):
         if shown.tool == "pull":
             self._pull(event)
         else:
-            super().take_pointer(event)
+            super().take(event)
 
     def _pull(self, event: Pointer) -> None:
         model = self.model

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.animation.inverse_kinematics import reaching_study
 from game.scenes.skeletons import C03
@@ -16,7 +16,7 @@ from game.scenes.skeletons.parameters import ReachingParameters
 from game.scenes.skeletons.reaching_model import ReachingModel
 from game.scenes.skeletons.readouts import NAMES, readouts_of_methods
 from game.scenes.skeletons.view.chain import ChainView
-from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, SceneAction, Strip, WarmUp
 
 
 class InverseKinematics(FigureScene):
@@ -49,6 +49,7 @@ class InverseKinematics(FigureScene):
         Strip("Iterations", "", tuple(f"{name} iterations" for name in NAMES)),
         Strip("Time", "s", tuple(f"{name} time" for name in NAMES)),
     )
+    told = FigureScene.told._replace(readouts=readouts_of_methods)
     figure = staticmethod(draw_ccd)
     equations = (
         Equation("Error", r"\v{e} = \v{t} - \v{p}_n(\theta)", "target and end of the chain"),
@@ -85,7 +86,7 @@ class InverseKinematics(FigureScene):
         ),
     )
     try_this = (
-        "Pull the target out of reach and around: nobody shakes. Let damping be fixed: it thrashes.",
+        "Pull the target out of reach and around: nothing shakes. Let damping be fixed: it thrashes.",
         "One iteration a step: who follows your hand?",
         "Show the Jacobian of one figure alone: which joint is asked to turn most, and which cannot help?",
         "Set the gradient's step to 2.1 and stretch the chain.",
@@ -124,8 +125,9 @@ class InverseKinematics(FigureScene):
 
     # -- building and events ------------------------------------------------------------------------
 
-    def make_parts(self, content: FigureContent) -> None:
+    def make(self, content: FigureContent) -> None:
         self.model = ReachingModel(self.parameters, self.active, content)
+        self.said = self.model.messages
         self.hand = ReachingHand(self.model)
         self.view = ChainView(self.model)
 
@@ -137,15 +139,11 @@ class InverseKinematics(FigureScene):
 
     # -- what there is to see -----------------------------------------------------------------------
 
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return ()
+
     def frame(self) -> Frame:
         return self.with_captions(frame_of_cells(self.model.bench.figure.view))
-
-    def readouts(self) -> list[Readout]:
-        return readouts_of_methods(self.model)
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        self.draw_captions(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

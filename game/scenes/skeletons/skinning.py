@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from game.lab.studies.animation.skinning import skinning_study
 from game.physics.animation import BLENDS
@@ -16,7 +15,7 @@ from game.scenes.skeletons.parameters import SkinningParameters
 from game.scenes.skeletons.readouts import readouts_of_skin
 from game.scenes.skeletons.skinning_model import SkinningModel
 from game.scenes.skeletons.view.skinning import SkinningView
-from game.stage import Equation, Hint, Readout, SceneAction, Strip, WarmUp
+from game.stage import Equation, Hint, SceneAction, Strip, WarmUp
 
 
 class Skinning(FigureScene):
@@ -47,6 +46,7 @@ class Skinning(FigureScene):
         Strip("Blends apart", "m", ("apart",)),
         Strip("Time of the skin", "s", ("linear time", "rotor time")),
     )
+    told = FigureScene.told._replace(readouts=readouts_of_skin)
     figure = staticmethod(draw_bend)
     equations = (
         Equation("Forward kinematics", r"W_i = W_{p(i)} T(o_i) R(\theta_i)", "3 × 3 matrices on (x, y, 1)"),
@@ -85,8 +85,9 @@ class Skinning(FigureScene):
 
     # -- building and events ------------------------------------------------------------------------
 
-    def make_parts(self, content: FigureContent) -> None:
+    def make(self, content: FigureContent) -> None:
         self.model = SkinningModel(self.parameters, self.active, content)
+        self.said = self.model.messages
         self.hand = FigureHand(self.model)
         self.view = SkinningView(self.model)
 
@@ -98,19 +99,9 @@ class Skinning(FigureScene):
 
     # -- what there is to see -----------------------------------------------------------------------
 
-    def readouts(self) -> list[Readout]:
-        return readouts_of_skin(self.model)
-
     def standing(self) -> dict[str, float]:
         """bend: of the joint that is bent most, ° from where it was bound."""
         return {"bend": self.model.largest_bend()}
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        self.draw_captions(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

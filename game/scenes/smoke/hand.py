@@ -43,7 +43,7 @@ class SmokeHand(Part):
             if self.solid < 0:
                 self.solid = self.model.add_solid(point, self.model.parameters.brush)
             if self.solid < 0:
-                return "There is no room for more solids."
+                return "No more solids fit in."
         return ""
 
     def work(self, dt: float) -> None:

@@ -43,6 +43,73 @@ def _draw_dye(pen: Pen) -> None:
         pen.words(NAMES[paper], place + 65.0, 186.0, "text2")
 
 
+def _draw_force(pen: Pen) -> None:
+    """A jet's force on fluid at rest: what one step adds, and the flow that it has made after twenty."""
+    fluid = PrintedFluid((CELLS, CELLS), 1.0 / CELLS, 0, "stam-1999")
+    for place, steps in ((12.0, 1), (154.0, 19)):
+        for _ in range(steps):
+            fluid.inner[0][14:18, 4:8] += 0.2
+            if place > 12.0:
+                fluid.step(0.05)
+        far, side = place + 130.0, 130.0 / CELLS
+        pen.line(((place, 38.0), (far, 38.0), (far, 168.0), (place, 168.0), (place, 38.0)),
+                 "text3", 1.0)  # fmt: skip
+        for j in range(1, CELLS, 3):
+            for i in range(1, CELLS, 3):
+                u, v = float(fluid.inner[0][j, i]), float(fluid.inner[1][j, i])
+                x, y = place + (i + 0.5) * side, 168.0 - (j + 0.5) * side
+                long = max(math.hypot(u, v), 1e-12)
+                size = min(40.0 * long, 11.0) / long
+                if long * size > 1.0:
+                    pen.arrow((x, y), (x + size * u, y - size * v), "chalk", 1.2)
+                else:
+                    pen.disc(x, y, 0.8, "text3")
+    pen.words("force of one step", 77.0, 186.0, "text2")
+    pen.words("twenty steps later", 219.0, 186.0, "text2")
+
+
+def _draw_viscosity(pen: Pen) -> None:
+    """The speed across a jet: before, and after one step of a tenth of a second with two viscosities."""
+    middle = (np.arange(CELLS) + 0.5) / CELLS
+    jet = np.exp(-np.square((middle - 0.5) / 0.08))
+    pen.line(((40.0, 20.0), (40.0, 176.0)), "text3", 1.0)
+    for row, (viscosity, color) in enumerate(((0.0, "text1"), (0.02, "chalk"), (2.0, "amber"))):
+        fluid = PrintedFluid((CELLS, CELLS), 1.0 / CELLS, 0, "stam-1999", viscosity)
+        fluid.inner[0][:] = jet[:, None] * np.sin(math.pi * middle)[None, :]
+        fluid.step(0.1)
+        speeds = fluid.inner[0][:, CELLS // 2].tolist()
+        line = [(40.0 + 190.0 * u, 176.0 - 156.0 * y) for u, y in zip(speeds, middle.tolist(), strict=True)]
+        pen.line(line, color, 1.8)
+        pen.words(f"{viscosity:g} m²/s", 284.0, 30.0 + 17.0 * row, color, "right")
+    pen.words("u", 226.0, 192.0, "text2")
+
+
+def _draw_sweeps(pen: Pen) -> None:
+    """Divergence that is left of one whirl, of an eighth and of all the box, by the number of sweeps."""
+    pen.line(((44.0, 18.0), (44.0, 168.0), (280.0, 168.0)), "text3", 1.0)
+    counts = (1, 2, 5, 10, 20, 50, 100, 200, 400, 800)
+
+    def place(count: float, share: float) -> tuple[float, float]:
+        return 44.0 + 80.0 * math.log10(count), 28.0 - 32.0 * math.log10(max(share, 10.0**-4.3))
+
+    x = (np.arange(CELLS) + 0.5) / CELLS
+    for waves, color, words in ((4, "chalk", "an eighth of the box"), (1, "amber", "half a wave across it")):
+        line = []
+        for count in counts:
+            fluid = PrintedFluid((CELLS, CELLS), 1.0 / CELLS, 0, "stam-2003", 0.0, count)
+            fluid.inner[0][:] = np.sin(math.pi * waves * x)[None, :] * np.cos(math.pi * waves * x)[:, None]
+            before = float(np.max(np.abs(fluid.divergence())))
+            fluid.step(1e-9)
+            line.append(place(count, float(np.max(np.abs(fluid.divergence()))) / before))
+        pen.line(line, color, 1.8)
+        pen.words(words, 52.0, 112.0 + 17.0 * (waves == 1), color, "left", size=11)
+    pen.line((place(20, 1.0), place(20, 1e-4)), "vermilion", 1.2, dash=4.0)
+    pen.words("20", place(20, 1.0)[0], 182.0, "vermilion")
+    pen.words("sweeps", 264.0, 182.0, "text2")
+    pen.words("1", 36.0, 28.0, "text2", "right")
+    pen.formula("10^{-4}", 24.0, 156.0, "text2")
+
+
 def _measure() -> Iterator[Comparison]:
     divergence, energy, cost = {}, {}, {}
     for method in METHODS:
@@ -80,7 +147,11 @@ STABLE = Paper(
         "Then subtract a gradient so that nothing is squeezed any more.",
     ),
     steps=(
-        Step("Add what forces do in a step to the velocity."),
+        Step(
+            "Add what forces do in a step to the velocity.",
+            _draw_force,
+            r"\v{u}_1 = \v{u}_0 + \Delta t \v{f}",
+        ),
         Step(
             "Trace back from the middle of each cell along the flow, and take the velocity between the "
             "four cells where that ends. In 1999 in two stages, in 2003 straight.",
@@ -89,7 +160,7 @@ STABLE = Paper(
         ),
         Step(
             "Let viscosity act implicitly: a linear system, stable for any viscosity.",
-            None,
+            _draw_viscosity,
             r"(1 - \nu \Delta t \nabla^2) \v{u}_3 = \v{u}_2",
         ),
         Step(
@@ -101,7 +172,8 @@ STABLE = Paper(
         Step("Carry dye, heat and smoke along the same way.", _draw_dye),
         Step(
             "The program of 2003: a hundred lines, twenty sweeps of Gauss and Seidel for each system, two "
-            "projections."
+            "projections.",
+            _draw_sweeps,
         ),
     ),
     showed=(

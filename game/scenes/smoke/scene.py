@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any, ClassVar
 
 from game.lab.studies.gases.smoke import smoke_study
-from game.levels import Level
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import GAS
 from game.scenes.smoke import SMOKE
@@ -17,11 +16,10 @@ from game.scenes.smoke.model import TALL, WIDE, SmokeModel
 from game.scenes.smoke.parameters import OF_PICTURE, PRINTED, SmokeParameters
 from game.scenes.smoke.readouts import readouts_of
 from game.scenes.smoke.view import SmokeView
-from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, SetParameter, Strip, WarmUp
-from game.stage.messages import Messages
-from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
+from game.stage import Equation, Frame, Hint, SceneAction, SetParameter, Strip, WarmUp
+from game.worlds.expectations import with_headroom
 from game.worlds.painting.flames import warm_up_gas
-from game.worlds.scene import ModelScene
+from game.worlds.scene import ModelScene, Told
 
 
 class Smoke(ModelScene):
@@ -41,6 +39,7 @@ class Smoke(ModelScene):
     model: SmokeModel
     effects = GAS.known | COMBUSTION.known
     content_type = SmokeContent
+    told = Told(readouts_of)
     default_content = DEFAULT
     study = smoke_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
@@ -96,13 +95,10 @@ class Smoke(ModelScene):
     def warm_ups(cls) -> Sequence[WarmUp]:
         return (*super().warm_ups(), WarmUp("gas", warm_up_gas))
 
-    def build(self, level: Level | None) -> None:
-        self.content = self.content_of(level)
-        self.model = SmokeModel(self.content, self.parameters, self.active)
+    def make(self, content: SmokeContent) -> None:
+        self.model = SmokeModel(content, self.parameters, self.active)
         self.hand = SmokeHand(self.model)
         self.view = SmokeView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE:
@@ -125,15 +121,12 @@ class Smoke(ModelScene):
             SolidEntry(at=(x, y), radius=radius)
             for x, y, radius, _, _ in self.model.obstacles.rows.tolist()
         )  # fmt: skip
-        return SmokeContent(sources=self.content.sources, solids=solids, sides=self.content.sides,
-                            start=self.content.start, expected=self.content.expected)  # fmt: skip
+        return SmokeContent(sources=self.model.content.sources, solids=solids, sides=self.model.content.sides,
+                            start=self.model.content.start, expected=self.model.content.expected)  # fmt: skip
 
     def advance(self, dt: float) -> None:
         self.hand.work(dt)
         self.model.advance(dt)
-
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name.startswith("tool-"):
@@ -145,21 +138,9 @@ class Smoke(ModelScene):
         else:
             self.model.clear()
 
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
-
-    def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
     def frame(self) -> Frame:
-        return with_headroom(Frame(-0.04, -0.04, WIDE + 0.04, TALL + 0.04), len(self.content.expected))
+        return with_headroom(Frame(-0.04, -0.04, WIDE + 0.04, TALL + 0.04), len(self.model.content.expected))
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
-        if self.content.expected:
-            frame = self.frame()
-            top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_now(self, self.content.expected))
+        self.draw_expected(canvas)

@@ -29,6 +29,7 @@ ACTIONS = (
     SceneAction("rack", "next frame, or the same again", "N"),
     keys.PLAY_ITSELF,
     keys.CENTRE,
+    keys.HOLD_BREATH,
     SceneAction("concede", "concede the frame, or claim it", "Q"),
     SceneAction("restart", "agree on a stalemate: the frame begins again", "T"),
     keys.LOCK,

@@ -14,7 +14,6 @@ from game.billiards.table.snooker import BALL_MASS, BALL_RADIUS, COLOURS, name_o
 from game.scenes.shared.tables.choices import FIRST, GUIDES, WHOLE, following
 from game.scenes.shared.tables.course import AIMING, CueCourse
 from game.scenes.shared.tables.cue import MAX_SPEED
-from game.scenes.shared.tables.unsteady import shaken
 from game.scenes.snooker.model import SnookerModel
 from game.scenes.snooker.parameters import SnookerParameters
 
@@ -120,9 +119,9 @@ class Course(CueCourse):
             self.messages.say("Nominate a colour first: click one below the table.")
             self.messages.say(where)
             self.cue.let_go()
+            self.push.struck = None
             return
-        made = shaken(self.stroke, str(self.parameters.hand), self._seed, self.by_hand, BALL_RADIUS)
-        self.begin_stroke(made, call)
+        self.begin_stroke(self.by_the_hand(self.stroke, BALL_RADIUS), call)
         self.by_hand += 1
 
     def skip(self) -> None:

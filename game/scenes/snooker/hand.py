@@ -62,6 +62,7 @@ class SnookerHand(Part):
         course = self.course
         if event.kind == "cancel" or (event.kind == "down" and event.button == 3):
             course.cue.let_go()
+            course.push.let_go()
             if course.grip == grip.CUE:
                 course.parameters.power = self.power_before
             course.grip = NOTHING
@@ -111,6 +112,8 @@ class SnookerHand(Part):
             course.grip = grip.CUE
             self.power_before = course.parameters.power
             course.cue.pointer(event, *place, ready=True)
+            if course.push.chosen:
+                course.push.begin(event, course.cue.aim)
 
     def _button_at(self, x: float, y: float) -> Grip:
         """The button, card or option at a point; NOTHING if there is none."""
@@ -148,7 +151,12 @@ class SnookerHand(Part):
     def _aim(self, event: Pointer, place: tuple[float, float]) -> None:
         """Turn the cue to the pointer unless it is locked, or draw it back."""
         course = self.course
-        if course.grip == grip.CUE:
+        if course.grip == grip.CUE and course.push.held:
+            if course.push.move(event):
+                course.grip = NOTHING
+                course.cue.let_go()
+                course.strike_by_hand()
+        elif course.grip == grip.CUE:
             course.cue.pointer(event, *place, ready=True)
             if course.cue.speed >= LEAST_SPEED and self.moved > CLICK:
                 course.parameters.power = min(max(course.cue.speed, LEAST_POWER), MAX_SPEED)
@@ -167,6 +175,12 @@ class SnookerHand(Part):
 
     def _let_fly(self, event: Pointer, place: tuple[float, float]) -> None:
         course = self.course
+        if course.push.held:
+            course.push.let_go()
+            course.cue.let_go()
+            if self.moved <= CLICK:
+                self._click(event)
+            return
         course.cue.pointer(event, *place, ready=True)
         strikes = course.cue.phase != CUE_AIMING and self.moved > CLICK
         course.cue.data[1:3] = 0.0, CUE_AIMING
@@ -234,6 +248,8 @@ class SnookerHand(Part):
         course = self.course
         if name == "strike":
             self._strike_or_skip()
+        elif name == "breath":
+            course.push.breathe()
         elif name == "undo":
             course.undo()
         elif name == "replay":

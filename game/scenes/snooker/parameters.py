@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.scenes.shared.tables import choices
+from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Parameters, Toggle
 
 
@@ -41,6 +42,12 @@ class SnookerParameters(Parameters):
     hand = choices.noise_of_hand(
         "how far a person's tip, elevation, azimuth and speed stray, as a computer player's do"
     )
+    stroke_by = through.stroke_by()
+    reach = through.reach()
+    sway = through.sway()
+    miscues = through.miscues()
+    chalk = through.chalk()
+    recoil = through.recoil()
     sliding = choices.sliding(SNOOKER_CLOTH.sliding)
     rolling = choices.rolling(SNOOKER_CLOTH.rolling)
     ball_restitution = choices.ball_restitution(SNOOKER_CLOTH.ball_restitution)

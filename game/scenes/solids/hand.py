@@ -11,8 +11,9 @@ from game.physics.kernels import elementary
 from game.physics.solids.arrays.layout import MOUSE
 from game.physics.solids.arrays.state import DYNAMIC
 from game.physics.solids.outlines import signed_area
-from game.scenes.solids.bodies import entry_of
+from game.scenes.solids.bodies import entry_of, whole_joints
 from game.scenes.solids.cutting import cut_bodies
+from game.scenes.solids.joint_card import OF_JOINT, give_joint, show_joint
 from game.scenes.solids.level import MOST_BODIES, BodyEntry, JointEntry, Point, ShapeEntry
 from game.scenes.solids.model import ANCHOR, SolidModel
 from game.scenes.solids.picking import bodies_at, joint_at, joints_across
@@ -33,13 +34,15 @@ NEW_COLOURS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
 
 class SolidHand(Part):
     """held: body that is moved, by the joint ``grip``; chosen: touched last; inspected: whose own properties
-    are shown. start, point: of a drag, m, None when there is none; path: points of an outline that is drawn.
+    are shown; joint: whose card is open.
+
+    start, point: of a drag, m, None when there is none; path: points of an outline that is drawn.
     ``verb`` is the tool of the drag.
     """
 
     def __init__(self, model: SolidModel):
         self.model, self.parameters = model, model.parameters
-        self.held = self.grip = self.chosen = self.inspected = NOBODY
+        self.held = self.grip = self.chosen = self.inspected = self.joint = NOBODY
         self.start: Point | None = None
         self.point: Point | None = None
         self.verb = ""
@@ -97,7 +100,7 @@ class SolidHand(Part):
         elif tool in ("throw", "duplicate"):
             self.chosen = self.held = body
         elif tool == "select":
-            self.inspect(body)
+            self._inspect_at(point)
         elif tool == "delete":
             return self._delete_at(point, body)
         elif tool in ("pin", "weld", "motor"):
@@ -150,7 +153,7 @@ class SolidHand(Part):
 
     def _new(self, shapes: tuple[ShapeEntry, ...], place: Point, angle: float = 0.0) -> str:
         if len(self.model.movable()) >= MOST_BODIES:
-            return f"There is room for {MOST_BODIES} bodies."
+            return f"There can be at most {MOST_BODIES} bodies."
         colour = NEW_COLOURS[self.made % len(NEW_COLOURS)]
         entry = BodyEntry(
             shapes=shapes,
@@ -225,7 +228,7 @@ class SolidHand(Part):
 
     def _cut(self, start: Point, point: Point) -> str:
         if elementary.dist(start, point) < 0.2 * self.reach:
-            self.inspect(self.at(start))
+            self._inspect_at(start)
             return ""
         joints = joints_across(self.model.world, start, point, 0.5 * self.reach)
         for joint in joints:
@@ -260,14 +263,27 @@ class SolidHand(Part):
 
     def inspect(self, body: int) -> None:
         """Show a body's own properties (NOBODY: no one's), so that the parameters of the card say them."""
-        self.inspected = body
+        self.inspected, self.joint = body, NOBODY
         if body != NOBODY:
             self.chosen = body
             self.model.show_own(body)
 
+    @property
+    def shown_joint(self) -> int:
+        """The joint whose card is open, as long as it is there and whole; NOBODY."""
+        return self.joint if self.joint in whole_joints(self.model.world) else NOBODY
+
+    def _inspect_at(self, point: Point) -> None:
+        """The card of the joint that has an end there, or else of the body."""
+        joint = joint_at(self.model.world, point, 0.6 * self.reach)
+        self.inspect(NOBODY if joint != NOBODY else self.at(point))
+        self.joint = joint
+        if joint != NOBODY:
+            show_joint(self.model.world, self.parameters, joint)
+
     def inspect_chosen(self) -> str:
         """Those of what was touched last, or put the card away."""
-        if self.inspected != NOBODY:
+        if self.inspected != NOBODY or self.shown_joint != NOBODY:
             self.inspect(NOBODY)
         elif self.chosen in self.model.movable():
             self.inspect(self.chosen)
@@ -276,7 +292,10 @@ class SolidHand(Part):
         return ""
 
     def give(self, name: str) -> str:
-        """Give the body on the card what the parameter of that name says; why it cannot have it, or ""."""
+        """Give what is on the card what the parameter of that name says; why it cannot have it, or ""."""
+        if name in OF_JOINT:
+            joint = self.shown_joint
+            return give_joint(self.model.world, self.parameters, joint, name) if joint != NOBODY else ""
         if self.inspected not in self.model.movable():
             return ""
         return self.model.give_own(self.inspected, name)

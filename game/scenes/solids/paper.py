@@ -10,7 +10,8 @@ import numpy as np
 
 from game.lab.timing import least_time
 from game.physics.solids import SUGGESTED, Material, Polygon, SolidSettings, SolidWorld, box
-from game.scenes.shared.marks import outline
+from game.scenes.shared.marks import dot, outline
+from game.scenes.solids.measures import contact_points
 from game.ui.canvas.pen import Pen
 from game.ui.widgets.paper import Comparison, Paper, Step
 
@@ -70,6 +71,29 @@ def _draw_order(pen: Pen) -> None:
             pen.arrow((148.0, y - 16.0), (148.0, y - 1.0), "text2", 1.4)
     for y, words in ((45.0, "e"), (137.0, "0")):
         pen.formula(words, 236.0, y, "text2")
+
+
+def _draw_cone(pen: Pen) -> None:
+    """Boxes on slopes from 0 to 45 degrees: friction beside the push of the ground, as shares of weight.
+
+    Up to the slope of the cone they hold; steeper ones slide, on the cone itself.
+    """
+    friction = 0.5
+    pen.line(((40.0, 16.0), (40.0, 176.0), (284.0, 176.0)), "text3", 1.0)
+    pen.line(((40.0, 176.0), (40.0 + 220.0, 176.0 - 220.0 * friction)), "text2", 1.2, dash=4.0)
+    for degrees in range(0, 46, 5):
+        world = _world(float(degrees), friction)
+        body = world.add_body(box(1.0, 1.0, material=Material(friction=friction)), (0.0, 0.5))
+        _step(world, 30)
+        found, weight = contact_points(world), G * DT / float(world.bodies.inverse_masses[body])
+        push, rub = (float(np.abs(part).sum()) / weight for part in (found.pushes, found.rubs))
+        slides = float(world.bodies.velocities[body, 0]) > 1e-3
+        dot(pen, (40.0 + 220.0 * push, 176.0 - 220.0 * rub), "amber" if slides else "green", 4.5)
+    pen.words("holds", 48.0, 24.0, "green", "left")
+    pen.words("slides", 48.0, 41.0, "amber", "left")
+    pen.formula(r"\mu j_n", 226.0, 70.0, "text2")
+    pen.formula("j_n", 272.0, 192.0, "text2")
+    pen.formula("j_t", 22.0, 24.0, "text2")
 
 
 def _draw_levels(pen: Pen) -> None:
@@ -132,8 +156,20 @@ def _measure() -> Iterator[Comparison]:
         "ten boxes: shock propagation, sequential impulses", "", f"{1e3 * own:.2f}, {1e3 * other:.2f} mm"
     )
     yield Comparison(
+        "five boxes: the lowest contact is said to bear, in weights, with each of the two", "",
+        f"{_borne('shock-propagation'):.2f}, {_borne('sequential-impulses'):.2f} of 5",
+    )  # fmt: skip
+    yield Comparison(
         "1,000 bodies of two parts each, coming to rest: a step of 1/60 s", "", f"{_cost_of_ls(1_000):.1f} ms"
     )
+
+
+def _borne(solver: str) -> float:
+    """Push of the lowest contact of five boxes as multiples of the uppermost, which bears one weight."""
+    world, _ = _stack(5, 1.0, solver)
+    found = contact_points(world)
+    low, high = found.places[:, 1] < 0.5, found.places[:, 1] > 3.5
+    return float(found.pushes[low].sum() / found.pushes[high].sum())
 
 
 def _cost_of_ls(count: int) -> float:
@@ -151,8 +187,8 @@ def _cost_of_ls(count: int) -> float:
 STACKING = Paper(
     problem=(
         "Rigid bodies that lie on each other are hard for impulse methods: a block on a slope that should "
-        "stand hops and creeps, and in a stack every box adds its weight to those below, so that sweeps "
-        "over the contacts never come to an end.",
+        "stand hops and creeps. In a stack every box adds its weight to those below, so that sweeps over "
+        "the contacts never come to an end.",
     ),
     idea=(
         "Change the order within a step, so that bouncing and resting are told apart without thresholds. "
@@ -169,7 +205,7 @@ STACKING = Paper(
         Step(
             "In a contact the impulse along the normal stops the approach, and friction acts within its "
             "cone.",
-            None,
+            _draw_cone,
             r"\abs{j_t} \le \mu j_n",
         ),
         Step(
@@ -177,20 +213,20 @@ STACKING = Paper(
             _draw_levels,
         ),
         Step(
-            "Level after level from below is swept once more, each with the level below taken as fixed; "
-            "then what still overlaps is pushed apart in the same order.",
+            "Level after level from below is swept once more, each with the level below taken as fixed. "
+            "Then what still overlaps is pushed apart in the same order.",
             _draw_towers,
         ),
     ),
     showed=(
-        "Stacks and heaps of up to a thousand non-convex bodies, rings and bones and the like; a domino "
-        "rally; a block on a slope that agrees with the theory; and as the weak side of shock propagation "
+        "Stacks and heaps of up to a thousand non-convex bodies, rings and bones and the like. A domino "
+        "rally, and a block on a slope that agrees with the theory. The weak side of shock propagation is "
         "a seesaw, which needs its sweeps of contacts without it.",
     ),
     measure=_measure,
     limits=(
-        "Weight is hidden from what stands below, so a plank or a seesaw that should tip by what stands "
-        "on it is held too well. Ours finds contacts between convex parts and not by distance fields, and "
+        "Weight is hidden from what stands below, so a plank or a seesaw that should tip by what stands on "
+        "it is held too well. Ours finds contacts between convex parts and not by distance fields. It "
         "counts friction over all of a substep, where the paper bounds that of each sweep: so a block "
         "creeps a tenth of a millimetre, and not twenty millimetres.",
     ),

@@ -28,6 +28,8 @@ TOOLS = (
 OF_CHOSEN = ("own_density", "own_friction", "own_restitution", "own_colour")  # say and set what is clicked
 OF_PICTURE = ("contacts", "forces", "islands", "loads")
 OF_TOOLS = ("density", "sides", "motor_speed", "spring_rate")
+CHOSEN_JOINT = "Chosen joint"
+BEYOND = 1e6  # N, N m: the right end of a load stands for no bound
 CHOSEN = "Chosen body"  # group of the parameters on the card
 
 
@@ -56,6 +58,54 @@ class SolidParameters(Parameters):
     own_colour = Choice(
         COLOURS[0], COLOURS, group=CHOSEN, label="Colour", help="of the chosen body", in_panel=False
     )
+    joint_limited = Toggle(
+        False,
+        group=CHOSEN_JOINT,
+        label="Limits",
+        help="whether the chosen joint ends somewhere",
+        in_panel=False,
+    )
+    joint_least_turn = Param(
+        -90.0, -360.0, 360.0, unit="°", group=CHOSEN_JOINT, label="Least turn", in_panel=False,
+        help="of the second body against the first, from how they were joined",
+    )  # fmt: skip
+    joint_most_turn = Param(
+        90.0, -360.0, 360.0, unit="°", group=CHOSEN_JOINT, label="Most turn", in_panel=False, help="likewise"
+    )
+    joint_least_way = Param(
+        0.0, -20.0, 20.0, unit="m", group=CHOSEN_JOINT, label="Least", in_panel=False,
+        help="of a slider from where it was joined, of a spring or distance its length",
+    )  # fmt: skip
+    joint_most_way = Param(
+        1.0, -20.0, 20.0, unit="m", group=CHOSEN_JOINT, label="Most", in_panel=False, help="likewise"
+    )
+    joint_speed = Param(
+        0.0, -50.0, 50.0, unit="rad/s", group=CHOSEN_JOINT, label="Motor speed", in_panel=False,
+        help="that the drive of the chosen joint wants",
+    )  # fmt: skip
+    joint_pace = Param(
+        0.0, -20.0, 20.0, unit="m/s", group=CHOSEN_JOINT, label="Motor speed", in_panel=False,
+        help="that the drive of the chosen slider wants",
+    )  # fmt: skip
+    joint_torque = Param(
+        BEYOND, 0.001, BEYOND, unit="N m", log=True, group=CHOSEN_JOINT, label="Motor torque", in_panel=False,
+        help="the most of its drive; without a speed it is a brake, at the right end without a bound",
+    )  # fmt: skip
+    joint_force = Param(
+        BEYOND, 0.001, BEYOND, unit="N", log=True, group=CHOSEN_JOINT, label="Motor force", in_panel=False,
+        help="the most of its drive; without a speed it is a brake, at the right end without a bound",
+    )  # fmt: skip
+    joint_hertz = Param(
+        0.0, 0.0, 60.0, unit="Hz", group=CHOSEN_JOINT, label="Stiffness", in_panel=False,
+        help="as frequency of the two bodies on it; 0: as stiff as the solver makes it",
+    )  # fmt: skip
+    joint_damping = Param(
+        1.0, 0.0, 5.0, group=CHOSEN_JOINT, label="Damping", in_panel=False, help="as part of the critical one"
+    )
+    joint_break = Param(
+        BEYOND, 0.001, BEYOND, unit="N", log=True, group=CHOSEN_JOINT, label="Breaks at", in_panel=False,
+        help="force at which the chosen joint breaks; at the right end it never does",
+    )  # fmt: skip
     friction = Param(
         0.6, 0.0, 2.0, group="World", help="Coulomb's coefficient, of bodies without one of their own"
     )

@@ -10,6 +10,7 @@ from game.physics.solids.effects import USUAL
 from game.scenes.solids import SOLIDS as ROW
 from game.scenes.solids.figure import draw_contact
 from game.scenes.solids.hand import SolidHand
+from game.scenes.solids.joint_card import OF_JOINT, card_of
 from game.scenes.solids.level import ArchEntry, SolidContent, View
 from game.scenes.solids.model import SolidModel
 from game.scenes.solids.parameters import OF_CHOSEN, OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
@@ -19,7 +20,7 @@ from game.scenes.solids.view import SolidView
 from game.stage import Equation, Hint, Inspected, SceneAction, Strip
 from game.worlds.hands.hand import next_of, tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Solids(WorldScene):
@@ -40,7 +41,8 @@ class Solids(WorldScene):
     parameters: SolidParameters
     model: SolidModel
     hand: SolidHand
-    parts = Parts(SolidModel, SolidHand, SolidView, readouts, saved, hearing=hearing)
+    parts = Parts(SolidModel, SolidHand, SolidView)
+    told = Told(readouts, saved, hearing=hearing)
     tools = TOOLS
     tool_prefix = ""
     edits = frozenset((*OF_CHOSEN, "delete-chosen"))
@@ -101,7 +103,7 @@ class Solids(WorldScene):
         return self.hand.delete_chosen() if name == "delete-chosen" else self.hand.inspect_chosen()
 
     def parameter_changed(self, name: str) -> None:
-        if name in OF_CHOSEN:
+        if name in OF_CHOSEN or name in OF_JOINT:
             self.said.say(self.hand.give(name))
         else:
             super().parameter_changed(name)
@@ -109,10 +111,14 @@ class Solids(WorldScene):
     def why_idle(self, name: str) -> str:
         if name in OF_CHOSEN and self.inspected() is None:
             return "No body is chosen."
+        if name in OF_JOINT and self.hand.shown_joint == NOBODY:
+            return "No joint is chosen."
         return super().why_idle(name)
 
     def inspected(self) -> Inspected | None:
-        """The body that was clicked, if it is still there."""
+        """The body or joint that was clicked, if it is still there."""
+        if self.hand.shown_joint != NOBODY:
+            return card_of(self.model.world, self.hand.shown_joint)
         body = self.hand.inspected
         if body == NOBODY or body not in self.model.movable():
             return None

@@ -245,7 +245,11 @@ class SolidView:
             canvas.polygon(box, outline=color, width=1.2, dash=(6.0, 5.0))
 
     def _draw_inspected(self, canvas: Canvas) -> None:
-        """A dashed ring about the body whose card is open."""
+        """A dashed ring about the body or the joint whose card is open."""
+        if (joint := self.hand.shown_joint) != NOBODY:
+            for end in (0, 1):
+                place = place_of(self.model.world, joint, end)
+                canvas.circle(place, canvas.px(9.0), outline="accent", width=1.6, dash=(5.0, 4.0))
         body = self.hand.inspected
         if body != NOBODY and body in self.model.movable():
             place, reach = self.model.world.bodies.positions[body], self.model.world.bodies.reaches[body]

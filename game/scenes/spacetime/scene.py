@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from game.lab.studies.spacetime import budget_study
-from game.levels import Level
 from game.physics.spacetime.effects import TIMED
 from game.scenes.spacetime import SPACETIME
 from game.scenes.spacetime.figure import draw_levels
@@ -16,9 +15,9 @@ from game.scenes.spacetime.model import HALF, SpaceTimeModel
 from game.scenes.spacetime.parameters import OF_PICTURE, SpaceTimeParameters
 from game.scenes.spacetime.readouts import readouts_of
 from game.scenes.spacetime.view import SpaceTimeView
-from game.stage import Equation, Frame, Hint, Readout, Strip
-from game.worlds.expectations import captions_of, draw_captions
-from game.worlds.scene import ModelScene
+from game.stage import Equation, Frame, Hint, Strip
+from game.worlds.expectations import draw_captions
+from game.worlds.scene import ModelScene, Told
 
 
 class SpaceTime(ModelScene):
@@ -38,6 +37,8 @@ class SpaceTime(ModelScene):
     model: SpaceTimeModel
     effects = TIMED.known
     content_type = SpaceTimeContent
+    at_once = True
+    told = Told(readouts_of)
     default_content = DEFAULT
     study = budget_study
     figure = staticmethod(draw_levels)
@@ -63,25 +64,20 @@ class SpaceTime(ModelScene):
         "Drag a body as fast as you can: it lags, since the hand obeys the bound as well.",
     )
 
-    def build(self, level: Level | None) -> None:
-        self.content = self.content_of(level)
-        self.model = SpaceTimeModel(self.content, self.parameters, self.active, self.seed)
+    def make(self, content: SpaceTimeContent) -> None:
+        self.model = SpaceTimeModel(content, self.parameters, self.active, self.seed)
         self.hand = SpaceTimeHand(self.model)
         self.view = SpaceTimeView(self.model)
-        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
         if name not in OF_PICTURE:
             self.model.change_laws()
 
     def save_content(self) -> SpaceTimeContent:
-        return SpaceTimeContent(bodies=self.model.entries(), expected=self.content.expected)
+        return SpaceTimeContent(bodies=self.model.entries(), expected=self.model.content.expected)
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.held, (self.hand.x, self.hand.y))
-
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return (
@@ -96,6 +92,4 @@ class SpaceTime(ModelScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         held = (self.hand.held, self.hand.x, self.hand.y)
         self.view.draw(canvas, self.previous, alpha, held, self.dt)
-        if self.content.expected:
-            top = (0.0, HALF[1] - 0.05)
-            draw_captions(canvas, top, captions_of(self.content.expected, self.readouts()))
+        draw_captions(canvas, (0.0, HALF[1] - 0.05), self.captions())

@@ -36,7 +36,7 @@ class Hand(Part):
         """Forget what was begun."""
         self.pressed = None
 
-    def take_pointer(self, event: Pointer) -> None:
+    def take(self, event: Pointer) -> None:
         """A pointer event in world coordinates."""
         point = (min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST))
         tool = self.model.parameters.tool

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -12,18 +13,21 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.kernels import elementary
 from game.physics.rigid import PUSHES
-from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.collisions import CollidingSpheres, CollisionState
+from game.physics.spheres.composition import Composition
 from game.physics.spheres.settings import Surroundings, Tables
 from game.physics.spheres.smooth_spheres import SmoothSpheres
-from game.physics.spheres.spheres import SphereBodies
+from game.physics.spheres.spheres import MotionState, SphereBodies
 from game.scenes.spheres import pushes
 from game.scenes.spheres.editing import joined, without
 from game.scenes.spheres.layout import bodies_of, layout_of, tables_of
 from game.scenes.spheres.level import MOST_SPHERES, CollisionContent
 from game.scenes.spheres.parameters import NOT_SETTINGS, TABLE_PARAMETERS, CollisionParameters
+from game.scenes.spheres.state import SphereState
 from game.stage import Frame, ParameterError, Part
 from game.stage.messages import Messages
 
+NOTHING = np.zeros((0, 3))
 MOST_EXACT = 2_000  # impacts in a step of the event-driven run
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
 
@@ -103,7 +107,7 @@ class CollisionModel(Part):
         if self.exact is not None and self.exact.gravity != self._acting_gravity():
             self.end_exact("gravity is another")
 
-    def parameter_changed(self, name: str) -> None:
+    def change_parameter(self, name: str) -> None:
         """Take over the new value of a parameter; ParameterError if the world refuses it."""
         if name == "freeze":
             self.frozen = 0
@@ -172,7 +176,7 @@ class CollisionModel(Part):
     def turn_over(self) -> None:
         """Turn the window over: what was below is above, as gravity now points the other way."""
         self.parameters.gravity = -self.parameters.gravity
-        self.parameter_changed("gravity")
+        self.change_parameter("gravity")
         self.messages.say(f"Turned over: gravity points {'up' if self.parameters.gravity < 0.0 else 'down'}.")
 
     def push(self, body: int, place: pushes.Place, force: tuple[float, float, float]) -> None:
@@ -217,6 +221,33 @@ class CollisionModel(Part):
         view = self.content.view
         margin = 0.015 * (view.top - view.bottom)
         return Frame(view.left - margin, view.bottom - margin, view.right + margin, view.top + margin)
+
+    def state(self) -> SphereState:
+        """The arrays themselves."""
+        world, exact = self.world, self.exact
+        around = world.surroundings
+        beside = (exact.positions, exact.velocities) if exact is not None else (NOTHING, NOTHING)
+        return SphereState(*world.state(), *world.bodies.composition, around.hung, around.strings, *beside)
+
+    def restore(self, state: SphereState) -> None:
+        """Take over a copy of a state, with other spheres if need be."""
+        composition = Composition(
+            state.masses.copy(), state.inverse_inertias.copy(), state.round_bodies.copy(), state.radii.copy(),
+            state.owners.copy(), state.offsets.copy(), state.kinds.copy(),
+        )  # fmt: skip
+        around = self.world.surroundings
+        mine: tuple[Any, ...] = (*self.world.bodies.composition, around.hung, around.strings)
+        theirs: tuple[Any, ...] = (*composition, state.hung, state.strings)
+        if not all(np.array_equal(a, b) for a, b in zip(mine, theirs, strict=True)):
+            motion = MotionState(*(part.copy() for part in state[:4]))
+            around = around._replace(hung=state.hung.copy(), strings=state.strings.copy())
+            self.take_bodies(SphereBodies.of_parts(composition, motion), around)
+        self.world.restore(CollisionState(**{name: getattr(state, name) for name in CollisionState._fields}))
+        self.exact = None
+        if len(state.exact_places):
+            exact = self.begin_exact()
+            np.copyto(exact.positions, state.exact_places)
+            np.copyto(exact.velocities, state.exact_speeds)
 
 
 def _with_lifted(content: CollisionContent, lifted: int) -> CollisionContent:

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any, ClassVar
 
 from game.lab.studies.impulses import impact_study
-from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.spheres.collisions import CollidingSpheres
@@ -24,16 +23,12 @@ from game.scenes.spheres.parameters import CollisionParameters
 from game.scenes.spheres.readouts import readouts_of
 from game.scenes.spheres.saving import content_of
 from game.scenes.spheres.sounds import hearing_of
-from game.scenes.spheres.state import SphereState, restore, state_of
 from game.scenes.spheres.view import CollisionView
 from game.stage import (
     Equation,
     Frame,
-    Hearing,
     Hint,
     Pointer,
-    Readout,
-    Scene,
     SceneAction,
     Stamped,
     Strip,
@@ -41,10 +36,11 @@ from game.stage import (
     WarmUp,
 )
 from game.stage.states.state import copy_state
-from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
+from game.worlds.expectations import draw_captions, with_headroom
+from game.worlds.scene import ModelScene, Told
 
 
-class SphereCollisions(Scene):
+class SphereCollisions(ModelScene):
     """Spheres fly, hit each other and the walls of the window, slide, roll and pile up. Each is a rigid body
     in space, with position, orientation, momentum and angular momentum. The picture shows the plane, and the
     line of a radius shows how each has turned.
@@ -72,6 +68,8 @@ class SphereCollisions(Scene):
     )
     may_be_infinite = frozenset(("masses",))
     content_type = CollisionContent
+    told = Told(readouts_of, content_of, hearing=hearing_of)
+    model: CollisionModel
     legend_in_panel = True
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
 
@@ -132,32 +130,19 @@ class SphereCollisions(Scene):
         Stamped(450, Pointer("up", 1.9, 2.2, button=1)),
     )
 
-    def build(self, level: Level | None) -> None:
-        given = self.content_of(level)
-        self.model = CollisionModel(given, self.parameters, self.active, self.seed)
+    def make(self, content: CollisionContent) -> None:
+        self.model = CollisionModel(content, self.parameters, self.active, self.seed)
+        self.said = self.model.messages
         self.hand = Hand(self.model)
         self.view = CollisionView(self.model, self.hand)
-        self.repeat = Repeat(given.repeat)
-        self._beginning = copy_state(self.state()) if given.repeat else None
-        captions_of(given.expected, self.readouts())  # refuses an unknown readout
+        self.repeat = Repeat(content.repeat)
+        self._beginning = copy_state(self.state()) if content.repeat else None
 
     def parameter_changed(self, name: str) -> None:
         if name == "tool":
             self.hand.forget()
         else:
-            self.model.parameter_changed(name)
-
-    def effects_changed(self) -> None:
-        self.model.change_effects(self.active)
-
-    def state(self) -> SphereState:
-        return state_of(self.model)
-
-    def restore(self, state: SphereState) -> None:
-        restore(self.model, state)
-
-    def save_content(self) -> CollisionContent:
-        return content_of(self.model)
+            super().parameter_changed(name)
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
@@ -170,7 +155,7 @@ class SphereCollisions(Scene):
     def pointer(self, event: Pointer) -> None:
         if event.kind == "down":
             self.repeat.end()
-        self.hand.take_pointer(event)
+        super().pointer(event)
 
     def why_idle(self, name: str) -> str:
         return "No cradle hangs here." if name == "lifted" and not self.model.content.cradles else ""
@@ -185,19 +170,7 @@ class SphereCollisions(Scene):
         self.parameters.tool = name
         self.hand.forget()
 
-    def messages(self) -> Sequence[str]:
-        return self.model.messages.take()
-
     # -- what there is to see -----------------------------------------------------------------------
-
-    def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
-
-    def hearing(self) -> Hearing:
-        return hearing_of(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
 
     def panel_table(self) -> Table | None:
         return ledger_table(self.model)
@@ -210,14 +183,17 @@ class SphereCollisions(Scene):
         return with_headroom(self.model.frame(), len(content.expected) + bool(content.repeat))
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(self.previous, canvas, alpha)
-        content, view = self.model.content, self.model.content.view
-        if content.zoom is not None:
-            frame = Frame(view.left, view.bottom, view.right, view.top)
-            draw_inset(canvas, frame, content.zoom, lambda: self.view.draw(self.previous, canvas, alpha))
-        top = (0.5 * (view.left + view.right), self.frame().top)
-        captions = captions_now(self, content.expected)
-        draw_captions(canvas, top, captions, self.repeat.left)
+        self.view.draw(canvas, self.previous, alpha)
+        zoom = self.model.content.zoom
+        if zoom is not None:
+            shown = self.shown()
+            draw_inset(canvas, shown, zoom, lambda: self.view.draw(canvas, self.previous, alpha))
+        self.draw_expected(canvas)
+
+    def draw_expected(self, canvas: Any) -> None:
+        shown = self.shown()
+        top = (0.5 * (shown.left + shown.right), self.frame().top)
+        draw_captions(canvas, top, self.captions(), self.repeat.left)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -65,7 +65,7 @@ class CollisionView:
 
     # -- the picture --------------------------------------------------------------------------------
 
-    def draw(self, before: SphereState | None, canvas: Canvas, alpha: float) -> None:
+    def draw(self, canvas: Canvas, before: SphereState | None, alpha: float) -> None:
         """All of it, from the back to the front, ``alpha`` of the way from the state ``before`` to now."""
         canvas.grid(None, "")
         self._draw_walls(canvas)

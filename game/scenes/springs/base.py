@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from game.levels import Level
 from game.physics.constraints import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKS, TEARING
 from game.physics.fields import GRAVITY, GROUND
 from game.scenes.springs.hand import SpringHand
@@ -16,10 +15,9 @@ from game.scenes.springs.parameters import OF_CHOSEN, OF_PICTURE, MassSpringPara
 from game.scenes.springs.readouts import readouts
 from game.scenes.springs.saving import content_of
 from game.scenes.springs.view import SpringView
-from game.stage import Frame, Hint, Pointer, Readout, SceneAction, Strip
-from game.stage.messages import Messages
-from game.worlds.expectations import Caption, captions_now, captions_of, draw_captions
-from game.worlds.scene import ModelScene
+from game.stage import Hint, SceneAction, Strip
+from game.worlds.expectations import Caption
+from game.worlds.scene import ModelScene, Told
 
 TOOL_HINTS = {
     "particle": (Hint(("Click",), "new particle"), Hint(("Delete",), "delete what is chosen")),
@@ -40,6 +38,8 @@ class MassSpringScene(ModelScene):
     parameters: MassSpringParameters
     model: SpringModel
     content_type = SpringContent
+    told = Told(readouts, content_of)
+    not_of_model = OF_PICTURE
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
 
     hints = (
@@ -75,33 +75,24 @@ class MassSpringScene(ModelScene):
 
     # -- building -----------------------------------------------------------------------------------
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: SpringContent) -> None:
         self.model = SpringModel(content, self.parameters, self.link_law(), self.active)
         self.hand = SpringHand(self.model)
         self.view = SpringView(self.model, self.hand)
-        self.said = Messages()
-        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
         if name in OF_CHOSEN:
             self.hand.apply_parameter(name)
         elif name == "tool":
             self.hand.begin_again()
-        elif name not in OF_PICTURE:
-            self.model.change_parameter(name)
-
-    def save_content(self) -> SpringContent:
-        return content_of(self.model)
+        else:
+            super().parameter_changed(name)
 
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
         if self.model.advance(dt):
             self.said.say("A link is torn.")
-
-    def pointer(self, event: Pointer) -> None:
-        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name == "delete":
@@ -110,25 +101,8 @@ class MassSpringScene(ModelScene):
             self.parameters.tool = name
             self.hand.begin_again()
 
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
-
     # -- what there is to see -----------------------------------------------------------------------
 
-    def readouts(self) -> list[Readout]:
-        return readouts(self.model)
-
-    def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend()
-
-    def frame(self) -> Frame:
-        view = self.model.content.view
-        return Frame(view.left, view.bottom, view.right, view.top)
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        content = self.model.content
-        captions = captions_now(self, content.expected)
-        if self.model.at_rest:
-            captions.append(Caption(STILL, met=False))
-        draw_captions(canvas, (0.5 * (content.view.left + content.view.right), content.view.top), captions)
+    def captions(self) -> Sequence[Caption]:
+        still = [Caption(STILL, met=False)] if self.model.at_rest else []
+        return [*super().captions(), *still]

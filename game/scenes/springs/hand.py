@@ -147,7 +147,7 @@ class SpringHand(Part):
     def _make_particle(self, point: Point) -> str:
         model = self.model
         if model.system.count >= MOST_PARTICLES:
-            return f"There is room for {MOST_PARTICLES} particles."
+            return f"There can be at most {MOST_PARTICLES} particles."
         model.take_system(with_particle(model.system, point, self._weight()), model.own)
         self.chosen = model.system.count - 1
         return ""

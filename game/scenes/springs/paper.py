@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -29,6 +30,55 @@ def _hanging(iterations: int, seconds: float) -> PositionBasedDynamics:
     for _ in range(round(seconds / DT)):
         system.step(DT)
     return system
+
+
+def _stepped() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Places (n, 2) of a falling rope before a step, predicted by free flight, and after the step."""
+    shape = rope((0.0, 0.0), (LENGTH, 0.0), 8)
+    systems = [
+        PositionBasedDynamics(
+            shape.positions, shape.inverse_masses, shape.links, effects=chosen, iterations=20
+        )
+        for chosen in (GRAVITY | LINKS, GRAVITY)
+    ]
+    held, free = systems
+    for _ in range(30):
+        held.step(DT)
+    before = held.positions.copy()
+    free.restore(held.state())
+    for _ in range(3):  # steps of a sixtieth are too short for the eye
+        free.step(DT)
+        held.step(DT)
+    return before, free.positions.copy(), held.positions.copy()
+
+
+def _drawn(places: np.ndarray) -> list[tuple[float, float]]:
+    return [(34.0 + 112.0 * x, 16.0 - 104.0 * y) for x, y in places.tolist()]
+
+
+def _draw_prediction(pen: Pen) -> None:
+    """Places before a step, and where free flight would lead them: the links there are too long."""
+    before, free, _ = (_drawn(places) for places in _stepped())
+    pen.line(before, "text3", 1.6)
+    pen.line(free, "vermilion", 1.2, dash=4.0)
+    for a, b in zip(before, free, strict=True):
+        if math.dist(a, b) > 5.0:
+            pen.arrow(a, b, "amber", 1.4)
+        dot(pen, a, "text2", 3.0)
+    pen.formula(r"\v{p}", free[-1][0] + 14.0, free[-1][1] - 4.0, "vermilion")
+    pen.formula(r"\v{x}", before[-1][0] + 14.0, before[-1][1], "text2")
+
+
+def _draw_velocities(pen: Pen) -> None:
+    """The same step with its links: what was moved is the velocity."""
+    before, _, after = (_drawn(places) for places in _stepped())
+    pen.line(before, "text3", 1.6)
+    pen.line(after, "chalk", 1.8)
+    for a, b in zip(before, after, strict=True):
+        if math.dist(a, b) > 5.0:
+            pen.arrow(a, b, "green", 1.4)
+        dot(pen, b, "chalk", 3.0)
+    pen.formula(r"h \v{v}", after[-1][0] + 20.0, 0.5 * (after[-1][1] + before[-1][1]), "green")
 
 
 def _draw_ropes(pen: Pen) -> None:
@@ -95,12 +145,16 @@ PBD = Paper(
     ),
     idea=(
         "Work on positions. Let every particle fly freely for a step, then move the positions, one "
-        "constraint after the other, so that each holds; the new velocity is the way that was made, "
-        "divided by the step. Since nothing is extrapolated from a force, there is nothing that could "
-        "overshoot without bound.",
+        "constraint after the other, so that each holds. The new velocity is the displacement, divided by "
+        "the step. Since nothing is extrapolated from a force, there is nothing that could overshoot "
+        "without bound.",
     ),
     steps=(
-        Step("Predict: positions after a step of free flight.", None, r"\v{p} = \v{x} + h (\v{v} + h \v{g})"),
+        Step(
+            "Predict: positions after a step of free flight.",
+            _draw_prediction,
+            r"\v{p} = \v{x} + h (\v{v} + h \v{g})",
+        ),
         Step(
             "Project a constraint: along its gradient, by as much as it is off, the lighter particle "
             "farther.",
@@ -116,12 +170,11 @@ PBD = Paper(
             draw_sweeps,
             r"k' = 1 - (1-k)^{1/n}",
         ),
-        Step("The velocity is what was moved.", None, r"\v{v} = (\v{p} - \v{x}) / h"),
+        Step("The velocity is what was moved.", _draw_velocities, r"\v{v} = (\v{p} - \v{x}) / h"),
     ),
     showed=(
-        "Cloth and inflatable bodies at interactive rates, with collisions as constraints that are made "
-        "and forgotten in each step, points that the user fixes and drags, and no step length at which it "
-        "explodes.",
+        "Cloth and inflatable bodies at interactive rates. Collisions are constraints that are made and "
+        "forgotten in each step. The user fixes and drags points, and no step length makes it explode.",
     ),
     measure=_measure,
     limits=(

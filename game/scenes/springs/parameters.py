@@ -50,7 +50,7 @@ class MassSpringParameters(Parameters):
     )
     speed_limit = Param(
         60.0, 1.0, 10_000.0, unit="m/s", log=True, group="World",
-        help="nobody gets faster, not even by hand; whom it slows down loses momentum",
+        help="no particle gets faster, not even by hand; whom it slows down loses momentum",
     )  # fmt: skip
     tool = Choice(
         "hand", TOOLS, labels=("Move", "New particle", "Link two", "Pin", "Cut"), group="Tools",

@@ -6,7 +6,6 @@ from typing import Any
 
 from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab.studies.billiards.tables import billiards_study
-from game.levels import Level
 from game.scenes.shared.tables import view as table_view
 from game.scenes.three_tables import THREE_TABLES, view
 from game.scenes.three_tables.figure import draw_chaos
@@ -16,10 +15,11 @@ from game.scenes.three_tables.model import ThreeTablesModel
 from game.scenes.three_tables.parameters import ThreeTablesParameters
 from game.scenes.three_tables.readouts import APART, readouts_of
 from game.scenes.three_tables.state import ThreeTablesState
-from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, Scene, SceneAction, Strip, WarmUp
+from game.worlds.scene import ModelScene, Told
 
 
-class ThreeTables(Scene):
+class ThreeTables(ModelScene):
     """The same stroke on three tables. The first is the lecture's: a velocity added to the position in every
     step, no spin. The second steps too, but with all of the physics: balls slide, roll and spin, throw each
     other, and rebound as Han's cushion has it. The third does not step at all. It computes the times of the
@@ -37,6 +37,8 @@ class ThreeTables(Scene):
     quarter_turns = 1
     takes = frozenset(("right",))
     content_type = ThreeTablesContent
+    default_content = ThreeTablesContent(plays_itself=True)
+    told = Told(readouts_of)
     study = billiards_study
 
     strips = (
@@ -67,11 +69,10 @@ class ThreeTables(Scene):
 
     # -- building and stepping ----------------------------------------------------------------------
 
-    def build(self, level: Level | None) -> None:
-        content = level.content if level is not None else None
-        content = content or ThreeTablesContent(plays_itself=True)
+    def make(self, content: ThreeTablesContent) -> None:
         self.model = ThreeTablesModel(content, self.parameters, self.active)
         self.hand = ThreeTablesHand(self.model, content.plays_itself, self.seed)
+        self.said = self.hand.messages
 
     def parameter_changed(self, name: str) -> None:
         self.model.play()
@@ -90,7 +91,7 @@ class ThreeTables(Scene):
         return self.model.state(self.hand.cue.data)
 
     def restore(self, state: ThreeTablesState) -> None:
-        super().restore(state)
+        Scene.restore(self, state)
         self.model.play()
 
     @classmethod
@@ -98,9 +99,6 @@ class ThreeTables(Scene):
         return [WarmUp("three tables", cls), *table_view.warm_ups()]
 
     # -- the hand, and what is shown ----------------------------------------------------------------
-
-    def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
 
     def action(self, name: str) -> None:
         if name == "rack":
@@ -115,9 +113,3 @@ class ThreeTables(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw(canvas, self.model, self.hand, self.previous, alpha)
-
-    def readouts(self) -> tuple[Readout, ...]:
-        return readouts_of(self.model)
-
-    def messages(self) -> tuple[str, ...]:
-        return self.hand.messages.take()

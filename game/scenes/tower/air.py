@@ -37,6 +37,8 @@ FADES = 6  # cells at the sides over which the picture of the dust fades
 FULL = 0.35  # kg/m³ of dust that hides what is behind it
 RISES = 0.35  # of a cell for each to the side: how steeply the light falls
 DIMS = 1.6  # kg/m² of dust that leave 1/e of the light
+LAMP_RISES = 22.0  # m above the ground at which the light of lamps there is a good half
+LAMPS_AT = 24.0  # m from the middle to both sides
 SLOWS = 0.3  # 1/s
 QUICKEST = 50.0  # m/s: what is squeezed out of a gap far narrower than a cell would have no bound
 SLOWEST = 0.1  # m/s: slower pieces take no air along
@@ -209,14 +211,34 @@ class TowerAir(Member):
         w = self.gas.velocity()
         return float(np.sqrt(np.max(w[..., 0] * w[..., 0] + w[..., 1] * w[..., 1])))
 
-    def veil(self) -> Singles:
-        """(ny, nx, 2): how thick the dust is, 0 to 1, and how much light from the right it scatters, 0 to 1;
-        good until the next call.
+    def veil(self, lamps: float = 0.0) -> Singles:
+        """(ny, nx, 2): how thick the dust is, 0 to 1, and how much light it scatters, 0 to 1; good until the
+        next call.
+
+        Light comes in from the right; from lamps at the ground comes more, ``lamps`` times as much there.
         """
         share = self.density / FULL
         self._veil[..., 0] = 0.94 * share / (1.0 + share) * self._edge
-        self._veil[..., 1] = self._veil[..., 0] * self._lit()
+        light = self._lit()
+        if lamps > 0.0:
+            light = np.minimum(0.45 * light + lamps * self._lit_by_lamps(), 1.0)
+        self._veil[..., 1] = self._veil[..., 0] * light
         return self._veil
+
+    def _lit_by_lamps(self) -> Floats:
+        """(ny, nx): what is left of light from lamps at both sides at the ground, by height and by the dust
+        on its way: up beside the tower, then across.
+        """
+        cell, (ny, nx) = self.grid.cell, self.grid.shape
+        x = self._lower[0] + (np.arange(nx) + 0.5) * cell
+        passed = np.cumsum(self.density, axis=1) - 0.5 * self.density
+        lamps = np.clip(np.searchsorted(x, (-LAMPS_AT, LAMPS_AT)), 0, nx - 1)
+        up = np.cumsum(self.density[:, lamps], axis=0)
+        nearer = (np.abs(passed[:, :, None] - passed[:, None, lamps]) + up[:, None, :]).min(axis=2)
+        heights = (np.arange(ny) * cell / LAMP_RISES)[:, None]
+        beyond = np.maximum(np.abs(x) - LAMPS_AT, 0.0) / LAMP_RISES
+        far = elementwise.power(1.0 + heights * heights, 0.75) * (1.0 + beyond * beyond)
+        return elementwise.exp(-nearer * cell / DIMS) / far
 
     def _lit(self) -> Floats:
         """(ny, nx): what is left of light that comes in from the right, behind the dust, a little from above.

@@ -19,7 +19,7 @@ from game.scenes.tower.world import TowerWorld
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Tower(WorldScene):
@@ -47,7 +47,8 @@ class Tower(WorldScene):
     parameters_type = TowerParameters
     parameters: TowerParameters
     model: TowerWorld
-    parts = Parts(TowerWorld, tower_hand, TowerView, readouts, saved, targets, hearing, names, sizes)
+    parts = Parts(TowerWorld, tower_hand, TowerView)
+    told = Told(readouts, saved, targets, hearing, names, sizes)
     tool_prefix = "tool-"
     painters = (("polygons", warm_up_painter),)
     effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS | AIR

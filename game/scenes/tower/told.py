@@ -25,8 +25,10 @@ from game.scenes.tower.sounds import HALF, NAMES
 from game.scenes.tower.tables import COLUMN, NOT_YET
 from game.scenes.tower.world import TowerWorld
 from game.stage import Hearing, Readout
+from game.worlds.hearing import ROOM, wind
 
 TONNE = 1000.0  # kg
+AIR_HEARD = 0.3  # of the fastest air's speed, as it is far away
 RUBBLE_M = 9.0  # so far above the ground a picture's middle has little of the ground in it
 
 
@@ -69,8 +71,9 @@ def saved(model: TowerWorld) -> TowerContent:
 
 
 def hearing(model: TowerWorld) -> Hearing:
-    """What was heard in the last moments."""
-    return Hearing("tower", model.time, model.heard.sounds(NAMES, HALF))
+    """What was heard in the last moments, and the air as it blows."""
+    blown = wind(AIR_HEARD * model.air.fastest() if model.air.on else 0.0)
+    return Hearing("tower", model.time, model.heard.sounds(NAMES, HALF), (ROOM, blown))
 
 
 def targets(model: TowerWorld) -> dict[str, Point]:

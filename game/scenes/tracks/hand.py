@@ -22,7 +22,7 @@ def _make(hand: Hand) -> str:
     model: TracksWorld = hand.model
     count, parameters = len(model.balls.energies), model.parameters
     if count >= MOST_BALLS:
-        return f"There is room for {MOST_BALLS} balls."
+        return f"There can be at most {MOST_BALLS} balls."
     entry = BallEntry(
         position=hand.at, radius=parameters.radius, share=SHARES[parameters.form],
         colour=COLOURS[count % (len(COLOURS) - 1)], seated=False,  # type: ignore[arg-type]

@@ -19,7 +19,7 @@ from game.scenes.tracks.world import TracksWorld
 from game.stage import Equation, Hint, Inspected, SceneAction, Strip
 from game.worlds.entries.tracks import TrackEntry
 from game.worlds.hands.hand import NOBODY, hint_of, tool_keys
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Tracks(WorldScene):
@@ -40,7 +40,8 @@ class Tracks(WorldScene):
     parameters_type = TrackParameters
     parameters: TrackParameters
     model: TracksWorld
-    parts = Parts(TracksWorld, track_hand, TrackView, readouts, saved)
+    parts = Parts(TracksWorld, track_hand, TrackView)
+    told = Told(readouts, saved)
     tools = TOOLS
     tool_prefix = ""
     takes = frozenset(("right",))

@@ -16,7 +16,7 @@ from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.landscape import warm_up_landscape
 from game.worlds.painting.polygons import warm_up_painter
 from game.worlds.painting.spheres import warm_up_spheres
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Trebuchet(WorldScene):
@@ -36,10 +36,8 @@ class Trebuchet(WorldScene):
     parameters_type = TrebuchetParameters
     parameters: TrebuchetParameters
     model: TrebuchetWorld
-    parts = Parts(
-        TrebuchetWorld, trebuchet_hand, TrebuchetView, readouts, targets=targets, sizes=sizes,
-        hearing=hearing, names=names,
-    )  # fmt: skip
+    parts = Parts(TrebuchetWorld, trebuchet_hand, TrebuchetView)
+    told = Told(readouts, targets=targets, sizes=sizes, hearing=hearing, names=names)
     effects = GRAVITY | QUADRATIC_DRAG | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
     content_type, default_content = TrebuchetContent, TrebuchetContent()
     study = swings_study("trebuchet")

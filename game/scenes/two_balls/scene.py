@@ -8,7 +8,6 @@ from game.billiards.lecture.slips import SLIPS
 from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, WALLS
 from game.billiards.table import passing
 from game.lab.studies.billiards.lecture_table import one_collision_study
-from game.levels import Level
 from game.scenes.two_balls import LECTURE_BALLS, view
 from game.scenes.two_balls.figure import draw_exchange
 from game.scenes.two_balls.hand import TwoBallsHand
@@ -16,9 +15,9 @@ from game.scenes.two_balls.level import FRAME_RATE, LectureBallsContent
 from game.scenes.two_balls.model import TwoBalls
 from game.scenes.two_balls.parameters import LectureBallsParameters
 from game.scenes.two_balls.readouts import readouts_of
-from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip, WarmUp
+from game.stage import Equation, Frame, Hint, SceneAction, Strip, WarmUp
 from game.ui.painters import ball as ball_painter
-from game.worlds.scene import ModelScene
+from game.worlds.scene import ModelScene, Told
 
 
 class LectureBalls(ModelScene):
@@ -45,6 +44,7 @@ class LectureBalls(ModelScene):
     unit = "px"
     y_up = False
     content_type = LectureBallsContent
+    told = Told(readouts_of, TwoBalls.content_now)
     default_content: ClassVar[LectureBallsContent] = LectureBallsContent()
 
     strips = (
@@ -96,8 +96,7 @@ class LectureBalls(ModelScene):
 
     # -- building and stepping ----------------------------------------------------------------------
 
-    def build(self, level: Level | None) -> None:
-        content = self.content_of(level)
+    def make(self, content: LectureBallsContent) -> None:
         self.model = TwoBalls(content, self.parameters, self.active, self.seed)
         self.hand = TwoBallsHand(self.model)
 
@@ -107,9 +106,6 @@ class LectureBalls(ModelScene):
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt, self.hand.grasp)
-
-    def save_content(self) -> LectureBallsContent:
-        return self.model.content_now()
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
@@ -132,6 +128,3 @@ class LectureBalls(ModelScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw(canvas, self.model, self.hand.grasp, self.previous, alpha)
-
-    def readouts(self) -> tuple[Readout, ...]:
-        return readouts_of(self.model)

@@ -31,6 +31,7 @@ from game.scenes.wind_tunnel.flights import Flights, FlightsState
 from game.scenes.wind_tunnel.level import WindTunnelContent
 from game.scenes.wind_tunnel.parameters import OF_MEASURING, WindTunnelParameters
 from game.stage import Part
+from game.stage.messages import Messages
 
 NOZZLES, SPECKS = 20, 150
 SPACING = 0.02  # of the tunnel's height, between specks of smoke
@@ -52,12 +53,12 @@ class WindTunnelState(NamedTuple):
 
 
 class WindTunnelModel(Part):
-    """``said``: what there is to tell, taken away by the scene."""
+    """``said``: what there is to tell, which the scene takes."""
 
     def __init__(self, content: WindTunnelContent, parameters: WindTunnelParameters, active: EffectSet):
         self.content, self.parameters, self.active = content, parameters, active
         self.counts: Floats = np.zeros(2)
-        self.said: list[str] = []
+        self.said = Messages()
         named = parameters.shape if parameters.shape != "drawn" else "disc"
         outline = outline_of(content.outline) if content.outline else shape_named(named)
         self.tunnel = Tunnel(outline, self._settings(), math.radians(parameters.attack))
@@ -158,7 +159,7 @@ class WindTunnelModel(Part):
 
     def _refuse(self, error: ValueError) -> bool:
         self.counts[0] += 1.0
-        self.said.append(f"Refused: {error}.")
+        self.said.say(f"Refused: {error}.")
         return False
 
     def turn(self, degrees: float) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 from time import thread_time
+from typing import NamedTuple
 
 import numpy as np
 
@@ -44,9 +46,17 @@ def _law(plate: Plate) -> SeriesFit:
     return SeriesFit(2, values, np.zeros(3))
 
 
-def measured_plate() -> tuple[SeriesFit, Floats, Floats]:
-    """A plate on a coarse grid: the series through its angles, errors at the checks (drag, lift) of series
-    and plates' law."""
+class Swept(NamedTuple):
+    """angles (n,) rad and values (n, 3) of a series; checks (m, k): rows of angles kept apart."""
+
+    angles: Floats
+    values: Floats
+    checks: Floats
+
+
+@lru_cache(maxsize=1)
+def swept_plate() -> Swept:
+    """A plate in the tunnel on a coarse grid, with its mirror images."""
     outline, sweep = shape_named("plate"), Sweep()
     following: float | None = sweep.begin(outline, SweepPlan(ANGLES, CHECKS))
     tunnel, average = Tunnel(outline, COARSE), Average(SETTLE, WINDOW)
@@ -58,8 +68,14 @@ def measured_plate() -> tuple[SeriesFit, Floats, Floats]:
             average.take(tunnel.reading, tunnel.step_length)
         following = sweep.keep(average.mean())
     sweep.table[:, DRAG : DRAG + 3] = sweep.table[:, BOOK : BOOK + 3]
-    angles, values = with_images(sweep.measured(), outline)
-    series, plate, rows = fit_series(angles, values, ORDER), fit_plate(angles, values), sweep.measured(True)
+    return Swept(*with_images(sweep.measured(), outline), sweep.measured(True))
+
+
+def measured_plate() -> tuple[SeriesFit, Floats, Floats]:
+    """A plate on a coarse grid: the series through its angles, errors at the checks (drag, lift) of series
+    and plates' law."""
+    angles, values, rows = swept_plate()
+    series, plate = fit_series(angles, values, ORDER), fit_plate(angles, values)
     twice = 2.0 * rows[:, ANGLE]
     by_law = np.stack(
         [plate.drag - plate.drag_turn * elementwise.cos(twice), plate.glide * elementwise.sin(twice)], axis=1
@@ -123,6 +139,32 @@ def _draw_series(pen: Pen) -> None:
     pen.words("180°", 268.0, 192.0, "text2")
 
 
+def _draw_checks(pen: Pen) -> None:
+    """The series through measured angles, and what was measured at angles that it was not given."""
+    angles, values, rows = swept_plate()
+    series = fit_series(angles, values, ORDER)
+    most = float(np.max(np.abs(values[:, :2])))
+
+    def place(angle: float, value: float) -> tuple[float, float]:
+        return 24.0 + 250.0 * angle / (0.5 * math.pi), 120.0 - 90.0 * value / most
+
+    pen.line((place(0.0, 0.0), place(0.5 * math.pi, 0.0)), "text3", 1.0)
+    shown = np.linspace(0.0, 0.5 * math.pi, 61)
+    for column, color in ((0, "vermilion"), (1, "green")):
+        curve = series.at(shown)[:, column].tolist()
+        pen.line([place(a, c) for a, c in zip(shown.tolist(), curve, strict=True)], color, 1.8)
+        for angle, value in zip(angles.tolist(), values[:, column].tolist(), strict=True):
+            if -1e-9 <= angle <= 0.5 * math.pi + 1e-9:
+                dot(pen, place(angle, value), color, 3.2)
+        for row in rows:
+            dot(pen, place(float(row[ANGLE]), float(row[DRAG + column])), "amber", 4.8, ring=1.6)
+    pen.words("drag", 40.0, 16.0, "vermilion")
+    pen.words("lift", 90.0, 16.0, "green")
+    pen.words("not given", 150.0, 16.0, "amber")
+    pen.words("0°", 24.0, 192.0, "text2")
+    pen.words("90°", 270.0, 192.0, "text2")
+
+
 def _draw_flight(pen: Pen) -> None:
     """A plate that falls by the law's own coefficients, and one that is lifted half as much."""
     plate = Plate(0.05, 1.4)
@@ -180,23 +222,24 @@ OMNIAD = Paper(
         ),
         Step(
             "Angles that no fit was given tell what it is worth: the amber rings of this scene.",
+            _draw_checks,
         ),
     ),
     showed=(
-        "Coefficients of real things from their fall before one camera; leaves and the like that tumble and "
-        "glide in real time with no air computed; and a tool with which one designs kites of unusual shapes "
-        "that do fly.",
+        "Coefficients of real things from their fall before one camera. Leaves and the like tumble and "
+        "glide in real time with no air computed. With a tool one designs kites of unusual shapes that do "
+        "fly.",
     ),
     measure=_measure,
     limits=(
-        "Ours is a plane, at Reynolds numbers of tens to hundreds, on a grid whose walls stand near; what "
-        "flies takes the coefficients of that Reynolds number. What is measured at rest knows nothing of the "
-        "lift and drag on a spin, which are the plates' law's. A force that depends on the wind of this "
-        "moment alone has no memory: vortices that were shed before, and may come back, are left out.",
+        "Ours is a plane, at Reynolds numbers of tens to hundreds, on a grid whose walls stand near. What "
+        "flies takes the coefficients of that Reynolds number. What is measured at rest knows nothing of "
+        "the lift and drag on a spin, which are the plates' law's. A force that depends on the wind of "
+        "this moment alone has no memory: vortices that were shed before, and may come back, are left out.",
     ),
     after=(
-        "Flow and forces about a shape that is still being drawn, learnt from many simulations (Umetani and "
-        "Bickel 2018), and wings by a panel method whose matrices are made before (Xie, Igarashi and Miyata "
-        "2018).",
+        "Flow and forces about a shape that is still being drawn, learnt from many simulations (Umetani "
+        "and Bickel 2018). Wings by a panel method whose matrices are made before (Xie, Igarashi and "
+        "Miyata 2018).",
     ),
 )

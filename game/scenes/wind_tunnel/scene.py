@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from game.lab.studies.flow.wind_tunnel import drag_study
-from game.levels import Level
 from game.physics.tunnel import SHAPES, TUNNEL
 from game.scenes.wind_tunnel import WIND_TUNNEL
 from game.scenes.wind_tunnel.figure import draw_forces
@@ -18,9 +17,9 @@ from game.scenes.wind_tunnel.parameters import OF_MAKING, OF_PICTURE, WindTunnel
 from game.scenes.wind_tunnel.readouts import readouts_of
 from game.scenes.wind_tunnel.view import WindTunnelView
 from game.scenes.wind_tunnel.warming import warm_up
-from game.stage import Equation, Frame, Hint, Pointer, Readout, SceneAction, Strip, WarmUp
-from game.worlds.expectations import captions_now, captions_of, draw_captions, with_headroom
-from game.worlds.scene import ModelScene
+from game.stage import Equation, Frame, Hint, SceneAction, Strip, WarmUp
+from game.worlds.expectations import with_headroom
+from game.worlds.scene import ModelScene, Told
 
 
 class WindTunnel(ModelScene):
@@ -43,6 +42,8 @@ class WindTunnel(ModelScene):
     model: WindTunnelModel
     effects = TUNNEL.known
     content_type = WindTunnelContent
+    told = Told(readouts_of)
+    not_of_model = (*OF_PICTURE, *OF_MAKING)
     covers = True
     builds = True
     default_content = DEFAULT
@@ -94,20 +95,15 @@ class WindTunnel(ModelScene):
         "Lower Order to 2, and see what the series loses at the amber checks.",
     )
 
-    def build(self, level: Level | None) -> None:
-        self.content = self.content_of(level)
-        self.model = WindTunnelModel(self.content, self.parameters, self.active)
+    def make(self, content: WindTunnelContent) -> None:
+        self.model = WindTunnelModel(content, self.parameters, self.active)
+        self.said = self.model.said
         self.hand = WindTunnelHand(self.model)
         self.view = WindTunnelView(self.model, self.hand)
-        captions_of(self.content.expected, self.readouts())  # refuses an unknown readout
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
         return (WarmUp(cls.name, lambda: cls().advance(cls.dt)), WarmUp("fit and flight", warm_up))
-
-    def parameter_changed(self, name: str) -> None:
-        if name not in (*OF_PICTURE, *OF_MAKING):
-            self.model.change_parameter(name)
 
     def why_idle(self, name: str) -> str:
         if name == "attack" and self.model.sweep.running:
@@ -118,16 +114,11 @@ class WindTunnel(ModelScene):
         made = self.model.tunnel.outline
         own = self.parameters.shape == "drawn"
         corners = tuple((float(x), float(y)) for x, y in made.corners.tolist()) if own else ()
-        content = self.content
+        content = self.model.content
         return WindTunnelContent(
             width=content.width, at=content.at, profile=content.profile, nudge=content.nudge,
             outline=corners, sweep=self.model.sweep.running, expected=content.expected,
         )  # fmt: skip
-
-    def pointer(self, event: Pointer) -> None:
-        said = self.hand.take(event)
-        if said:
-            self.model.said.append(said)
 
     def action(self, name: str) -> None:
         model = self.model
@@ -142,13 +133,6 @@ class WindTunnel(ModelScene):
             self.parameters.shape = SHAPES[(at + 1) % len(SHAPES)]
             model.change_parameter("shape")
 
-    def messages(self) -> Sequence[str]:
-        said, self.model.said = self.model.said, []
-        return said
-
-    def readouts(self) -> list[Readout]:
-        return list(readouts_of(self.model))
-
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return (
             ("line:vermilion", "drag", ""),
@@ -158,11 +142,4 @@ class WindTunnel(ModelScene):
         )
 
     def frame(self) -> Frame:
-        return with_headroom(layout_of(self.model).whole, len(self.content.expected))
-
-    def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
-        if self.content.expected:
-            frame = self.frame()
-            top = (0.5 * (frame.left + frame.right), frame.top)
-            draw_captions(canvas, top, captions_now(self, self.content.expected))
+        return with_headroom(layout_of(self.model).whole, len(self.model.content.expected))

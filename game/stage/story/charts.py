@@ -134,7 +134,7 @@ def readouts_of(chart: Chart | None) -> list[str]:
 def check_chart(chart: Chart, moments: Sequence[str]) -> None:
     """ValueError for one that says too little, or two things."""
     if chart.shows and (chart.measured or chart.expected != "" or chart.over or chart.since or chart.names):
-        raise ValueError("chart.shows: names all that is drawn")
+        raise ValueError("chart.shows: names everything that is drawn")
     if not chart.shows and not (chart.measured and chart.expected != ""):
         raise ValueError("chart: expected measured and expected, or shows")
     if chart.mean and not chart.over:

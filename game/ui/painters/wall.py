@@ -1,4 +1,4 @@
-"""The workshop's wall behind the run: boards, in the light of three lamps; it lies a little farther back."""
+"""The workshop's wall behind the run: boards, in the light of lamps; it lies a little farther back."""
 
 from __future__ import annotations
 
@@ -16,9 +16,13 @@ BACK = 0.93  # as large as a thing on the wall is seen, over one on a track
 CELL = 1.0 / 16.0  # m of the wall to a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP = -30.0, -16.0, 60.0, 36.0  # m of the wall that is painted
 BOARD, SEAM = 1.25, 0.022  # m: breadth of a board, of the groove between two
-LAMPS = ((4.6, 15.0), (14.2, 15.0), (24.0, 15.0))  # m
+# m; of the wall, each over what is to be seen
+LAMPS = (
+    (4.6, 15.0), (14.2, 15.0), (24.0, 15.0), (8.0, 9.7), (11.0, 10.7), (18.6, 9.5), (24.6, 8.3), (15.4, 4.7),
+)  # fmt: skip
+LOW = 3  # so many of them hang at the top; those after them light less
 SHADE = np.array([(-0.52, 0.0), (0.52, 0.0), (0.2, 0.34), (0.12, 0.46), (-0.12, 0.46), (-0.2, 0.34)])  # m
-CORD = np.array([(0.0, 0.4), (0.0, 4.0)])  # m
+CORD = np.array([(0.0, 0.4), (0.0, 14.0)])  # m
 BULB = np.array([(-0.34, 0.0), (0.34, 0.0), (0.26, -0.07), (-0.26, -0.07)])
 SHADES = {False: (0x5E7F78, 0x3C544F, 0xFFFBEF), True: (0x2E4A47, 0x16211F, 0xFFE9B8)}  # shade, edge, light
 # of the wall by day and by night: paint, in the light, in the shade below, bench and its edge
@@ -113,9 +117,10 @@ def wall_picture(dark: bool, foot: float) -> Inks:
     tints = random.uniform(-1.0, 1.0, int((RIGHT - LEFT) / BOARD) + 2)
     board = tints[((x - LEFT) / BOARD).astype(int)]
     light = np.zeros((len(y), len(x)))
-    for lamp_x, lamp_y in LAMPS:
-        down = np.clip((lamp_y - y) / 9.0, -1.0, 3.0)
-        reach = 2.4 + 3.0 * np.clip(down, 0.0, None)
+    for number, (lamp_x, lamp_y) in enumerate(LAMPS):
+        far = 9.0 if number < LOW else 4.5
+        down = np.clip((lamp_y - y) / far, -1.0, 3.0)
+        reach = 2.4 + far / 3.0 * np.clip(down, 0.0, None)
         cone = np.exp(-(((x - lamp_x) / reach) ** 2)) * np.exp(-((down / 1.15) ** 2))
         light += np.where(y > lamp_y, cone * np.exp(-(((y - lamp_y) / 0.9) ** 2)), cone)
     strength = np.clip(light * (0.72 if dark else 0.85), 0.0, 1.0)[..., None]

@@ -19,6 +19,11 @@ CLOSE = "close"
 _POINTER = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 
 
+def _without_value(shown: Inspected | None) -> Inspected | None:
+    """What the rows of a card depend on."""
+    return None if shown is None else shown._replace(told="")
+
+
 class InspectorCard:
     """Rows of the parameters that a scene names, at the top right of the stage, and a cross to close it."""
 
@@ -113,8 +118,8 @@ class InspectorCard:
             self._source = Source(scene)
         if self._source is not None and scene is not None:
             self._source.scene = scene
-        if wanted != self.shown:
-            self.shown = wanted
+        before, self.shown = self.shown, wanted
+        if _without_value(wanted) != _without_value(before):
             self._build()
         if self._sheet is None or scene is None:
             return
@@ -143,7 +148,11 @@ class InspectorCard:
         middle = self.rect.y + px(HEAD) // 2
         room = self.rect.w - px(HEAD) - px(PADDING)
         words = look.fonts.fit(self.shown.title, 12, "semibold", room)
-        look.text(surface, words, (self.rect.x + px(PADDING), middle), 12, "semibold", "text1")
+        taken = look.text(surface, words, (self.rect.x + px(PADDING), middle), 12, "semibold", "text1").w
+        told = look.fonts.fit(self.shown.told, 12, "medium", max(room - taken - px(PADDING), 0))
+        if told:
+            end = self.rect.right - px(HEAD)
+            look.text(surface, told, (end, middle), 12, "medium", "text2", "right")
         ink = look.theme.text3.lerp(look.theme.text1, self._spots.hover(CLOSE))
         cross = icon("close", px(SIGN), ink)
         surface.blit(cross, cross.get_rect(center=(self.rect.right - px(HEAD) // 2, middle)))

@@ -20,9 +20,10 @@ from game.ui.raster.pixels import (
     strip_coverage,
     weight_of,
 )
-from game.ui.raster.vectors import blend_four
+from game.ui.raster.vectors import blend_four, cover_four
 
 SUBPIXELS = 8  # a stamp is kept for each eighth of a pixel both ways
+NARROW = 16  # px; in rows up to this the inside is not worth being looked for
 LARGEST_STAMP = 3.5  # px; larger discs are drawn one by one
 STREAK_DOTS = 5
 STREAK_FADE = (1.0, 0.5, 0.3, 0.18, 0.1)  # weight of a streak's dots from the particle backwards
@@ -34,7 +35,12 @@ def _fill_edge(
 ) -> None:
     """Part of a row of a disc, ``dy`` px below its middle, each pixel by how much of it is covered."""
     outer, inner_squared = radius + 0.5, (radius - 0.5) * (radius - 0.5)
-    for column in range(start, stop):
+    begin, above = start, row * pixels.shape[1]
+    while begin < stop and above + begin + 4 <= pixels.size:
+        place, limits = (np.int64(begin), np.int64(min(stop - begin, 4))), (inner_squared, outer)
+        cover_four(pixels, above + begin, place, (x, dy * dy), limits, color | OPAQUE, alpha)
+        begin += 4
+    for column in range(begin, stop):  # the last pixels of the picture
         dx = column + 0.5 - x
         squared = dx * dx + dy * dy
         if squared <= inner_squared:
@@ -64,6 +70,9 @@ def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: 
         half = math.sqrt(rest)
         first = max(x_low, int(max(x - half - 0.5, -1.0)))
         last = min(x_high, int(min(x + half + 1.5, 1.0 * x_high)))
+        if last - first <= NARROW:
+            _fill_edge(pixels, row, first, last, x, dy, radius, color, alpha)
+            continue
         # columns that lie wholly inside are laid at once; what the root rounds to is tried at both ends
         inside = math.sqrt(max(inner_squared - dy * dy, 0.0))
         begin = max(first, math.ceil(x - inside - 0.5))

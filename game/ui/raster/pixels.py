@@ -41,9 +41,9 @@ def blend(pixels: Any, row: int, column: int, color: int, weight: int) -> None:
 def fill_row(pixels: Any, row: int, start: int, stop: int, color: int, weight: int) -> None:
     """Lay a colour over the pixels ``start`` to ``stop`` - 1 of a row with one weight."""
     if weight >= FULL:
-        solid = np.uint32((color & 0xFFFFFF) | OPAQUE)
-        for column in range(start, stop):
-            pixels[row, column] = solid
+        solid, goal = np.uint32((color & 0xFFFFFF) | OPAQUE), pixels[row, start : max(start, stop)]
+        for k in range(goal.size):  # counted in a loop of its own, so that pixels come in vectors
+            goal[k] = solid
     elif weight > 0:
         column, begin = start, row * pixels.shape[1]
         while column + 4 <= stop:

@@ -18,6 +18,8 @@ from game.ui.widgets.wishes import Wish
 
 HEIGHT, HEAD, PADDING = 624, 72, 32  # design px
 COLUMNS = ((296, 0), (344, 336), (280, 712))  # width and left edge of the columns side by side
+WIDE, HALF_WIDE = 1056 - 8, 640  # of the card: for three columns, for two
+GAP = 40  # between columns of one width
 WHEEL = 48
 CLOSE_SPACE, LINK_HEIGHT, LINK_GAP = 64, 28, 8
 Section = Callable[[Column], None]
@@ -46,6 +48,31 @@ class SheetPage:
     def sections(self) -> tuple[Section, Section, Section]:
         """What writes the three columns."""
         raise NotImplementedError
+
+    def write(self, sheet: pygame.Surface | None) -> int:
+        """Write the sections into columns; the height they need, px. Without a sheet it only measures."""
+        look, px, top = self.look, self.look.px, self.look.px(16)
+        first, second, third = sections = self.sections()
+        width = self.overlay.card.w / look.k
+        if width >= WIDE:
+            columns = [Column(look, sheet, px(PADDING + left), top, px(wide)) for wide, left in COLUMNS]
+            return max(
+                _written(section, column) for section, column in zip(sections, columns, strict=True)
+            ) + px(16)
+        if width >= HALF_WIDE:
+            left, right = self.even_columns(sheet)
+            first(left)
+            return max(_written(third, left), _written(second, right)) + px(16)
+        (column,) = self.even_columns(sheet)
+        return max(_written(section, column) for section in sections) + px(16)
+
+    def even_columns(self, sheet: pygame.Surface | None) -> list[Column]:
+        """As many columns of one width as the card takes: three, two or one."""
+        look, px, top = self.look, self.look.px, self.look.px(16)
+        width = self.overlay.card.w / look.k
+        count = 3 if width >= WIDE else 2 if width >= HALF_WIDE else 1
+        each = max((width - 2 * PADDING - (count - 1) * GAP) / count, 40)
+        return [Column(look, sheet, px(PADDING + i * (each + GAP)), top, px(each)) for i in range(count)]
 
     # -- page ---------------------------------------------------------------------------------------
 
@@ -172,30 +199,11 @@ class SheetPage:
     def _paint_sheet(self) -> pygame.Surface:
         """All that lies below the head, as high as it needs to be."""
         width = self.overlay.card.w
-        height = max(self._write(None), self._view().h)
+        height = max(self.write(None), self._view().h)
         sheet = pygame.Surface((width, height), 0, 32)
         sheet.fill(self.look.theme.panel)
-        self._write(sheet)
+        self.write(sheet)
         return sheet
-
-    def _write(self, sheet: pygame.Surface | None) -> int:
-        """Write the sections into columns; the height they need."""
-        look, px, top = self.look, self.look.px, self.look.px(16)
-        first, second, third = sections = self.sections()
-        width = self.overlay.card.w / look.k
-        if width >= 1056 - 8:
-            columns = [Column(look, sheet, px(PADDING + left), top, px(wide)) for wide, left in COLUMNS]
-            return max(
-                _written(section, column) for section, column in zip(sections, columns, strict=True)
-            ) + px(16)
-        if width >= 640:
-            half = (width - 2 * PADDING - 40) / 2
-            left = Column(look, sheet, px(PADDING), top, px(half))
-            right = Column(look, sheet, px(PADDING + half + 40), top, px(half))
-            first(left)
-            return max(_written(third, left), _written(second, right)) + px(16)
-        column = Column(look, sheet, px(PADDING), top, px(max(width - 2 * PADDING, 40)))
-        return max(_written(section, column) for section in sections) + px(16)
 
 
 def _written(section: Section, column: Column) -> int:

@@ -94,7 +94,7 @@ class TrackTools:
         if curve is None:
             return "Drag to draw a track."
         if len(curves) >= self.most_tracks:
-            return f"There is room for {self.most_tracks} tracks."
+            return f"There can be at most {self.most_tracks} tracks."
         return self.lay(hand, [*curves, curve])
 
     def _begin_bending(self, hand: Hand) -> str:

@@ -1,4 +1,4 @@
-"""Tracks as steel rails on pegs."""
+"""Tracks as two steel rails with ties between them, on pegs: one is seen behind the other, a bit higher."""
 
 from __future__ import annotations
 
@@ -15,17 +15,21 @@ from game.worlds.painting.inks import color_of
 PARTS = 4  # chords that a piece is drawn by
 BREADTH = 0.06  # m, of a rail
 PEG, EVERY = 0.05, 1.3  # m: radius of a peg, between two
+THIN = 2.5  # design px: of a thinner rail only the one in front is seen
 FINE = 0.0012  # m: so far a drawn line may be off
+BACK_AT = np.array((0.085, 0.1))  # m: where the rail behind is seen
+TIES_EVERY = 0.26  # m between ties of the two
 LIGHT_AT = np.array((-0.006, 0.014))  # m: where the light lies on a rail
 # by day and at night: dark edge, steel, light
 TONES = {False: (0x4B555D, 0x9AA5AD, 0xF4F7F8), True: (0x10151A, 0x77838E, 0xDDE6EC)}
 
 
 class Rail(NamedTuple):
-    """line (n, 2) m; pegs (k, 2) m; low and high: corners of its box, m."""
+    """line (n, 2) m; pegs (k, 2) m; ties (l, 2) m on it; low and high: corners of its box, m."""
 
     line: Floats
     pegs: Floats
+    ties: Floats
     low: Floats
     high: Floats
 
@@ -54,8 +58,12 @@ def rails_of(pieces: c.Pieces, curves: list[c.Curve]) -> list[Rail]:
         thin = _thinned(line)
         way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
         at = np.arange(0.3, max(float(way[-1]) - 0.1, 0.31), EVERY)
-        pegs = np.stack([np.interp(at, way, line[:, 0]), np.interp(at, way, line[:, 1])], axis=1)
-        found.append(Rail(thin, pegs, line.min(axis=0), line.max(axis=0)))
+        ties = np.arange(0.5 * TIES_EVERY, max(float(way[-1]), TIES_EVERY), TIES_EVERY)
+        pegs, ties = (
+            np.stack([np.interp(one, way, line[:, 0]), np.interp(one, way, line[:, 1])], axis=1)
+            for one in (at, ties)
+        )
+        found.append(Rail(thin, pegs, ties, line.min(axis=0), line.max(axis=0)))
     return found
 
 
@@ -83,12 +91,17 @@ def draw_rail_shadows(canvas: Canvas, rails: list[Rail], by: Floats, strength: f
 
 
 def draw_rails(canvas: Canvas, rails: list[Rail], dark: bool) -> None:
-    """Rails, and the pegs on which they lie."""
+    """Rails, the ones behind them, and the pegs on which they lie."""
     edge, steel, light = (color_of(ink) for ink in TONES[dark])
     width = _width(canvas)
+    behind = steel.lerp(edge, 0.35)
     for rail in _seen(canvas, rails):
         if len(rail.pegs):
-            canvas.discs(rail.pegs, PEG * 1.25, edge)
+            canvas.discs(rail.pegs + 0.5 * BACK_AT, PEG * 1.25, edge)
+        if width > THIN:
+            canvas.polyline(rail.line + BACK_AT, edge, 0.8 * width + 1.0)
+            canvas.polyline(rail.line + BACK_AT, behind, 0.8 * width)
+            canvas.segments(rail.ties, rail.ties + BACK_AT, behind, 0.55 * width)
         canvas.polyline(rail.line, edge, width + 1.4)
         canvas.polyline(rail.line, steel, width)
         canvas.polyline(rail.line + LIGHT_AT, light, max(0.3 * width, 0.7), alpha=0.8)

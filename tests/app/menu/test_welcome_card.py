@@ -10,6 +10,7 @@ import pytest
 from game.app.menu.screen import MenuScreen
 from game.app.menu.welcome_card import WelcomeCard
 from game.app.scene.screen import SceneScreen
+from game.app.stagehand.stars import Stars, keep_stars
 from game.app.window.settings import load_settings
 from game.scenes import CATALOGUE
 from game.stage.catalogue import STORIES, Catalogue
@@ -148,3 +149,10 @@ def test_what_it_leads_to_is_there():
     assert all(CATALOGUE[game].module for game in GAMES)
     assert "Course" in CATALOGUE.categories() and STORIES in CATALOGUE.categories()
     assert len([entry for entry in CATALOGUE if entry.task.startswith("C")]) >= 15
+
+
+def test_the_lessons_begin_from_the_card_where_no_star_has_been_won(with_games: Driver):
+    keep_stars("billiards", "lesson-1-stop", Stars(1, 3))
+    with_games.click(*with_games.top.spots.find("lessons").rect.center)
+    assert isinstance(with_games.top, SceneScreen) and with_games.top.entry.name == "billiards"
+    assert with_games.top.opening.level.stem == "lesson-2-follow"

@@ -172,3 +172,25 @@ def test_while_nobody_may_look_the_last_picture_stays():
     surface.fill("blue")
     standstill.show(surface)
     assert surface.get_at((1, 1)) == pygame.Color("blue")
+
+
+def test_a_thread_that_rests_lets_the_window_look_once_and_whoever_waits_for_it_is_not_kept():
+    errands, looks = Errands(in_background=True), []
+
+    def work():
+        for number in range(3):
+            looks.append(number)
+            errands.rest()
+
+    errands.work_inside(work)
+    for number in range(2):
+        while errands.inside:
+            errands.update(0.0)
+        assert looks == list(range(number + 1)) and errands.busy
+        errands.update(0.0)
+        assert not errands.inside  # until the picture is drawn
+        errands.shown()
+        assert errands.inside
+    errands.wait(LONG_S)
+    errands.update(0.0)
+    assert looks == [0, 1, 2] and not errands.busy

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import io
 import itertools
+import time
 
 import pygame
 import pytest
 
-from game.app.scene.story import filming
+from game.app.scene.story import filming, journey
 from game.stage import Pointer
 from game.stage.catalogue import Catalogue, Entry
-from game.stage.story.rehearsal import rehearse
+from game.stage.story.rehearsal import rehearse, stage_of
+from game.stage.story.runner import Runner
 from tests.stage.story.bouncing import StoryBall, story
 
 STORIES = Catalogue(
@@ -36,6 +38,13 @@ def told(start):
 
 def play_of(driver):
     return driver.top.play.story
+
+
+def story_stage():
+    """The story headless, with its script."""
+    stage = stage_of(story(), StoryBall)
+    Runner(story(), stage)
+    return stage
 
 
 def middle(driver):
@@ -120,6 +129,80 @@ def test_a_click_on_the_time_bar_goes_there_and_back(told):
     assert [one.step for one in play.runner.course.reached.values()] == [
         one.step for one in play.rehearsal.found.moments
     ]
+
+
+def jump_ahead(told, monkeypatch, film_s):
+    """Click on a moment ahead; threads work, and each look of theirs is shown."""
+    play = play_of(told)
+    play.rehearsal.found = rehearse(story(), StoryBall)
+    told.frames(2)
+    told.top.play.record.errands.in_background = True
+    monkeypatch.setattr(journey, "PICTURE_EVERY_S", 0.0)
+    track = play.bar.track
+    told.click(track.x + round(track.w * film_s / play.rehearsal.found.film_s), track.centery)
+    return play
+
+
+def frames_until(told, reached, most=5000):
+    """Frames until something is so."""
+    for _ in range(most):
+        told.frames(1)
+        if reached():
+            return
+        time.sleep(0.001)
+    raise AssertionError("it has not come")
+
+
+def test_a_jump_ahead_shows_pictures_on_the_way(told, monkeypatch):
+    shown, play = [], play_of(told)
+    draw_words = play.draw_words
+
+    def see(surface):
+        if play.journey.share is not None:
+            picture = pygame.image.tobytes(surface.subsurface(play.view.rect), "RGB")
+            shown.append((play.runner.film_s, play.bar.state.now_s, hash(picture)))
+        draw_words(surface)
+
+    monkeypatch.setattr(play, "draw_words", see)
+    begun = play.runner.film_s
+    jump_ahead(told, monkeypatch, 9.0)
+    frames_until(told, lambda: play.journey.share is None)
+    films, bars, _ = zip(*shown, strict=True)
+    assert len(films) >= 30 and begun < films[0] and films[-1] < 9.1
+    assert all(a < b for a, b in itertools.pairwise(films))
+    assert all(abs(bar - film) < 0.1 for bar, film in zip(bars, films, strict=True))
+    pictures = [picture for film_s, _, picture in shown if film_s > 3.0]  # before, the ball is not in sight
+    assert len(pictures) > 30 and len(set(pictures)) > 0.9 * len(pictures)  # a ball also comes back
+    here = play.runner.film_s
+    assert here == pytest.approx(9.0, abs=0.3) and play.runner.playing
+    headless = story_stage()
+    headless.run(told.stage.step_number)
+    assert told.stage.digest() == headless.digest()
+
+
+@pytest.mark.parametrize("how", ["escape", "click"])
+def test_escape_or_a_click_stops_a_jump_where_it_has_come(told, monkeypatch, how):
+    begun = play_of(told).runner.film_s
+    play = jump_ahead(told, monkeypatch, 11.0)
+    frames_until(told, lambda: play.runner.film_s > begun + 1.0)
+    if how == "escape":
+        told.key(pygame.K_ESCAPE)
+    else:
+        told.click(*middle(told))
+    frames_until(told, lambda: play.journey.share is None)
+    assert begun + 1.0 < play.runner.film_s < 9.0
+    assert play.runner.playing and play_of(told) is play  # neither taken over nor left
+    here = play.runner.film_s
+    told.frames(30)
+    assert play.runner.film_s > here + 0.05
+
+
+def test_a_scene_is_left_in_the_midst_of_a_jump(told, monkeypatch):
+    play = jump_ahead(told, monkeypatch, 11.0)
+    thread = told.top.play.record.errands._thread
+    told.top.play.close()
+    thread.join(30.0)
+    assert not thread.is_alive() and play.runner.film_s < 11.0
 
 
 def test_a_chapter_snaps(told):

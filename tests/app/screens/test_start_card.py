@@ -127,7 +127,7 @@ def test_a_game_under_way_can_be_gone_on_with(begin: Callable[..., Driver]):
     driver.key(pygame.K_RETURN)
     scene = opened(driver)
     stroke = scene.aiming.stroke
-    scene.play.begin_stroke(stroke, scene.aiming.call, practised=False)
+    scene.play.begin_stroke(stroke, scene.aiming.call)
     driver.frames(20, 0.08)
     driver.key(pygame.K_RETURN)
     driver.frames(2)
@@ -166,7 +166,8 @@ def test_the_levels_stand_in_groups_with_pictures_and_stars(begin: Callable[...,
     assert isinstance(card, LevelCard)
     titles = [title for title, _ in card.groups]
     assert titles == [
-        "Games", "Against the ghost", "Drills in sets", "Drills", "Trick shots", "Hard cases",
+        "Games", "The first ten minutes", "Against the ghost", "Drills in sets", "Drills", "Trick shots",
+        "Hard cases",
     ]  # fmt: skip
     plant = next(tile.head for tile in card.tiles if tile.head.path.stem == "trick-02-plant")
     assert plant.stars == "★★☆"
@@ -177,7 +178,7 @@ def test_the_levels_stand_in_groups_with_pictures_and_stars(begin: Callable[...,
     assert card.focus == len(card.tiles) - 1
     driver.key(pygame.K_HOME)
     assert card.focus == 0
-    for _ in range(5):
+    for _ in range(6):
         driver.key(pygame.K_DOWN)
     chosen = card.tiles[card.focus].head.path
     assert chosen.stem.startswith("drill-")

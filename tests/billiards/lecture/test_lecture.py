@@ -171,10 +171,15 @@ def test_every_pocket_takes_a_ball_rolling_straight_in(row, substeps):
     start = np.array([0.635, 1.27]) + 0.5 * (aim - [0.635, 1.27])
     balls = LectureTable(table, [start], settings=lecture_settings(substeps=substeps))
     balls.strike(0, (aim - start) / math.dist(aim, start) * 3.0)
-    kinds = []
+    kinds, speed = [], 3.0
     for _ in range(120):
+        before, rolled = speed, balls.positions[0].copy()
         balls.step(FRAME)
         kinds += [event.kind for event in balls.events]
+        if balls.events:
+            assert 0.95 * before < balls.events[0].speed <= before * (1.0 + 1e-12)
+        elif balls.state.in_play[0]:
+            speed = math.dist(balls.positions[0], rolled) / FRAME
     assert kinds == ["pocket"]
     assert not balls.state.in_play[0]
     assert balls.state.pocketed_by[0] == row

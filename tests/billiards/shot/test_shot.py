@@ -155,7 +155,14 @@ def test_a_strike_must_be_finite():
 
 @pytest.mark.parametrize(
     ("ball", "velocity", "spin"),
-    [(1, (1.0, 0.0), (0.0, 0.0, 0.0)), (-1, (1.0, 0.0), (0.0, 0.0, 0.0)), (0, (1.0,), (0.0,) * 4)],
+    [
+        (1, (1.0, 0.0), (0.0, 0.0, 0.0)),
+        (-1, (1.0, 0.0), (0.0, 0.0, 0.0)),
+        (0, (1.0,), (0.0,) * 4),
+        (0, (1.0,), (0.0,) * 3),
+        (0, (1.0, 0.0), (0.0,) * 4),
+        (0, (1.0, 0.0), (0.0,) * 2),
+    ],
 )
 def test_a_strike_of_no_ball_or_with_too_few_numbers_is_refused(ball, velocity, spin):
     with pytest.raises(ShotError, match="struck"):

@@ -8,6 +8,7 @@ import sys
 import threading
 from pathlib import Path
 
+import numpy as np
 import pytest
 from numba import config, njit, types
 from numba.core.errors import TypingError
@@ -94,6 +95,73 @@ def odd(n):
 @lean_kernel
 def is_even(n):
     return even(n)
+
+
+@kernel
+def is_even_too(n):
+    return True if n == 0 else is_odd_too(n - 1)
+
+
+@kernel
+def is_odd_too(n):
+    return False if n == 0 else is_even_too(n - 1)
+
+
+@lean_kernel
+def lean_count_down(n):
+    return 0 if n == 0 else 1 + lean_count_down(n - 1)
+
+
+@lean_kernel
+def counts_twice(n):
+    return 2 * lean_count_down(n)
+
+
+@lean_kernel
+def only_called(x):
+    return deep(x) - 0.5
+
+
+@lean_kernel
+def calls(x):
+    return only_called(x) * 2.0
+
+
+@kernel
+def makes_an_array(n):
+    return np.ones(n)
+
+
+@kernel
+def sums(n):
+    return makes_an_array(n).sum()
+
+
+class TestCalledByKernelsOnly:
+    """A kernel that Python may call has machine code of its own once Python does"""
+
+    def test_it_has_none_until_then(self) -> None:
+        assert calls(2.0) == 13.0
+        assert not only_called.overloads
+        result = only_called.called.overloads[DOUBLE]
+        assert isinstance(result.library, InnerLibrary)
+        assert result.library.get_pointer_to_function(result.fndesc.llvm_func_name) == 0
+        assert only_called(2.0) == 6.5
+        assert not isinstance(only_called.overloads[DOUBLE].library, InnerLibrary)
+        assert only_called.called.overloads[DOUBLE] is result
+
+    def test_it_calls_itself(self) -> None:
+        assert counts_twice(5) == 10
+        assert lean_count_down(5) == 5
+
+    def test_two_of_another_kind_call_each_other(self) -> None:
+        """Those that count references, as the message to inner ones says."""
+        assert is_even_too(4)
+        assert not is_odd_too(4)
+
+    def test_one_that_makes_arrays_is_called_as_it_is(self) -> None:
+        assert sums(3) == 3.0
+        assert makes_an_array.called is makes_an_array
 
 
 class TestNew:

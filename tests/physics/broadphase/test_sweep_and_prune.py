@@ -139,7 +139,7 @@ def test_a_pair_manager_that_is_in_use_or_too_small_is_refused():
         SweepAndPrune(used)
     sap = SweepAndPrune(MatrixPairs(3))
     sap.add_boxes(np.zeros((3, 2)), np.ones((3, 2)))
-    with pytest.raises(ValueError, match="room for 3 ids only"):
+    with pytest.raises(ValueError, match="takes at most 3 ids"):
         sap.add_box((0, 0), (1, 1))
     assert len(sap) == 3
     sap.check()
@@ -196,5 +196,5 @@ def test_another_manager_takes_over_the_pairs_without_events():
     sap.update_box(int(ids[2]), (1.5, 1.5), (2.0, 2.0))
     assert sap.pairs().tolist() == [[0, 1], [1, 2]]
     for useless in (matrix, MatrixPairs(2)):
-        with pytest.raises(ValueError, match="an empty pair manager with room for 3 ids"):
+        with pytest.raises(ValueError, match="an empty pair manager for 3 ids"):
             sap.use_manager(useless)

@@ -9,8 +9,11 @@ import pytest
 
 from game.physics.gas import Gas, GasSettings
 from game.physics.gas.tracing import trace
+from game.physics.gas.viscosity import add_laplacian, steepest
 from game.physics.grid import Borders, Grid
-from game.physics.grid.borders import PERIODIC, WALL
+from game.physics.grid.borders import NO_SLIP, PERIODIC, WALL, Edges
+from game.physics.grid.ghosts import X, fill_velocity_ghosts
+from game.physics.grid.layout import PAD
 from tests.physics.grid.shapes import Disc
 
 
@@ -36,6 +39,33 @@ def traced(w, scale, side=WALL, straight=False):
     shift = np.zeros_like(w)
     trace(w, scale, np.full(4, side), straight, shift)
     return shift
+
+
+@pytest.mark.parametrize(
+    ("kind", "rows", "share"), [(WALL, 12, 0.97), (NO_SLIP, 12, 0.97), (NO_SLIP, 4, 1.0)]
+)
+def test_what_viscosity_does_lies_in_the_spectrum_that_its_iteration_is_made_for(kind, rows, share):
+    """Eigenvalues of -h² laplace of u (periodic along x): real, above 0, just below `steepest`."""
+    columns = 9
+    edges = Edges(np.array([PERIODIC, PERIODIC, kind, kind]), np.zeros((4, 12, 2)))
+    size = rows * (columns - 1)
+    matrix = np.empty((size, size))
+    for k in range(size):
+        field = np.zeros((rows, columns))
+        field.flat[[(k // (columns - 1)) * columns + k % (columns - 1)]] = 1.0
+        field[:, -1] = field[:, 0]  # the seam is one face
+        padded = np.zeros((rows + 2 * PAD, columns + 2 * PAD))
+        padded[PAD:-PAD, PAD:-PAD] = field
+        fill_velocity_ghosts(padded, X, edges)
+        out = np.zeros((rows, columns))
+        add_laplacian(padded, np.ones_like(padded), -1.0, out)
+        matrix[:, k] = out[:, :-1].ravel()
+    found = np.linalg.eigvals(matrix)
+    assert np.max(np.abs(found.imag)) < 1e-9 and np.min(found.real) > -1e-9
+    along = 4.0  # the periodic way's own largest one
+    most = np.max(found.real) - along + 0.5 * steepest(edges.kinds)
+    bound = steepest(edges.kinds) * (1.0 + 1e-9)
+    assert share * steepest(edges.kinds) * (1.0 - 1e-9) < most < bound
 
 
 def test_ways_in_a_turning_gas_follow_the_midpoint_rule():

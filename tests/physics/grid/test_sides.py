@@ -9,7 +9,8 @@ import pytest
 
 from game.physics.grid import Grid
 from game.physics.grid.borders import INFLOW, NO_SLIP, OPEN, PERIODIC, WALL, Edges
-from game.physics.grid.ghosts import set_side_velocities
+from game.physics.grid.ghosts import fill_velocity_ghosts, set_side_velocities
+from game.physics.grid.layout import PAD
 from game.physics.grid.obstacles import LAYERS, GridObstacles
 from tests.physics.grid.shapes import Disc
 
@@ -36,6 +37,25 @@ def test_walls_stop_inflow_enters_open_sides_are_left_alone_and_joined_ones_are_
         ):
             wanted = {INFLOW: wind[number], OPEN: was, PERIODIC: first_was}.get(kind, np.zeros_like(was))
             assert np.array_equal(now, wanted), (kind, number)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_ghosts_behind_sticking_walls_go_on_along_the_parabola(axis):
+    """A parabola across is known by two cells and the wall: its ghosts are its own values."""
+    n, h = 6, 0.25
+    shape = (n, n + 1) if axis == 0 else (n + 1, n)
+    places = (np.arange(-PAD, n + PAD) + 0.5) * h
+    parabola = 1.5 - 0.7 * places + 0.4 * places**2
+    ends = 1.5, 1.5 - 0.7 * n * h + 0.4 * (n * h) ** 2
+    padded = np.zeros((shape[0] + 2 * PAD, shape[1] + 2 * PAD))
+    across = padded.T if axis == 0 else padded
+    across[:, PAD:-PAD] = parabola[PAD:-PAD]
+    given = np.zeros((4, n, 2))
+    first = 2 if axis == 0 else 0
+    given[first, :, axis], given[first + 1, :, axis] = ends
+    kinds = np.array([PERIODIC, PERIODIC, NO_SLIP, NO_SLIP] if axis == 0 else [NO_SLIP] * 2 + [PERIODIC] * 2)
+    fill_velocity_ghosts(padded, axis, Edges(kinds, given))
+    assert np.allclose(across[PAD:-PAD], parabola, rtol=0.0, atol=1e-12)
 
 
 def test_faces_within_a_disc_lie_in_layers_and_clear_cells_are_far_from_it():

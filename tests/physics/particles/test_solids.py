@@ -63,7 +63,7 @@ def test_places_are_limited_and_freed():
     discs = Discs(capacity=2)
     discs.add((0, 0), 1.0)
     discs.add((5, 0), 2.0)
-    with pytest.raises(ValueError, match="room for 2"):
+    with pytest.raises(ValueError, match="at most 2"):
         discs.add((9, 0), 1.0)
     discs.remove(0)
     assert len(discs) == 1

@@ -35,7 +35,7 @@ def readout(stage: Stage, name: str) -> float:
 def test_the_shot_of_a_level_meets_its_beat(path):
     stage = Stage(Beat, level=load_level(path, "p22", Beat.content_type))
     assert stage.scene.model.phase == PLAYING
-    expected = stage.scene.content.expected
+    expected = stage.scene.model.content.expected
     assert readout(stage, "largest error") <= max((one.within for one in expected), default=1e-9)
     assert readout(stage, "off the beat") == 0.0
     assert bool(expected) == path.stem.startswith("hard")

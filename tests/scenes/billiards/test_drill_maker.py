@@ -205,7 +205,7 @@ class TestShipped:
         if isinstance(game, RunDrill):
             assert game.needed <= game.tries * game.count and game.in_hand == "anywhere"
             return
-        stage.scene.play.begin_stroke(content.solution.stroke(), stage.scene.aiming.call, practised=False)
+        stage.scene.play.begin_stroke(content.solution.stroke(), stage.scene.aiming.call)
         until_aiming(seconds(stage, 0.5))
         assert (stage.scene.model.frame.game.made, stage.scene.model.frame.game.attempts) == (1, 1)
         assert standing_set(stage.scene.play, stage.level)[2:] == (1, 1, 10)

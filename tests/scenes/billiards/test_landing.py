@@ -16,7 +16,7 @@ from game.scenes.billiards.view.beside.on_cloth import cloud_words
 from game.scenes.billiards.view.instruments import lengths_words
 from game.scenes.shared.tables.unsteady import HANDS
 from game.stage import Action, SetParameter
-from tests.scenes.billiards.billiards_stages import seconds, straight_pot, until_aiming
+from tests.scenes.billiards.billiards_stages import open_level, seconds, straight_pot, until_aiming
 
 FRAME = Frame(Practice(on_table=(1,)), arrange({0: (0.6, 0.5), 1: (0.3, 2.2)}), Table.pool())
 BOARD = Board(FRAME.layout, FRAME.table, FRAME.physics)
@@ -91,3 +91,13 @@ def test_speed_in_table_lengths():
     stage = straight_pot()
     words = lengths_words(2.0, stage.scene.model.frame)
     assert words[1] == "lengths" and 1.0 < float(words[0].split()[0]) < 4.0
+
+
+def test_the_key_of_the_cloud_turns_it_on_and_off():
+    stage = open_level("practice")
+    seen = []
+    for _ in range(2):
+        stage.post(Action("cloud"))
+        stage.run(1)
+        seen.append(stage.scene.values["cloud"])
+    assert seen == [True, False]

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from game.app.stagehand.headless import picture_of_stage
-from game.lab.studies.gases.flows import CavityTrial, EddiesTrial
+from game.lab.studies.gases.flows import cavity_trial, eddies_trial
 from game.lab.study import Setting
 from game.levels import level_files, load_level
 from game.scenes.cavity.published import EXTREMES, GHIA_U, GHIA_V, HEIGHTS, PLACES
@@ -32,8 +32,8 @@ def measured(stage: Stage, name: str) -> float:
 def test_a_hard_level_comes_to_what_it_expects(path):
     stage = opened(path)
     stage.run(math.ceil(SECONDS.get(path.stem, 4.0) / stage.dt))
-    assert stage.scene.content.expected
-    assert all(caption.met for caption in captions_of(stage.scene.content.expected, stage.readouts()))
+    assert stage.scene.model.content.expected
+    assert all(caption.met for caption in captions_of(stage.scene.model.content.expected, stage.readouts()))
 
 
 def test_published_numbers_agree_with_one_another():
@@ -77,13 +77,13 @@ def test_the_study_has_the_orders_that_it_names():
     settings = [Setting(name, n) for name in ("time-centred", "maccormack") for n in (32.0, 64.0)]
     errors = {}
     for setting in settings:
-        trial = EddiesTrial(setting)
+        trial = eddies_trial(setting)
         trial.reset()
         trial.run()
         errors[setting.method, setting.knob] = trial.outcome().error
     slopes = {m: math.log2(errors[m, 32.0] / errors[m, 64.0]) for m in ("time-centred", "maccormack")}
     assert slopes["time-centred"] > 1.8 and slopes["maccormack"] < 1.2
-    trial = CavityTrial(Setting("time-centred", 8.0))
+    trial = cavity_trial(Setting("time-centred", 8.0))
     trial.reset()
     trial.run()
     assert trial.outcome().error < 0.1

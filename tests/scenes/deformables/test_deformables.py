@@ -29,7 +29,7 @@ def measured(stage: Stage, name: str) -> float:
 def test_a_hard_level_comes_to_what_it_expects(name):
     stage = opened(name)
     stage.run(math.ceil(0.5 / stage.dt))
-    content = stage.scene.content
+    content = stage.scene.model.content
     assert content.expected
     assert all(caption.met for caption in captions_of(content.expected, stage.readouts()))
 

@@ -33,9 +33,9 @@ def measured(stage: Stage, name: str) -> float:
 @pytest.mark.parametrize("name", [path.stem for path in HARD])
 def test_a_hard_level_comes_to_what_it_expects(name):
     stage = opened(name)
-    stage.run(90 if stage.scene.content.moves else 1)
-    assert stage.scene.content.expected
-    assert all(caption.met for caption in captions_of(stage.scene.content.expected, stage.readouts()))
+    stage.run(90 if stage.scene.model.content.moves else 1)
+    assert stage.scene.model.content.expected
+    assert all(caption.met for caption in captions_of(stage.scene.model.content.expected, stage.readouts()))
 
 
 @pytest.mark.parametrize("name", [path.stem for path in LEVELS])
@@ -171,7 +171,7 @@ def test_what_is_expected_stands_in_the_middle_above_the_shapes(name):
     stage = opened(name)
     canvas, frame = labels_of(stage), stage.scene.frame()
     stage.scene.draw(canvas, 1.0)
-    for caption in captions_of(stage.scene.content.expected, stage.readouts()):
+    for caption in captions_of(stage.scene.model.content.expected, stage.readouts()):
         (x, y), _, size, weight, _, (_, down) = canvas.drawn[caption.words]
         assert x == pytest.approx(0.5 * (frame.left + frame.right))
         assert y - (down + canvas.fonts.size(caption.words, size, weight)[1]) / canvas.pixels_per_unit > 1.8

@@ -9,14 +9,13 @@ import pytest
 
 from game.levels import LevelError, level_files, parse_level
 from game.physics.generations.step import BORN, DROPPED, MADE, VX, VY, X, Y
-from game.scenes.fireworks import view
+from game.scenes.fireworks import told
 from game.scenes.fireworks.eye import AWAY, EYE
 from game.scenes.fireworks.level import FireworksContent
-from game.scenes.fireworks.measures import BurstNow
+from game.scenes.fireworks.measures import NAMED_S, BurstNow
 from game.scenes.fireworks.scene import Fireworks
 from game.scenes.fireworks.shells import BURSTS, SHELLS, all_kinds, heart, spiral_arms
 from game.scenes.fireworks.stars import Amounts
-from game.scenes.fireworks.view import NAMED_S
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from tests.scenes.particle_stages import click, drag, open_level, readouts
 
@@ -92,7 +91,7 @@ def test_a_click_from_the_side_bursts_where_it_was_seen():
     until(stage, "bursts", 1)
     x, _, z = stage.scene.model.burst[1:4]
     assert math.hypot(x, z) == pytest.approx(37.0, abs=0.05) and z > 30.0
-    assert stage.scene.view.targets()["burst"] == pytest.approx((37.0, 96.0), abs=0.05)
+    assert stage.scene.story_targets()["burst"] == pytest.approx((37.0, 96.0), abs=0.05)
 
 
 def test_the_camera_goes_round_and_changes_nothing_of_the_show():
@@ -105,9 +104,9 @@ def test_the_camera_goes_round_and_changes_nothing_of_the_show():
         stage.run(200)
     assert round_it.scene.model.bearing == pytest.approx(90.0, abs=0.1)
     assert round_it.digest() == still.digest()
-    assert still.scene.view.targets()["burst"] == pytest.approx((50.0, 90.0))
+    assert still.scene.story_targets()["burst"] == pytest.approx((50.0, 90.0))
     near = AWAY / (AWAY - 50.0)  # from the right what was to the right is before the middle
-    assert round_it.scene.view.targets()["burst"] == pytest.approx((0.0, EYE + near * (90.0 - EYE)), abs=0.2)
+    assert round_it.scene.story_targets()["burst"] == pytest.approx((0.0, EYE + near * (90.0 - EYE)), abs=0.2)
 
 
 def test_a_ball_is_as_deep_as_it_is_large_and_a_heart_is_flat():
@@ -117,6 +116,21 @@ def test_a_ball_is_as_deep_as_it_is_large_and_a_heart_is_flat():
         stage.run(60)
         found = readouts(stage)
         assert found["burst depth"] == pytest.approx(share * found["burst radius"], rel=0.05, abs=1e-9)
+
+
+@pytest.mark.parametrize("shear", [0.0, 0.004, 0.01])
+def test_smoke_drifts_with_the_wind_of_its_own_height(shear):
+    """No puff overtakes the air round it: what is more than the wind at the ground is the shear."""
+    stage = open_level(Fireworks, "one-of-each", wind=9.0, shear=shear)
+    until(stage, "bursts", 1)
+    stage.run(1200)
+    found, smoke = readouts(stage), stage.scene.model.system.stars("smoke")
+    height = float(smoke[Y].mean())
+    assert height > 20.0
+    assert found["wind at the smoke"] == pytest.approx(9.0 * (1.0 + shear * height), rel=1e-9)
+    old = smoke[:, smoke[BORN] < stage.time_s - 6.0]
+    assert old.shape[1] > 100
+    assert old[VX] == pytest.approx(9.0 * (1.0 + shear * old[Y]), rel=0.01)
 
 
 def test_the_programme_is_laid_for_still_air():
@@ -177,7 +191,7 @@ def test_sound_comes_by_its_distance_in_order_and_none_is_lost():
     """A09.6: each within a step of d / 343.2, wherever the listener goes meanwhile."""
     stage = open_level(Fireworks, "hard-07-far-listener")
     thunder = stage.scene.model.thunder
-    place = stage.scene.hand.listener_place()
+    place = stage.scene.model.listener_place()
     stage.post(Pointer("down", *place, button=1))
     stage.post(Pointer("move", 700.0, place[1], button=1))
     stage.run(200)
@@ -208,7 +222,7 @@ def test_clicks_and_drags():
     stage.run(1)
     assert readouts(stage)["bursts"] == 1
     assert stage.scene.model.burst[1:3] == pytest.approx((20.0, 80.0), abs=1e-4)
-    drag(stage, stage.scene.hand.listener_place(), (60.0, -20.0), steps=30)
+    drag(stage, stage.scene.model.listener_place(), (60.0, -20.0), steps=30)
     stage.run(30)
     assert stage.scene.model.thunder.ear[0] == pytest.approx(60.0)
     assert readouts(stage)["fired"] == 1  # the drag fired nothing
@@ -348,10 +362,10 @@ def test_shapes_keep_the_momentum():
 def test_a_burst_is_named_for_so_long_and_no_longer(monkeypatch):
     """And the listener, always."""
     stage = empty()
-    names, now = stage.scene.view.names, view.burst_now
+    names, now = stage.scene.story_names, told.burst_now
     newest = BurstNow(age=0.0, radius=40.0, ballistics=40.0, momentum=0.0, stars=60, fastest=5.0, depth=40.0)
-    monkeypatch.setattr(view, "burst_now", lambda model: newest)
-    monkeypatch.setattr(stage.scene.view, "_burst_middle", lambda: (0.0, 50.0, 0.0))
+    monkeypatch.setattr(told, "burst_now", lambda model: newest)
+    monkeypatch.setattr(told, "burst_middle", lambda model: (0.0, 50.0, 0.0))
     stage.scene.model.burst[4] = 0.0
     for age, count in ((0.0, 2), (math.nextafter(NAMED_S, 0.0), 2), (NAMED_S, 1), (NAMED_S + 1.0, 1)):
         newest = newest._replace(age=age)

@@ -33,8 +33,8 @@ def test_a_hard_level_comes_to_what_it_expects(path):
     stage = opened(path)
     stage.run(math.ceil(3.0 / stage.dt))
     scene = stage.scene
-    assert scene.content.expected
-    assert all(caption.met for caption in captions_of(scene.content.expected, stage.readouts()))
+    assert scene.model.content.expected
+    assert all(caption.met for caption in captions_of(scene.model.content.expected, stage.readouts()))
 
 
 def test_the_two_barely_hard_levels_lie_2_percent_on_both_sides_of_the_closed_form():

@@ -38,8 +38,8 @@ def measured(stage: Stage, name: str) -> float:
 def test_a_hard_level_comes_to_what_it_expects(path):
     stage = Stage(Smoke, level=load_level(path, "smoke", SmokeContent))
     stage.run(60)
-    assert stage.fault is None and stage.scene.content.expected
-    assert all(one.met for one in captions_of(stage.scene.content.expected, stage.readouts()))
+    assert stage.fault is None and stage.scene.model.content.expected
+    assert all(one.met for one in captions_of(stage.scene.model.content.expected, stage.readouts()))
 
 
 def test_a_sealed_room_burns_what_its_air_allows():

@@ -31,11 +31,13 @@ def measured(stage: Stage, name: str) -> float:
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)
 def test_a_hard_level_is_as_expected_all_the_time(path):
     stage = opened(path.stem)
-    assert stage.scene.content.expected
+    assert stage.scene.model.content.expected
     for _ in range(6):
         stage.run(120)
         unmet = [
-            one.words for one in captions_of(stage.scene.content.expected, stage.readouts()) if not one.met
+            one.words
+            for one in captions_of(stage.scene.model.content.expected, stage.readouts())
+            if not one.met
         ]
         assert stage.scene.hand.held < 0 and (
             not unmet or (path.stem == "hard-07-one-test" and stage.step_number < 360)

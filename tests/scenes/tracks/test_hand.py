@@ -142,8 +142,8 @@ def test_there_is_room_for_so_many_balls_and_tracks(hand, monkeypatch):
     monkeypatch.setattr(TOOLS, "most_tracks", 3)
     assert press(hand, 0.0, 2.0, "ball") == ""
     release(hand, 0.0, 2.0)
-    assert press(hand, 0.5, 2.0) == "There is room for 3 balls." and len(hand.model.balls.energies) == 3
-    for y, words in ((4.5, ""), (4.8, "There is room for 3 tracks.")):
+    assert press(hand, 0.5, 2.0) == "There can be at most 3 balls." and len(hand.model.balls.energies) == 3
+    for y, words in ((4.5, ""), (4.8, "There can be at most 3 tracks.")):
         press(hand, -2.0, y, "draw")
         move(hand, 2.0, y)
         assert release(hand, 2.0, y) == words

@@ -52,8 +52,8 @@ def test_a_hard_level_comes_to_what_it_expects(path):
     stage = opened(path)
     average = stage.scene.model.average
     run_until(stage, lambda: average.done)
-    assert stage.scene.content.expected
-    captions = captions_of(stage.scene.content.expected, stage.readouts())
+    assert stage.scene.model.content.expected
+    captions = captions_of(stage.scene.model.content.expected, stage.readouts())
     assert all(caption.met for caption in captions), captions
 
 
@@ -61,7 +61,7 @@ def test_a_hard_level_comes_to_what_it_expects(path):
 def test_the_other_levels_open_and_run(path):
     stage = opened(path)
     stage.run(3)
-    assert stage.scene.model.sweep.running == stage.scene.content.sweep
+    assert stage.scene.model.sweep.running == stage.scene.model.content.sweep
     assert math.isfinite(measured(stage, "drag now"))
 
 

@@ -11,11 +11,14 @@ from game.ui.painters.wall import BOARD, paint_wall, seam_light, wall_picture
 pytestmark = pytest.mark.compiled
 
 
-def painted(turn: float, radius: float = 20.0, dark: bool = True) -> np.ndarray:
+ABOVE = np.array([[24.0, -400.0]])  # px: a lamp over the middle of the picture
+
+
+def painted(turn: float, radius: float = 20.0, dark: bool = True, lamps: np.ndarray = ABOVE) -> np.ndarray:
     pixels = np.full((48, 48), 0xFF123456, np.uint32)
     paint_steel(
         pixels, np.array((0, 0, 48, 48), np.int64), np.full((1, 2), 24.0), np.array([radius]),
-        np.array([[np.cos(turn), np.sin(turn)]]), room_of(dark),
+        np.array([[np.cos(turn), np.sin(turn)]]), lamps, room_of(dark),
     )  # fmt: skip
     return pixels
 
@@ -31,6 +34,15 @@ def test_a_ball_is_bright_above_and_dark_about_its_horizon(dark: bool) -> None:
     assert pixels[10, 24] > 1.8 * pixels[24:27, 30].mean()
     assert pixels[38, 24] > 1.2 * pixels[24:27, 30].mean()
     assert pixels[10:16, 14:20].max() > pixels[10:16, 28:34].max()  # the window
+
+
+def test_the_nearest_lamp_above_is_mirrored_where_it_hangs() -> None:
+    """A lamp to the right lights the right of the ball; one below it, or one farther off, does not."""
+    right = painted(1.0, lamps=np.array([[424.0, -300.0], [-2000.0, -300.0], [0.0, 100.0]]))
+    left = painted(1.0, lamps=np.array([[-376.0, -300.0], [2000.0, -300.0], [48.0, 100.0]]))
+    pixels = bright(right) - bright(left)
+    assert pixels[10:24, 32:40].mean() > 40.0 and pixels[10:24, 8:16].mean() < -40.0
+    assert np.abs(pixels[34:40, 18:30]).max() < 1.0
 
 
 def test_a_ball_covers_its_disc_and_no_more() -> None:
@@ -52,7 +64,7 @@ def test_what_lies_beyond_the_clip_is_left() -> None:
     pixels = np.zeros((48, 48), np.uint32)
     places = np.array([[24.0, 24.0], [np.nan, 3.0], [1e9, 0.0]])
     clip = np.array((20, 22, 30, 26), np.int64)
-    paint_steel(pixels, clip, places, np.full(3, 20.0), np.tile((1.0, 0.0), (3, 1)), room_of(True))
+    paint_steel(pixels, clip, places, np.full(3, 20.0), np.tile((1.0, 0.0), (3, 1)), ABOVE, room_of(True))
     assert (pixels[22:26, 20:30] != 0).all()
     pixels[22:26, 20:30] = 0
     assert not pixels.any()

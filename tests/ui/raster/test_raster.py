@@ -355,6 +355,27 @@ def test_four_pixels_at_once_are_as_four_pixels_alone():
     assert (paper.pixels == twin.pixels).all()
 
 
+@pytest.mark.parametrize("shape", [(1, 3), (2, 7), (30, 45)])
+@pytest.mark.parametrize("alpha", [1.0, 0.4])
+def test_a_disc_is_what_each_pixel_alone_would_get(shape, alpha):
+    """Each pixel of the clip by how far its middle lies from the edge, to the bit; the picture's last too."""
+    rng = np.random.default_rng(8)
+    pixels = rng.integers(0, 1 << 32, shape).astype(np.uint32)
+    twin, low, high = pixels.copy(), 1 if shape[1] > 3 else 0, shape[1]
+    clip = np.array([low, 0, high, shape[0]])
+    for radius in (0.5, 1.0, 2.6, 7.0, 8.4, 19.0):
+        for _ in range(8):
+            x, y = rng.uniform(-4.0, shape[1] + 4.0), rng.uniform(-4.0, shape[0] + 4.0)
+            color = int(rng.integers(0, 1 << 24))
+            fill_disc(pixels, clip, x, y, radius, color, alpha)
+            for row in range(shape[0]):
+                for column in range(low, high):
+                    dx, dy = column + 0.5 - x, row + 0.5 - y
+                    covered = min(max(radius + 0.5 - math.sqrt(dx * dx + dy * dy), 0.0), 1.0)
+                    blend(twin, row, column, color, int(covered * alpha * 256.0 + 0.5))
+            assert (pixels == twin).all(), (radius, x, y)
+
+
 @given(st.integers(0, 0xFFFFFF), st.integers(0, 0xFFFFFFFF), st.integers(0, 256))
 @settings(max_examples=200, deadline=None)
 def test_blending_rounds_each_channel(color, below, weight):

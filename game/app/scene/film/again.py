@@ -8,7 +8,6 @@ from game.app.film.soundtrack import Ear, Soundtrack
 from game.app.scene.film.live import QUIET
 from game.app.scene.film.writers import Writer
 from game.app.stagehand.view import StageView
-from game.stage import Scene
 from game.stage.replays.rerun import Rerun
 from game.ui.canvas.camera import Camera
 from game.ui.look.layout import auto_scale
@@ -35,7 +34,7 @@ class FilmAgain:
         self.count = max(1, round((last_s - self._begin_s) / speed * writer.rate))
         self.pictures = 0
         self._track = Soundtrack()
-        self._ear = Ear(self._track) if type(rerun.scene).hearing is not Scene.hearing else None
+        self._ear = Ear(self._track) if rerun.scene.is_heard() else None
 
     @property
     def share(self) -> float:

@@ -16,7 +16,6 @@ from game.app.scene.in_play import InPlay
 from game.app.screens.host import Host
 from game.app.stagehand.view import StageView
 from game.folders import pictures_folder
-from game.stage import Scene
 from game.stage.replays.rerun import Rerun
 from game.ui.widgets.list_row import ListRow
 
@@ -94,7 +93,7 @@ class Films:
 
     @property
     def _sounding(self) -> bool:
-        return type(self._record.stage.scene).hearing is not Scene.hearing
+        return self._record.stage.scene.is_heard()
 
     def _writer(self, kind: str) -> Writer:
         return make_writer(

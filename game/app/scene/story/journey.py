@@ -1,7 +1,11 @@
-"""Going to another moment of a story: back to a state that is remembered, then on by steps, with a bar."""
+"""Going to another moment of a story: back to a state that is remembered, then on by steps.
+
+On the way a picture is shown every tenth of a second.
+"""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 
 from game.app.scene.in_play import InPlay
@@ -9,7 +13,8 @@ from game.stage import StageEvent
 from game.stage.story.rehearsal import Rehearsal
 from game.stage.story.runner import Runner
 
-PART = 16  # steps between two looks how far it is
+PART = 4  # steps between two looks how far it is
+PICTURE_EVERY_S = 0.1  # of the clock on the wall
 
 
 class Journey:
@@ -19,6 +24,12 @@ class Journey:
         self._runner = runner
         self._record = record
         self.share: float | None = None
+        self._stopped = False
+
+    def stop(self) -> bool:
+        """Stay where the present jump has come to; False if there is none."""
+        self._stopped = self.share is not None
+        return self._stopped
 
     def to_step(self, step: int) -> None:
         """Stand at a step that was passed; the script goes on from there."""
@@ -29,6 +40,8 @@ class Journey:
 
         def go() -> None:
             self._go(step, None)
+            if self._stopped:
+                return
             self._runner.take_over()
             for event in events:
                 self._record.stage.post(event)
@@ -43,7 +56,7 @@ class Journey:
     def _begin(self, go: object) -> None:
         if self.share is not None:
             return
-        self.share = 0.0
+        self.share, self._stopped = 0.0, False
         self._record.errands.work_inside(go)  # type: ignore[arg-type]
 
     def _go(self, step: int, film_s: float | None) -> None:
@@ -59,14 +72,20 @@ class Journey:
 
     def _run(self, step: int, film_s: float | None) -> None:
         runner, stage = self._runner, self._record.stage
-        begun = stage.step_number
-        while stage.step_number < step and stage.fault is None and not runner.finished:
-            if not stage.run(min(PART, step - stage.step_number)):
-                break
+        begun, shown_s = stage.step_number, time.perf_counter()
+        while not self._stopped and stage.fault is None and not runner.finished:
+            if stage.step_number < step:
+                steps = min(PART, step - stage.step_number)
+            elif film_s is not None and runner.film_s < film_s:
+                steps = 1
+            else:
+                return
+            if not stage.run(steps):
+                return
             self.share = min((stage.step_number - begun) / max(step - begun, 1), 1.0)
-        while film_s is not None and runner.film_s < film_s and not runner.finished:
-            if not stage.run(1):
-                break
+            if time.perf_counter() - shown_s >= PICTURE_EVERY_S:
+                self._record.errands.rest()
+                shown_s = time.perf_counter()
 
 
 def step_at(runner: Runner, found: Rehearsal | None, film_s: float) -> int:

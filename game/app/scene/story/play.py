@@ -85,6 +85,7 @@ class StoryPlay:
 
     def close(self) -> None:
         """The story is left."""
+        self.journey.stop()
         self.rehearsal.stop()
         self.filming.close()
         if self.record.stage.cue is self.runner:
@@ -96,6 +97,8 @@ class StoryPlay:
 
     def handle(self, event: pygame.Event) -> bool:
         """An event for the time bar, or for what the end offers; True if it was for one of them."""
+        if self._stops_jump(event):
+            return True
         over, offer = self.offers.handle(event)
         if offer:
             self._take_offer(offer)
@@ -105,6 +108,13 @@ class StoryPlay:
         if wish is not None:
             self._fulfil(wish)
         return taken
+
+    def _stops_jump(self, event: pygame.Event) -> bool:
+        """Whether an event is a click on picture or bar by which a jump ends where it has come to."""
+        if event.type != pygame.MOUSEBUTTONDOWN or event.button > 3:
+            return False
+        here = self.view.rect.collidepoint(event.pos) or self.bar.rect.collidepoint(event.pos)
+        return here and self.journey.stop()
 
     def _fulfil(self, wish: Wish) -> None:
         if wish.name == "seek":

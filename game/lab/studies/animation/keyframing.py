@@ -14,7 +14,8 @@ import numpy as np
 
 from game.arrays import Floats
 from game.lab.studies.animation.keyframing_paths import line_study, spread_study
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.animation import Keyframes
 from game.physics.kernels import elementwise
 
@@ -62,25 +63,15 @@ def wave_track(name: str, times: Floats) -> Keyframes:
     return Keyframes(times, wave(times)[:, None], name, handles=handles)
 
 
-class Samples:
-    """A second of the motion at 100 001 times."""
+def _samples(name: str, keys: int, uneven: bool) -> Trial:
+    """A second of the motion at 100 001 times: the largest error."""
+    track, at = wave_track(name, key_times(keys, uneven)), np.linspace(0.0, 1.0, SAMPLES)
+    found = np.empty((SAMPLES, 1))
 
-    simulated_s = 1.0
+    def judge(_: object) -> Outcome:
+        return Outcome(float(np.abs(found[:, 0] - wave(at)).max()), keys)
 
-    def __init__(self, name: str, keys: int, uneven: bool) -> None:
-        self.keys = keys
-        self.track = wave_track(name, key_times(keys, uneven))
-        self.at = np.linspace(0.0, 1.0, SAMPLES)
-        self.found = np.empty((SAMPLES, 1))
-
-    def reset(self) -> None:
-        """Nothing is left of a run."""
-
-    def run(self) -> None:
-        self.track.sample(self.at, self.found)
-
-    def outcome(self) -> Outcome:
-        return Outcome(float(np.abs(self.found[:, 0] - wave(self.at)).max()), self.keys)
+    return computation(1.0, lambda: track.sample(at, found), judge)
 
 
 def key_settings(names: Sequence[str]) -> list[Setting]:
@@ -89,14 +80,14 @@ def key_settings(names: Sequence[str]) -> list[Setting]:
     return [Setting(name, float(n), {}, {"interpolation": name}) for n in counts for name in names]
 
 
-def even_trial(setting: Setting) -> Samples:
+def even_trial(setting: Setting) -> Trial:
     """Keys at even times."""
-    return Samples(setting.method, int(setting.knob), False)
+    return _samples(setting.method, int(setting.knob), False)
 
 
-def uneven_trial(setting: Setting) -> Samples:
+def uneven_trial(setting: Setting) -> Trial:
     """Keys 1 : 3 apart."""
-    return Samples(setting.method, int(setting.knob), True)
+    return _samples(setting.method, int(setting.knob), True)
 
 
 EVEN = ("nearest", "linear", "flat", "natural-spline", "catmull-rom", "spline", "bezier")
@@ -104,7 +95,7 @@ UNEVEN = ("linear", "monotone", "catmull-rom", "secant", "parabolic", "spline", 
 
 
 def key_study(
-    name: str, title: str, names: Sequence[str], uneven: bool, trial: Callable[[Setting], Samples],
+    name: str, title: str, names: Sequence[str], uneven: bool, trial: Callable[[Setting], Trial],
     expectation: str, short: str,
     related: tuple[Study, ...] = (),
 ) -> Study:  # fmt: skip
@@ -141,7 +132,7 @@ uneven_study = key_study(
     True,
     uneven_trial,
     "Keys that are not evenly spaced cost Catmull-Rom two orders if their times are ignored, and one with "
-    "plain secants; parabolas keep three, splines and exact handles four.",
+    "plain secants. Parabolas keep three, splines and exact handles four.",
     "Uneven keys",
 )
 keyframing_study = key_study(
@@ -150,7 +141,7 @@ keyframing_study = key_study(
     EVEN,
     False,
     even_trial,
-    "Orders 1, 2, 3 and 4. To rest at every key is of first order like nearest neighbour, and natural ends "
+    "Orders 1, 2, 3 and 4. To rest at every key is of first order like nearest neighbour. Natural ends "
     "make a spline one of second order, however smooth they look.",
     "Even keys",
     (uneven_study, line_study, spread_study),

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from game.arrays import Floats
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.animation import CubicBezier
 
 # -- lines that a curve is drawn by ---------------------------------------------------------------------
@@ -17,27 +18,6 @@ from game.physics.animation import CubicBezier
 HOOK = ((0.0, 0.0), (6.0, 0.0), (6.3, 0.6), (0.5, 0.8))  # m; a sharp bend after a long straight part
 CURVES_A_RUN = 20
 TOLERANCES = tuple(float(x) for x in np.geomspace(0.3, 3e-6, 14))
-
-
-class Lines:
-    """A hook as a chain of lines; error: how far the curve is from them at most."""
-
-    def __init__(self, how: str, tolerance: float) -> None:
-        self.simulated_s = float(CURVES_A_RUN)
-        self.curve, self.how, self.tolerance = CubicBezier(HOOK), how, tolerance
-        self.chain = np.zeros((0, 2))
-
-    def reset(self) -> None:
-        """Nothing is left of a run."""
-
-    def run(self) -> None:
-        for _ in range(CURVES_A_RUN):
-            self.chain = self.curve.flatten(self.tolerance, self.how)  # type: ignore[arg-type]
-
-    def outcome(self) -> Outcome:
-        return Outcome(
-            distance_to_chain(self.curve.point(np.linspace(0.0, 1.0, 4001)), self.chain), len(self.chain) - 1
-        )
 
 
 def distance_to_chain(points: Floats, chain: Floats) -> float:
@@ -63,9 +43,20 @@ def line_settings() -> list[Setting]:
     ]
 
 
-def line_trial(setting: Setting) -> Lines:
-    """The hook at a tolerance."""
-    return Lines(setting.method, setting.knob)
+def line_trial(setting: Setting) -> Trial:
+    """The hook at a tolerance: the largest distance of the curve from its lines."""
+    curve, how = CubicBezier(HOOK), setting.method
+
+    def work() -> Floats:
+        for _ in range(CURVES_A_RUN):
+            chain = curve.flatten(setting.knob, how)  # type: ignore[arg-type]
+        return chain
+
+    def judge(chain: Floats) -> Outcome:
+        points = curve.point(np.linspace(0.0, 1.0, 4001))
+        return Outcome(distance_to_chain(points, chain), len(chain) - 1)
+
+    return computation(float(CURVES_A_RUN), work, judge)
 
 
 def present_lines(parameters: Mapping[str, Any]) -> Setting:
@@ -81,40 +72,16 @@ COPIES = 10  # of them in one run, so that what is measured is not the clock
 EVALUATIONS = (4, 8, 16, 32, 64, 128, 256, 512, 1024)
 
 
-class Spread:
-    """Parameters of 200 equal ways along a bend; error: how far along it the worst is off."""
-
-    simulated_s = float(COPIES)
-
-    def __init__(self, how: str, evaluations: int) -> None:
-        self.how, self.evaluations = how, evaluations
-        self.curve = CubicBezier(BEND)
-        self.ways = np.linspace(0.0, self.curve.length, WAYS + 1)
-        self.found = np.zeros(WAYS + 1)
-
-    def reset(self) -> None:
-        """Nothing is left of a run."""
-
-    def run(self) -> None:
-        for _ in range(COPIES):
-            self.spread()
-
-    def spread(self) -> None:
-        """The parameters once."""
-        n = self.evaluations
-        if self.how == "newton":
-            self.found = CubicBezier(BEND).parameter_at(self.ways)
-        elif self.how == "even":
-            self.found = self.ways / self.ways[-1]
-        else:
-            u = np.linspace(0.0, 1.0, n + 1)
-            way = np.diff(self.curve.point(u), axis=0)
-            table = np.concatenate(([0.0], np.cumsum(np.sqrt((way * way).sum(axis=1)))))
-            self.found = np.interp(self.ways / self.ways[-1] * table[-1], table, u)
-
-    def outcome(self) -> Outcome:
-        off = self.curve.length_to(self.found) - self.ways
-        return Outcome(float(np.abs(off).max()), self.evaluations)
+def spread(how: str, evaluations: int, curve: CubicBezier, ways: Floats) -> Floats:
+    """Parameters of equal ways along a curve."""
+    if how == "newton":
+        return CubicBezier(BEND).parameter_at(ways)
+    if how == "even":
+        return np.asarray(ways / ways[-1])
+    u = np.linspace(0.0, 1.0, evaluations + 1)
+    way = np.diff(curve.point(u), axis=0)
+    table = np.concatenate(([0.0], np.cumsum(np.sqrt((way * way).sum(axis=1)))))
+    return np.interp(ways / ways[-1] * table[-1], table, u)
 
 
 def spread_settings() -> list[Setting]:
@@ -129,9 +96,20 @@ def present_spread(parameters: Mapping[str, Any]) -> Setting:
     return Setting("newton" if parameters["constant-speed"] else "even", 1.0)
 
 
-def spread_trial(setting: Setting) -> Spread:
-    """The bend by one of them."""
-    return Spread(setting.method, int(setting.knob))
+def spread_trial(setting: Setting) -> Trial:
+    """Parameters of 200 equal ways along a bend by one of them: how far along it the worst is off."""
+    curve, evaluations = CubicBezier(BEND), int(setting.knob)
+    ways = np.linspace(0.0, curve.length, WAYS + 1)
+
+    def work() -> Floats:
+        for _ in range(COPIES):
+            found = spread(setting.method, evaluations, curve, ways)
+        return found
+
+    def judge(found: Floats) -> Outcome:
+        return Outcome(float(np.abs(curve.length_to(found) - ways).max()), evaluations)
+
+    return computation(float(COPIES), work, judge)
 
 
 spread_study = Study(

@@ -10,11 +10,13 @@ import math
 from collections.abc import Mapping, Sequence
 
 from game.billiards.shot.shot import Shot, make_shot
+from game.billiards.shot.trajectory import Trajectory
 from game.billiards.shot_effects import CLOTH, EXACT_EFFECTS, RUBBER, SPIN_DECAY, THROW, physics_of
 from game.billiards.simulation import simulate
 from game.billiards.table.rack import eight_ball_rack
 from game.billiards.table.table import Table
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.effects import EffectSet
 
 EFFECTS = {"cloth": CLOTH, "spin-decay": SPIN_DECAY, "throw": THROW, "rubber": RUBBER}
@@ -44,30 +46,25 @@ def shot_of(balls: int, active: EffectSet) -> Shot:
     return few.struck(0, (1.154, 2.104), (-27.0, 14.8, -35.0))
 
 
-class ShotWithout:
-    """A shot without some effect, played many times; error: farthest ball from where the full shot has it."""
+def shot_without(shot: Shot, full: Shot) -> Trial:
+    """A shot without some effect, played many times: the farthest ball from where the full shot has it."""
+    exact = simulate(full, until=TIME)
 
-    simulated_s = SHOTS_IN_A_RUN * TIME
-
-    def __init__(self, shot: Shot, full: Shot) -> None:
-        self.shot = shot
-        self.full = simulate(full, until=TIME)
-
-    def reset(self) -> None:
-        pass
-
-    def run(self) -> None:
+    def work() -> Trajectory:
         for _ in range(SHOTS_IN_A_RUN):
-            self.played = simulate(self.shot, until=TIME)
+            played = simulate(shot, until=TIME)
+        return played
 
-    def outcome(self) -> Outcome:
-        apart = self.played.state_at(TIME).positions - self.full.state_at(TIME).positions
-        return Outcome(math.sqrt(float((apart * apart).sum(axis=1).max())), len(self.played.times))
+    def judge(played: Trajectory) -> Outcome:
+        apart = played.state_at(TIME).positions - exact.state_at(TIME).positions
+        return Outcome(math.sqrt(float((apart * apart).sum(axis=1).max())), len(played.times))
+
+    return computation(SHOTS_IN_A_RUN * TIME, work, judge)
 
 
-def _trial(setting: Setting) -> ShotWithout:
+def _trial(setting: Setting) -> Trial:
     balls = int(setting.knob)
-    return ShotWithout(shot_of(balls, active_of(setting.scene)), shot_of(balls, EXACT_EFFECTS))
+    return shot_without(shot_of(balls, active_of(setting.scene)), shot_of(balls, EXACT_EFFECTS))
 
 
 def switches(active: EffectSet) -> dict[str, bool]:

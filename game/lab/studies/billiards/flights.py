@@ -14,8 +14,8 @@ from game.billiards.shot.cue import strike
 from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot_effects import AIRBORNE, EXACT_EFFECTS, GAME_EFFECTS, physics_of
 from game.billiards.table.table import Table
-from game.lab.studies.billiards.effects import ShotWithout, effects_study
-from game.lab.study import Axes, Knob, Method, Setting, Study, Workload
+from game.lab.studies.billiards.effects import effects_study, shot_without
+from game.lab.study import Axes, Knob, Method, Setting, Study, Trial, Workload
 
 SPEED = 3.0  # m/s, of the cue
 PLACES = [[0.635, 0.5], [0.64, 0.75], [0.6, 1.3], [0.3, 2.0]]
@@ -31,8 +31,8 @@ def stroke_at(elevation: float, airborne: bool) -> Shot:
     return make_shot(Table.pool(), PLACES, physics=physics).struck(0, made.pressed(raised), made.spin)
 
 
-def _trial(setting: Setting) -> ShotWithout:
-    return ShotWithout(stroke_at(setting.knob, setting.method == "air"), stroke_at(setting.knob, True))
+def _trial(setting: Setting) -> Trial:
+    return shot_without(stroke_at(setting.knob, setting.method == "air"), stroke_at(setting.knob, True))
 
 
 def _setting(elevation: float, airborne: bool) -> Setting:

@@ -13,60 +13,12 @@ from game.billiards.rhythm.search import FASTEST, SLOWEST, RhythmSearch
 from game.billiards.shot.physics import Physics
 from game.billiards.table.table import Table
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 
 BEATS = (0.0, 0.4, 0.8, 1.2, 1.4, 1.6, 2.0, 2.4)
 ROUNDS = (1, 3, 9, 25)  # the first lays the balls
 RANDOM_A_ROUND = 6144  # layouts: what a round of varying plays
 LEAST = 1e-12  # s; a smaller error is rounding
-
-
-class LayingTrial:
-    """A search that lays a ball a beat, and so many rounds of varying."""
-
-    simulated_s = BEATS[-1]
-
-    def __init__(self, rounds: int) -> None:
-        self._rounds = rounds
-        self._cost, self._steps = math.inf, 0
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-
-    def run(self) -> None:
-        """The whole search."""
-        search = RhythmSearch(BEATS, Table.pool(), seed=3)
-        found = search.run(len(BEATS) - 1 + self._rounds, good_s=LEAST)
-        self._cost, self._steps = (math.inf if found is None else found.cost), search.steps
-
-    def outcome(self) -> Outcome:
-        """The cost of the best shot, and the steps of the search."""
-        return Outcome(max(self._cost, LEAST), self._steps, "" if self._cost < math.inf else "no shot")
-
-
-class RandomTrial:
-    """The best of so many layouts at random."""
-
-    simulated_s = BEATS[-1]
-
-    def __init__(self, count: int) -> None:
-        self._count = count
-        self._cost = math.inf
-
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
-
-    def run(self) -> None:
-        """Draw and play them all."""
-        table, rng, n = Table.pool(), np.random.default_rng(3), len(BEATS)
-        candidates = Candidates(table, Physics(), n)
-        low = np.array([SLOWEST, -math.pi, -0.4, -0.4] + [0.05, 0.05] * n)
-        high = np.array([FASTEST, math.pi, 0.4, 0.4] + [table.width - 0.05, table.length - 0.05] * n)
-        drawn = low + (high - low) * rng.random((self._count, STROKE + 2 * n))
-        self._cost = float(np.min(candidates.rough_costs(drawn, np.array(BEATS))))
-
-    def outcome(self) -> Outcome:
-        """The cost of the best, and how many there were."""
-        return Outcome(max(self._cost, LEAST), self._count, "" if self._cost < math.inf else "no shot")
 
 
 def _settings() -> list[Setting]:
@@ -82,9 +34,33 @@ def _settings() -> list[Setting]:
     ]
 
 
+def _laid(rounds: int) -> tuple[float, int]:
+    """The cost of the best shot of a search, infinite without one, and the steps of the search."""
+    search = RhythmSearch(BEATS, Table.pool(), seed=3)
+    found = search.run(len(BEATS) - 1 + rounds, good_s=LEAST)
+    return (math.inf if found is None else found.cost), search.steps
+
+
+def _at_random(count: int) -> tuple[float, int]:
+    """The cost of the best of so many layouts at random."""
+    table, rng, n = Table.pool(), np.random.default_rng(3), len(BEATS)
+    candidates = Candidates(table, Physics(), n)
+    low = np.array([SLOWEST, -math.pi, -0.4, -0.4] + [0.05, 0.05] * n)
+    high = np.array([FASTEST, math.pi, 0.4, 0.4] + [table.width - 0.05, table.length - 0.05] * n)
+    drawn = low + (high - low) * rng.random((count, STROKE + 2 * n))
+    return float(np.min(candidates.rough_costs(drawn, np.array(BEATS)))), count
+
+
+def _judged(found: tuple[float, int]) -> Outcome:
+    cost, steps = found
+    return Outcome(max(cost, LEAST), steps, "" if cost < math.inf else "no shot")
+
+
 def _trial(setting: Setting) -> Trial:
     rounds = int(setting.knob)
-    return LayingTrial(rounds - 1) if setting.method == "laying" else RandomTrial(rounds * RANDOM_A_ROUND)
+    if setting.method == "laying":
+        return computation(BEATS[-1], lambda: _laid(rounds - 1), _judged)
+    return computation(BEATS[-1], lambda: _at_random(rounds * RANDOM_A_ROUND), _judged)
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:

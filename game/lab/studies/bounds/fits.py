@@ -14,7 +14,8 @@ import numpy as np
 
 from game.arrays import Floats
 from game.lab.studies.bounds.gap import gap_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import chosen_setting, computation
 from game.physics.bounds import (
     FITS,
     fit_capsule,
@@ -51,23 +52,14 @@ def shapes(count: int) -> list[Floats]:
     return made
 
 
-class FitTrial:
-    """All shapes fitted once; the error is the mean of area over least area, less 1."""
+def fit_trial(fit: Callable[[Floats], Any], given: list[Floats], least: list[float], counter: int) -> Trial:
+    """Volumes round given points (k, 2): the mean area above the least, m², over the least."""
 
-    def __init__(self, fit: Callable[[Floats], Any], given: list[Floats], least: list[float], counter: int):
-        self.fit, self.given, self.least, self.counter = fit, given, least, counter
-        self.simulated_s = float(len(given))
-        self.areas: list[float] = []
+    def judge(areas: list[float]) -> Outcome:
+        excess = [a / b - 1.0 for a, b in zip(areas, least, strict=True)]
+        return Outcome(max(float(np.mean(excess)), 0.0), counter)
 
-    def reset(self) -> None:
-        self.areas = []
-
-    def run(self) -> None:
-        self.areas = [self.fit(points).area for points in self.given]
-
-    def outcome(self) -> Outcome:
-        excess = [a / b - 1.0 for a, b in zip(self.areas, self.least, strict=True)]
-        return Outcome(max(float(np.mean(excess)), 0.0), self.counter)
+    return computation(float(len(given)), lambda: [fit(points).area for points in given], judge)
 
 
 def directions(step: float, quarter: float) -> int:
@@ -109,25 +101,20 @@ def fit_settings(methods: Mapping[str, Any]) -> list[Setting]:
     return found
 
 
-def box_trial(setting: Setting) -> FitTrial:
+def box_trial(setting: Setting) -> Trial:
     """Boxes round all shapes."""
     given = shapes(SHAPES)
     least = [minimal_obb(points).area for points in given]
-    return FitTrial(BOXES[setting.method](setting.knob), given, least, tried(setting, SHAPES, 90.0))
+    return fit_trial(BOXES[setting.method](setting.knob), given, least, tried(setting, SHAPES, 90.0))
 
 
-def capsule_trial(setting: Setting) -> FitTrial:
+def capsule_trial(setting: Setting) -> Trial:
     """Capsules round some of the shapes."""
     given = shapes(CAPSULE_SHAPES)
     least = [minimal_capsule(points).area for points in given]
-    return FitTrial(
+    return fit_trial(
         CAPSULES[setting.method](setting.knob), given, least, tried(setting, CAPSULE_SHAPES, 180.0)
     )
-
-
-def present_fit(parameters: Mapping[str, Any]) -> Setting:
-    """Where a scene stands."""
-    return Setting(str(parameters["fit"]), float(parameters["angle_step"]))
 
 
 box_study = Study(
@@ -152,7 +139,7 @@ box_study = Study(
         "Golden section goes down to that kink."
     ),
     floor=1e-9,
-    present=present_fit,
+    present=chosen_setting("fit", "angle_step"),
     workload=Workload("40 shapes"),
     cost="CPU time for one shape",
     short="Fit",
@@ -181,7 +168,7 @@ capsule_study = Study(
         "costs still more on what is nearly round. Only a search over radii too comes down, and is dear."
     ),
     floor=1e-9,
-    present=present_fit,
+    present=chosen_setting("fit", "angle_step"),
     workload=Workload("16 shapes"),
     cost="CPU time for one shape",
     short="Fit",

@@ -12,7 +12,8 @@ from functools import lru_cache
 import numpy as np
 
 from game.arrays import Floats
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.bounds import BoundingTree, Query, build_tree
 from game.physics.kernels import elementary, elementwise
 
@@ -39,38 +40,27 @@ def inner_tree(kind: str, fit: str, degrees: float) -> BoundingTree:
     return build_tree(arc(1.0, degrees), kind, 1, fit=fit)
 
 
-class GapTrial:
+def gap_trial(setting: Setting) -> Trial:
     """Two arcs about one centre, a gap apart: queries prove that they do not meet, for arcs of four lengths.
 
     Halving makes volumes of few lengths only; over an octave of lengths its steps even out.
     """
+    kind, fit = TREES[setting.method]
+    queries = [
+        Query(inner_tree(kind, fit, degrees), build_tree(arc(1.0 + setting.knob, degrees), kind, 1, fit=fit))
+        for degrees in ARC_DEGREES
+    ]
 
-    simulated_s = float(len(ARC_DEGREES))
-
-    def __init__(self, kind: str, fit: str, gap: float):
-        self.gap = gap
-        self.queries = [
-            Query(inner_tree(kind, fit, degrees), build_tree(arc(1.0 + gap, degrees), kind, 1, fit=fit))
-            for degrees in ARC_DEGREES
-        ]
-
-    def reset(self) -> None:
-        pass
-
-    def run(self) -> None:
-        for query in self.queries:
+    def work() -> None:
+        for query in queries:
             query.run((0.0, 0.0))
 
-    def outcome(self) -> Outcome:
-        met = sum(query.leaves_met for query in self.queries)
-        tests = sum(query.volume_tests + query.segment_tests for query in self.queries)
-        return Outcome(self.gap, tests, "leaves overlap: not by volumes alone" if met else "")
+    def judge(_: None) -> Outcome:
+        met = sum(query.leaves_met for query in queries)
+        tests = sum(query.volume_tests + query.segment_tests for query in queries)
+        return Outcome(setting.knob, tests, "leaves overlap: not by volumes alone" if met else "")
 
-
-def gap_trial(setting: Setting) -> GapTrial:
-    """The query at one gap."""
-    kind, fit = TREES[setting.method]
-    return GapTrial(kind, fit, setting.knob)
+    return computation(float(len(ARC_DEGREES)), work, judge)
 
 
 def gap_settings() -> list[Setting]:

@@ -71,7 +71,7 @@ slabs_study = Study(
     short="Sides",
     cost=PER_STEP,
     reference="All find the same pairs. A bound lasts until it is a size longer, four steps at least.",
-    expectation="Slow boxes are alike, whatever their speed: a bound is a size longer than its box. Beyond a "
-    "quarter of a size in a step bounds grow with the speed, and those with more sides let fewer false pairs "
-    "through, as the slab across the motion lies the nearer.",
+    expectation="Slow boxes are alike, whatever their speed: a bound is a size longer than its box. Beyond "
+    "a quarter of a size in a step bounds grow with the speed. Those with more sides let fewer "
+    "false pairs through, as the slab across the motion lies the nearer.",
 )

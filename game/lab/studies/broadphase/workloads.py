@@ -130,8 +130,9 @@ ratio_study = Study(
     short="Size ratio",
     cost=PER_STEP,
     reference="Pairs are the same for all methods: errors are none. The curve is cost.",
-    expectation="Twenty large boxes among three thousand small ones: a grid whose cells fit the largest box "
-    "tests small boxes against each other; the hierarchy is never far from the best, and needs no tuning.",
+    expectation="Twenty large boxes among three thousand small ones: a grid whose cells fit the largest "
+    "box tests small boxes against each other. The hierarchy is never far from the best, and "
+    "needs no tuning.",
 )
 hierarchy_study = missed_pairs_study(
     "c06", "Hierarchical grids", lambda size: HierarchicalGrid(), (ratio_study,)

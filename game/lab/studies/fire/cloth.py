@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import Computation
 from game.physics.cloth import Cloth, Fabric, GasAt, Hanging
 from game.physics.cloth.layout import BEGAN, HOT
 from game.physics.heat.effects import CONDUCTION, SMOULDERING
@@ -60,27 +61,19 @@ def expected_speed(reaction: str, strip: Strip, dt: float) -> float:
     return fisher_speed_on_grid(strip.fabric.diffusivity, strip.fabric.salted.rate, 1e-3, dt)
 
 
-class FrontTrial:
-    """The strip in so many meshes."""
+def front_trial(setting: Setting) -> Trial:
+    """The strip in so many meshes: how far the front's speed is off."""
+    dt = 1.0 / setting.others["rate"]
 
-    simulated_s = SECONDS
+    def work(strip: Strip) -> Strip:
+        strip.run(SECONDS, dt)
+        return strip
 
-    def __init__(self, setting: Setting):
-        self.setting = setting
-        self.dt = 1.0 / setting.others["rate"]
+    def judge(strip: Strip) -> Outcome:
+        exact = expected_speed(setting.method, strip, dt)
+        return Outcome(abs(strip.speed() / exact - 1.0), strip.cloth.patches.shape[2])
 
-    def reset(self) -> None:
-        """A strip as at first."""
-        self.strip = Strip(self.setting.method, int(self.setting.knob))
-
-    def run(self) -> None:
-        """All steps."""
-        self.strip.run(SECONDS, self.dt)
-
-    def outcome(self) -> Outcome:
-        """How far its speed is off."""
-        exact = expected_speed(self.setting.method, self.strip, self.dt)
-        return Outcome(abs(self.strip.speed() / exact - 1.0), self.strip.cloth.patches.shape[2])
+    return Computation(SECONDS, lambda: Strip(setting.method, int(setting.knob)), work, judge)
 
 
 def _settings() -> list[Setting]:
@@ -119,7 +112,7 @@ front_study = Study(
         Method("fisher", "Fisher's law", None),
     ),
     settings=_settings,
-    trial=FrontTrial,
+    trial=front_trial,
     reference="The closed form of the law of steps; for Fisher's law the least speed on a fine grid.",
     expectation="From a temperature on, a patch waits for its neighbour, so the error goes as the size of a "
     "patch. Fisher's front is pulled by its tip and comes to its speed only as 1 / t: there finer patches do "

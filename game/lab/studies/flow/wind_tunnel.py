@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import Computation, chosen_setting, every_setting
 from game.physics.kernels import elementwise
 from game.physics.tunnel import (
     Sweep,
@@ -21,7 +22,7 @@ from game.physics.tunnel import (
     outline_of,
     shape_named,
 )
-from game.physics.tunnel.averages import Average
+from game.physics.tunnel.averages import Average, Mean
 from game.physics.tunnel.sweep import BOOK, DRAG, with_images
 
 CHANNEL_DRAG, CHANNEL_LIFT = 5.57953523384, 0.010618948146  # Schäfer and Turek 1996, 2D-1, by Nabh 1998
@@ -39,41 +40,30 @@ def channel(cells: float, courant: float = 0.5, width: float = 14.0) -> TunnelSe
     )  # fmt: skip
 
 
-class DragTrial:
-    """The cylinder in the channel on so many cells to its diameter, until the flow stands."""
+def drag_trial(setting: Setting) -> Trial:
+    """The cylinder in the channel on so many cells to its diameter: relative error of its drag."""
 
-    simulated_s = SETTLED + WINDOW
+    def begin() -> Tunnel:
+        return Tunnel(shape_named("disc"), channel(float(setting.knob)))
 
-    def __init__(self, setting: Setting):
-        self.cells, self.method = float(setting.knob), setting.method
+    def work(tunnel: Tunnel) -> tuple[Tunnel, Mean]:
+        average = Average(SETTLED, WINDOW)
+        while not average.done:
+            tunnel.step()
+            average.take(tunnel.reading, tunnel.step_length)
+        return tunnel, average.mean()
 
-    def reset(self) -> None:
-        """The wind as it begins."""
-        self.tunnel = Tunnel(shape_named("disc"), channel(self.cells))
-        self.average = Average(SETTLED, WINDOW)
-
-    def run(self) -> None:
-        """All steps."""
-        while not self.average.done:
-            self.tunnel.step()
-            self.average.take(self.tunnel.reading, self.tunnel.step_length)
-
-    def outcome(self) -> Outcome:
-        """Error of the drag coefficient, over the drag coefficient."""
-        mean = self.average.mean()
-        found = mean.book[0] if self.method == "book" else mean.wall[0]
-        steps = round(self.simulated_s / self.tunnel.step_length)
+    def judge(done: tuple[Tunnel, Mean]) -> Outcome:
+        tunnel, mean = done
+        found = mean.book[0] if setting.method == "book" else mean.wall[0]
+        steps = round((SETTLED + WINDOW) / tunnel.step_length)
         return Outcome(abs(found / CHANNEL_DRAG - 1.0), steps)
+
+    return Computation(SETTLED + WINDOW, begin, work, judge)
 
 
 def _settings(cells: tuple[int, ...]) -> list[Setting]:
-    return [
-        Setting(name, float(n), {}, {"cells": n, "measure": name}, 1.0 / n) for name in METHODS for n in cells
-    ]
-
-
-def _present(parameters: Mapping[str, Any]) -> Setting:
-    return Setting(str(parameters["measure"]), float(parameters["cells"]), {})
+    return every_setting(METHODS, cells, lambda name, n: {"cells": n, "measure": name}, lambda n: 1.0 / n)
 
 
 FIT_CELLS, FIT_RE, FIT_SETTLE, FIT_WINDOW, ANGLES_OF_ALL = 8.0, 25.0, 10.0, 1.0, 48
@@ -100,45 +90,30 @@ def plate_polar() -> tuple[np.ndarray, np.ndarray]:
     return with_images(rows, outline)
 
 
-class FitTrial:
-    """A fit to some of the angles of a slab's polar, judged at the others."""
+def fit_trial(setting: Setting) -> Trial:
+    """A fit to some of the angles of a slab's polar: root mean square of drag and lift at the others."""
+    count = int(setting.knob)
 
-    simulated_s = 1.0
-
-    def __init__(self, setting: Setting):
-        self.count, self.method = int(setting.knob), setting.method
-
-    def reset(self) -> None:
-        """The polar, measured once."""
-        self.angles, self.values = plate_polar()
-
-    def run(self) -> None:
-        """The fit."""
-        given = slice(None, None, ANGLES_OF_ALL // self.count)
-        angles, values = self.angles[given], self.values[given]
-        if self.method == "series":
-            found = fit_series(angles, values, (self.count - 1) // 2)
-            away = found.at(self.angles) - self.values
+    def work(polar: tuple[np.ndarray, np.ndarray]) -> float:
+        every, measured = polar
+        given = slice(None, None, ANGLES_OF_ALL // count)
+        if setting.method == "series":
+            away = fit_series(every[given], measured[given], (count - 1) // 2).at(every) - measured
         else:
-            plate = fit_plate(angles, values)
-            turn = 2.0 * self.angles
+            plate = fit_plate(every[given], measured[given])
+            turn = 2.0 * every
             drag = plate.drag - plate.drag_turn * elementwise.cos(turn)
-            away = np.stack([drag, plate.glide * elementwise.sin(turn)], axis=1) - self.values[:, :2]
-        left = np.ones(len(self.angles), bool)
+            away = np.stack([drag, plate.glide * elementwise.sin(turn)], axis=1) - measured[:, :2]
+        left = np.ones(len(every), bool)
         left[given] = False
-        self.error = float(np.sqrt(np.mean(away[left, :2] * away[left, :2])))
+        return float(np.sqrt(np.mean(away[left, :2] * away[left, :2])))
 
-    def outcome(self) -> Outcome:
-        """Root mean square of drag and lift at the angles that the fit was not given."""
-        return Outcome(self.error, self.count)
+    return Computation(1.0, plate_polar, work, lambda error: Outcome(error, count))
 
 
 def _fit_settings() -> list[Setting]:
-    return [
-        Setting(name, float(n), {}, {"angles": n}, 1.0 / n)
-        for name in ("series", "plate")
-        for n in (4, 8, 12, 16, 24)
-    ]
+    counts = (4, 8, 12, 16, 24)
+    return every_setting(("series", "plate"), counts, lambda _, n: {"angles": n}, lambda n: 1.0 / n)
 
 
 def _present_fit(parameters: Mapping[str, Any]) -> Setting:
@@ -155,7 +130,7 @@ fit_study = Study(
     knob=Knob("angles", "angles of a whole turn", parts=True),
     methods=(Method("series", "Fourier series", None), Method("plate", "plates' law", None)),
     settings=_fit_settings,
-    trial=FitTrial,
+    trial=fit_trial,
     reference="The same tunnel at 48 angles.",
     expectation="Three numbers of the plates' law err alike, whatever is measured. A series of a dozen "
     "angles errs by half of it; what is left is the grid, on which each angle lies in another way.",
@@ -178,29 +153,19 @@ def swinging_drag() -> tuple[np.ndarray, np.ndarray]:
     return found[:, 0], found[:, 1]
 
 
-class WindowTrial:
-    """Means over windows of a length, one after another, of the drag of a swinging wake."""
+def window_trial(setting: Setting) -> Trial:
+    """Means over windows of a length, one after another, of the drag of a swinging wake: their scatter."""
+    window = float(setting.knob)
 
-    def __init__(self, setting: Setting):
-        self.window = float(setting.knob)
-        self.simulated_s = self.window
-
-    def reset(self) -> None:
-        """The record, made once."""
-        self.times, self.drag = swinging_drag()
-
-    def run(self) -> None:
-        """All windows that there is space for."""
-        settled = self.times > BEGIN
-        drag = self.drag[settled]
-        count = round(self.window / (self.times[1] - self.times[0]))
+    def work(record: tuple[np.ndarray, np.ndarray]) -> float:
+        times, drag = record
+        drag = drag[times > BEGIN]
+        count = round(window / (times[1] - times[0]))
         parts = drag[: len(drag) // count * count].reshape(-1, count).mean(axis=1)
         away = parts - drag.mean()
-        self.error = float(np.sqrt(np.mean(away * away)) / drag.mean())
+        return float(np.sqrt(np.mean(away * away)) / drag.mean())
 
-    def outcome(self) -> Outcome:
-        """Root mean square of how far they are from the mean of all."""
-        return Outcome(self.error, round(self.window))
+    return Computation(window, swinging_drag, work, lambda error: Outcome(error, round(window)))
 
 
 def _windows() -> list[Setting]:
@@ -221,7 +186,7 @@ window_study = Study(
     knob=Knob("window", "chords that the wind goes", parts=True),
     methods=(Method("mean", "mean over a window", 1.0),),
     settings=_windows,
-    trial=WindowTrial,
+    trial=window_trial,
     reference="The mean over 160 chords of wind.",
     expectation="A window of some beats errs by the part of a beat that it cuts off: one over its length.",
     present=_present_window,
@@ -241,10 +206,10 @@ drag_study = Study(
         Method("wall", "pressure and friction", 1.0),
     ),
     settings=partial(_settings, (5, 7, 10, 14)),
-    trial=DragTrial,
+    trial=drag_trial,
     reference="5.57953523384, Schäfer and Turek's test 2D-1 (1996) by Nabh (1998).",
     expectation="The book of momentum does not ask what happens at the wall: from seven cells it is nearer.",
-    present=_present,
+    present=chosen_setting("measure", "cells"),
     workload=Workload("Reynolds number 20 by the mean wind, from rest for 25 diameters over wind"),
     related=(fit_study, window_study),
 )

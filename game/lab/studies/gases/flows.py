@@ -5,13 +5,13 @@ comes in on one side and goes out on the other.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from functools import partial
-from typing import Any
 
 import numpy as np
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.studies.gases.whirl import gas_trial
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import chosen_setting, every_setting
 from game.physics.gas import ADVECTIONS, Gas, GasSettings
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementwise
@@ -27,34 +27,25 @@ RODS_RE, RODS_S = 40.0, 2.0
 LEAST_U = -0.21404412  # least u on the vertical centre line at Re 100, extrapolated (Botella and Peyret 1998)
 
 
-class EddiesTrial:
-    """Taylor and Green's eddies in a wind, on so many cells a side at a fixed Courant number."""
+def eddies_trial(setting: Setting) -> Trial:
+    """Eddies in a wind on so many cells a side, at a fixed Courant number: L2 error of u."""
+    n, method = int(setting.knob), setting.method
+    steps = max(1, round(SECONDS * n * (1.0 + WIND[0]) / COURANT))
 
-    simulated_s = SECONDS
-
-    def __init__(self, setting: Setting):
-        self.cells, self.method = int(setting.knob), setting.method
-
-    def reset(self) -> None:
-        """The eddies as they begin."""
-        n = self.cells
-        centred = self.method == "time-centred"
+    def begin() -> Gas:
         settings = GasSettings(
-            advection=self.method, centring=0.5, prime=centred, gravity=(0.0, 0.0), turns=12, tolerance=1e-9
-        )
-        self.gas = Gas(Grid(n, n, 1.0 / n), Borders.all("periodic"), settings, fields=("smoke",))
-        self.gas.u[:], self.gas.v[:] = eddies(self.gas.grid, 0.0)
-        self.steps = max(1, round(SECONDS * n * (1.0 + WIND[0]) / COURANT))
+            advection=method, centring=0.5, prime=method == "time-centred", gravity=(0.0, 0.0), turns=12,
+            tolerance=1e-9,
+        )  # fmt: skip
+        gas = Gas(Grid(n, n, 1.0 / n), Borders.all("periodic"), settings, fields=("smoke",))
+        gas.u[:], gas.v[:] = eddies(gas.grid, 0.0)
+        return gas
 
-    def run(self) -> None:
-        """All steps."""
-        for _ in range(self.steps):
-            self.gas.step(SECONDS / self.steps)
+    def judge(gas: Gas) -> Outcome:
+        away = gas.u - eddies(gas.grid, SECONDS)[0]
+        return Outcome(float(np.sqrt(np.mean(away * away))), steps)
 
-    def outcome(self) -> Outcome:
-        """L2 error of u."""
-        away = self.gas.u - eddies(self.gas.grid, SECONDS)[0]
-        return Outcome(float(np.sqrt(np.mean(away * away))), self.steps)
+    return gas_trial(SECONDS, begin, SECONDS / steps, steps, judge)
 
 
 def eddies(grid: Grid, time: float) -> tuple[np.ndarray, np.ndarray]:
@@ -67,70 +58,53 @@ def eddies(grid: Grid, time: float) -> tuple[np.ndarray, np.ndarray]:
     return u, v
 
 
-class CavityTrial:
-    """The eddy under a lid at Re 100, from rest until it stands."""
+def cavity_trial(setting: Setting) -> Trial:
+    """The eddy under a lid at Re 100, from rest until it stands: error of the least u."""
+    n = int(setting.knob)
+    steps = round(STEADY_S * n)
 
-    simulated_s = STEADY_S
-
-    def __init__(self, setting: Setting):
-        self.cells, self.method = int(setting.knob), setting.method
-
-    def reset(self) -> None:
-        """Gas at rest."""
-        n = self.cells
+    def begin() -> Gas:
         still = Border("no-slip")
         settings = GasSettings(
-            advection=self.method, viscosity=1.0 / RE, gravity=(0.0, 0.0), turns=3, tolerance=1e-6
+            advection=setting.method, viscosity=1.0 / RE, gravity=(0.0, 0.0), turns=3, tolerance=1e-6
         )
         borders = Borders(still, still, still, Border("no-slip", (1.0, 0.0)))
-        self.gas = Gas(Grid(n, n, 1.0 / n), borders, settings, fields=("smoke",))
-        self.steps = round(STEADY_S * n)
+        return Gas(Grid(n, n, 1.0 / n), borders, settings, fields=("smoke",))
 
-    def run(self) -> None:
-        """All steps."""
-        for _ in range(self.steps):
-            self.gas.step(1.0 / self.cells)
+    def judge(gas: Gas) -> Outcome:
+        return Outcome(abs(float(np.min(gas.u[:, n // 2])) - LEAST_U), steps)
 
-    def outcome(self) -> Outcome:
-        """Error of the least u, over the lid's speed."""
-        found = float(np.min(self.gas.u[:, self.cells // 2]))
-        return Outcome(abs(found - LEAST_U), self.steps)
+    return gas_trial(STEADY_S, begin, 1.0 / n, steps, judge)
 
 
-class RodsTrial:
-    """The flow behind a row of rods at Re 40 (Kovasznay 1948), from the exact one until its errors stand."""
+def rods_trial(setting: Setting) -> Trial:
+    """The flow behind a row of rods at Re 40 (Kovasznay 1948), from the exact one until its errors stand.
 
-    simulated_s = RODS_S
+    L2 error of u, but for the last quarter before the open side; the Courant number is about a half.
+    """
+    n = int(setting.knob)
+    steps = round(2.0 * RODS_S * n)
+    grid = Grid(n, n, 1.0 / n, (-0.5, -0.5))
+    exact = behind_rods(*grid.u_places())[0]
 
-    def __init__(self, setting: Setting):
-        self.cells, self.method = int(setting.knob), setting.method
-
-    def reset(self) -> None:
-        """The exact flow at the faces."""
-        n = self.cells
-        grid = Grid(n, n, 1.0 / n, (-0.5, -0.5))
+    def begin() -> Gas:
         _, y = grid.centres()
         left = np.full_like(y[:, 0], -0.5)
         given = np.stack(behind_rods(left, y[:, 0]), axis=1)
         borders = Borders(Border("inflow", given), Border("open"), Border("periodic"), Border("periodic"))
         settings = GasSettings(
-            advection=self.method, viscosity=1.0 / RODS_RE, gravity=(0.0, 0.0), turns=8, tolerance=1e-7
+            advection=setting.method, viscosity=1.0 / RODS_RE, gravity=(0.0, 0.0), turns=8, tolerance=1e-7
         )
-        self.gas = Gas(grid, borders, settings, fields=("smoke",))
-        self.gas.u[:] = self.exact = behind_rods(*grid.u_places())[0]
-        self.gas.v[:] = behind_rods(*grid.v_places())[1]
-        self.gas.jolt()
-        self.steps = round(2.0 * RODS_S * n)
+        gas = Gas(grid, borders, settings, fields=("smoke",))
+        gas.u[:], gas.v[:] = exact, behind_rods(*grid.v_places())[1]
+        gas.jolt()
+        return gas
 
-    def run(self) -> None:
-        """All steps, at a Courant number of about a half."""
-        for _ in range(self.steps):
-            self.gas.step(RODS_S / self.steps)
+    def judge(gas: Gas) -> Outcome:
+        away = (gas.u - exact)[:, : 3 * n // 4]
+        return Outcome(float(np.sqrt(np.mean(away * away))), steps)
 
-    def outcome(self) -> Outcome:
-        """L2 error of u, but for the last quarter before the open side."""
-        away = (self.gas.u - self.exact)[:, : 3 * self.cells // 4]
-        return Outcome(float(np.sqrt(np.mean(away * away))), self.steps)
+    return gas_trial(RODS_S, begin, RODS_S / steps, steps, judge)
 
 
 def behind_rods(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -141,16 +115,10 @@ def behind_rods(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return 1.0 - wake * elementwise.cos(k * y), decay / k * wake * elementwise.sin(k * y)
 
 
-def _settings(cells: tuple[int, ...], methods: tuple[str, ...]) -> list[Setting]:
-    return [
-        Setting(name, float(n), {}, {"cells": n, "advection": name}, 1.0 / n)
-        for name in methods
-        for n in cells
-    ]
-
-
-def _present(parameters: Mapping[str, Any]) -> Setting:
-    return Setting(str(parameters["advection"]), float(parameters["cells"]), {})
+def _settings(cells: tuple[int, ...]) -> list[Setting]:
+    return every_setting(
+        ADVECTIONS, cells, lambda name, n: {"cells": n, "advection": name}, lambda n: 1.0 / n
+    )
 
 
 eddies_study = Study(
@@ -162,9 +130,9 @@ eddies_study = Study(
     counter="steps",
     knob=Knob("cells", "cells a side", parts=True),
     methods=tuple(Method(name, LABELS[name], ORDERS[name]) for name in ADVECTIONS),
-    settings=partial(_settings, (16, 32, 64, 96), ADVECTIONS),
-    present=_present,
-    trial=EddiesTrial,
+    settings=partial(_settings, (16, 32, 64, 96)),
+    present=chosen_setting("advection", "cells"),
+    trial=eddies_trial,
     reference="Taylor and Green 1937: without viscosity the eddies only move.",
     expectation="Better interpolation hardly helps: what costs an order is taking pressure only at the end.",
     workload=Workload("two by two eddies of 1 m/s in a wind of (1, 0.5) m/s, Courant number 1.3"),
@@ -179,12 +147,12 @@ rods_study = Study(
     counter="steps",
     knob=Knob("cells", "cells a side", parts=True),
     methods=tuple(Method(name, LABELS[name], ORDERS[name]) for name in ADVECTIONS),
-    settings=partial(_settings, (12, 16, 24, 32), ADVECTIONS),
-    trial=RodsTrial,
+    settings=partial(_settings, (12, 16, 24, 32)),
+    trial=rods_trial,
     reference="Kovasznay 1948: an exact steady flow, in at the left and out at the right.",
     expectation="At few cells linear interpolation is closest, by chance; only the error of the time-centred "
     "step falls with the square of the cells.",
-    present=_present,
+    present=chosen_setting("advection", "cells"),
     workload=Workload("a stream of 1 m/s behind rods 1 m apart at Re 40, for 2 s"),
 )
 
@@ -197,11 +165,11 @@ cavity_study = Study(
     counter="steps",
     knob=Knob("cells", "cells a side", parts=True),
     methods=tuple(Method(name, LABELS[name], 2.0 if name == "time-centred" else 1.0) for name in ADVECTIONS),
-    settings=partial(_settings, (8, 16, 32), ADVECTIONS),
-    trial=CavityTrial,
+    settings=partial(_settings, (8, 16, 32)),
+    trial=cavity_trial,
     reference="Two discretisations, extrapolated; Botella and Peyret 1998.",
     expectation="The time-centred step loses least of the eddy on the same cells.",
-    present=_present,
+    present=chosen_setting("advection", "cells"),
     workload=Workload("a lid of 1 m/s over a square of 1 m at Re 100, from rest for 14 s"),
     related=(eddies_study, rods_study),
 )

@@ -5,16 +5,15 @@ smears.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
 from game.arrays import Floats
-from game.lab.studies.gases.whirl import SECONDS, TALL, WIDE, flow, whirl_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.studies.gases.whirl import SECONDS, TALL, WIDE, flow, gas_trial, whirl_study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import chosen_setting, every_setting
 from game.physics.gas import ADVECTIONS, Gas, GasSettings
 from game.physics.grid import Grid
 from game.physics.kernels import elementary
@@ -39,62 +38,51 @@ SMEAR_LABELS = {
 SMEAR_CELLS, FINE, TRACES = (32, 48, 64, 96, 128), 4, 24
 
 
-class PuffTrial:
-    """A disc of hot air begins to rise in a closed box: all turns are made, whatever is left."""
+def puff_trial(setting: Setting) -> Trial:
+    """A disc of hot air begins to rise in a closed box: all turns are made, whatever is left.
 
-    simulated_s = float(PUFF_STEPS)  # of the study a step takes the place of a second
+    Divergence that is left, root mean square over all cells. A step takes the place of a second.
+    """
+    n, turns = PUFF_CELLS, int(setting.knob)
 
-    def __init__(self, setting: Setting):
-        self.solver, self.turns = setting.method, int(setting.knob)
-
-    def reset(self) -> None:
-        """Air at rest."""
-        n = PUFF_CELLS
+    def begin() -> Gas:
         settings = GasSettings(
-            advection="maccormack", pressure=self.solver, turns=self.turns, tolerance=0.0, ambient=ROOM
+            advection="maccormack", pressure=setting.method, turns=turns, tolerance=0.0, ambient=ROOM
         )
-        self.gas = Gas(Grid(n, n // 2, WIDE / n), settings=settings, fields=("temperature",))
-        x, y = self.gas.grid.centres()
+        gas = Gas(Grid(n, n // 2, WIDE / n), settings=settings, fields=("temperature",))
+        x, y = gas.grid.centres()
         near = elementary.square(x - PUFF[0]) + elementary.square(y - PUFF[1]) < PUFF_RADIUS * PUFF_RADIUS
-        self.gas.field("temperature")[near] = HOT
+        gas.field("temperature")[near] = HOT
+        return gas
 
-    def run(self) -> None:
-        """All steps."""
-        for _ in range(PUFF_STEPS):
-            self.gas.step(DT)
+    def judge(gas: Gas) -> Outcome:
+        left = gas.divergence()
+        return Outcome(float(np.sqrt(np.mean(left * left))), turns * PUFF_STEPS)
 
-    def outcome(self) -> Outcome:
-        """Divergence that is left, root mean square over all cells."""
-        left = self.gas.divergence()
-        return Outcome(float(np.sqrt(np.mean(left * left))), self.turns * PUFF_STEPS)
+    return gas_trial(float(PUFF_STEPS), begin, DT, PUFF_STEPS, judge)
 
 
-class SmearTrial:
-    """Two steady whirls turn a layer of smoke into spirals, at a Courant number of 1."""
+def smear_trial(setting: Setting) -> Trial:
+    """Two steady whirls turn a layer of smoke into spirals, at a Courant number of 1.
 
-    def __init__(self, setting: Setting):
-        self.cells, self.method = int(setting.knob), setting.method
-        self.steps = math.ceil(SECONDS * self.cells / WIDE)
-        self.simulated_s = float(self.steps)
+    How much more the smoke is mixed than an exact one seen through the same cells, %.
+    """
+    n = int(setting.knob)
+    steps = math.ceil(SECONDS * n / WIDE)
 
-    def reset(self) -> None:
-        """Smoke in the upper half."""
-        n = self.cells
+    def begin() -> Gas:
         grid = Grid(n, n // 2, WIDE / n)
-        settings = GasSettings(advection=self.method, turns=4, tolerance=1e-8, gravity=(0.0, 0.0))
-        self.gas = Gas(grid, settings=settings, fields=("smoke",))
-        self.gas.u[:], self.gas.v[:] = flow(*grid.u_places())[0], flow(*grid.v_places())[1]
-        self.gas.jolt()
-        self.gas.field("smoke")[:] = (grid.centres()[1] > 0.5 * TALL).astype(np.float64)
+        settings = GasSettings(advection=setting.method, turns=4, tolerance=1e-8, gravity=(0.0, 0.0))
+        gas = Gas(grid, settings=settings, fields=("smoke",))
+        gas.u[:], gas.v[:] = flow(*grid.u_places())[0], flow(*grid.v_places())[1]
+        gas.jolt()
+        gas.field("smoke")[:] = (grid.centres()[1] > 0.5 * TALL).astype(np.float64)
+        return gas
 
-    def run(self) -> None:
-        """All steps."""
-        for _ in range(self.steps):
-            self.gas.step(SECONDS / self.steps)
+    def judge(gas: Gas) -> Outcome:
+        return Outcome(100.0 * abs(mixed(gas.field("smoke")) - exact_mixing(n)), steps)
 
-    def outcome(self) -> Outcome:
-        """How much more the smoke is mixed than an exact one seen through the same cells, %."""
-        return Outcome(100.0 * abs(mixed(self.gas.field("smoke")) - exact_mixing(self.cells)), self.steps)
+    return gas_trial(float(steps), begin, SECONDS / steps, steps, judge)
 
 
 def mixed(smoke: Floats) -> float:
@@ -131,20 +119,7 @@ def _divergence_settings() -> list[Setting]:
 
 
 def _smear_settings() -> list[Setting]:
-    return [
-        Setting(method, float(cells), {}, {"method": method, "cells": cells}, float(cells))
-        for method in ADVECTIONS
-        for cells in SMEAR_CELLS
-    ]
-
-
-def _divergence_present(parameters: Mapping[str, Any]) -> Setting:
-    return Setting(str(parameters["pressure"]), float(parameters["turns"]), {})
-
-
-def _smear_present(parameters: Mapping[str, Any]) -> Setting | None:
-    method = str(parameters["method"])
-    return Setting(method, float(parameters["cells"]), {}) if method in ADVECTIONS else None
+    return every_setting(ADVECTIONS, SMEAR_CELLS, lambda method, cells: {"method": method, "cells": cells})
 
 
 divergence_study = Study(
@@ -157,10 +132,10 @@ divergence_study = Study(
     knob=Knob("turns", "turns of the solver", parts=True),
     methods=tuple(Method(name, SOLVER_LABELS[name]) for name in SOLVERS),
     settings=_divergence_settings,
-    trial=PuffTrial,
+    trial=puff_trial,
     reference="None is left by a flow that keeps its volume.",
     expectation="Sweeps go on for ever where a V-cycle or two are done: they cannot see what is far apart.",
-    present=_divergence_present,
+    present=chosen_setting("pressure", "turns"),
     cost=PER_STEP,
     workload=Workload("a disc of hot air in a closed box of 128 by 64 cells, carried by MacCormack's way"),
 )
@@ -175,11 +150,11 @@ smear_study = Study(
     knob=Knob("cells", "cells across", parts=True),
     methods=tuple(Method(name, SMEAR_LABELS[name]) for name in ADVECTIONS),
     settings=_smear_settings,
-    trial=SmearTrial,
+    trial=smear_trial,
     reference="The layer itself, followed back along the steady flow, seen through the same cells.",
     expectation="A sharp edge stays no sharper than a few cells: the order is below 1 for each of them, and "
     "what a method buys is fewer cells of smear.",
-    present=_smear_present,
+    present=chosen_setting("method", "cells", ADVECTIONS),
     cost=PER_STEP,
     workload=Workload("two whirls of 1 m/s turn a layer of smoke for half a second, Courant number 1"),
 )

@@ -5,14 +5,15 @@ after.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from game.arrays import Floats
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import Computation, chosen_setting, computation
 from game.physics.gas import Gas, GasSettings
 from game.physics.grid import Borders, Grid
 from game.physics.kernels import elementary, elementwise
@@ -69,24 +70,26 @@ def whirl_after(method: str, cells: int, seconds: float) -> Whirl:
     )  # fmt: skip
 
 
-class WhirlTrial:
-    """The whirl on so many cells."""
+def gas_trial(
+    seconds: float, begin: Callable[[], Gas], dt: float, steps: int, judge: Callable[[Gas], Outcome]
+) -> Trial:
+    """A gas that is followed for so many steps of dt (s)."""
 
-    simulated_s = SECONDS
+    def work(gas: Gas) -> Gas:
+        for _ in range(steps):
+            gas.step(dt)
+        return gas
 
-    def __init__(self, setting: Setting):
-        self.setting = setting
+    return Computation(seconds, begin, work, judge)
 
-    def reset(self) -> None:
-        """Nothing is kept between runs."""
 
-    def run(self) -> None:
-        """All steps."""
-        self.found = whirl_after(self.setting.method, int(self.setting.knob), SECONDS)
-
-    def outcome(self) -> Outcome:
-        """How far the velocity is off."""
-        return Outcome(self.found.error, self.found.steps)
+def whirl_trial(setting: Setting) -> Trial:
+    """The whirl on so many cells: how far the velocity is off."""
+    return computation(
+        SECONDS,
+        lambda: whirl_after(setting.method, int(setting.knob), SECONDS),
+        lambda found: Outcome(found.error, found.steps),
+    )
 
 
 @lru_cache(maxsize=1)
@@ -97,12 +100,6 @@ def _settings() -> list[Setting]:
         for cells in CELLS
         if not (method == "stam-1999" and cells > 64)  # solved to the end by sweeps: minutes
     ]
-
-
-def _present(parameters: Mapping[str, Any]) -> Setting | None:
-    """As many cells by the same method."""
-    method = str(parameters["method"])
-    return Setting(method, float(parameters["cells"]), {}) if method in METHODS else None
 
 
 whirl_study = Study(
@@ -120,10 +117,10 @@ whirl_study = Study(
         Method("time-centred", "time-centred, multigrid", 2.0),
     ),
     settings=_settings,
-    trial=WhirlTrial,
+    trial=whirl_trial,
     reference="The whirl itself: it is steady.",
     expectation="What is carried along by interpolation alone is smeared in proportion to the cells; with a "
     "stored pressure the error falls with their square. Twenty sweeps are too few for many cells.",
-    present=_present,
+    present=chosen_setting("method", "cells", METHODS),
     workload=Workload("two whirls in a box of 2 m by 1 m, Courant number 1"),
 )

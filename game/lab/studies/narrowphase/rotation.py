@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
+from game.lab.trials import computation
 from game.physics.narrowphase.depth import Escape, ShapePair, preset
 
 TOLERANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)
@@ -40,34 +41,21 @@ def _reference() -> tuple[float, ...]:
     return tuple(pair.generalised(FINEST).sigma for pair in overlapping_pairs())
 
 
-class DepthTrial:
-    """All pairs, by one method."""
+def depth_trial(setting: Setting) -> Trial:
+    """One query a pair: by how much the motions found are too long, root mean square; motions tried."""
+    side = int(setting.others.get("places", 0.0))
 
-    simulated_s = float(2 * len(KINDS))
+    def query(pair: ShapePair) -> Escape:
+        if setting.method == GRID:
+            return pair.by_grid(side, side)
+        return pair.translational() if setting.method == SLIDE else pair.generalised(setting.knob)
 
-    def __init__(self, setting: Setting) -> None:
-        self.method, self.knob = setting.method, setting.knob
-        self.side = int(setting.others.get("places", 0.0))
-        self.found: list[Escape] = []
-
-    def reset(self) -> None:
-        """Nothing is kept between runs but the answers."""
-        self.found = []
-
-    def run(self) -> None:
-        """One query a pair."""
-        self.found = [self._query(pair) for pair in overlapping_pairs()]
-
-    def _query(self, pair: ShapePair) -> Escape:
-        if self.method == GRID:
-            return pair.by_grid(self.side, self.side)
-        return pair.translational() if self.method == SLIDE else pair.generalised(self.knob)
-
-    def outcome(self) -> Outcome:
-        """By how much the motions found are too long, root mean square, and how many were tried."""
-        errors = [one.sigma - exact for one, exact in zip(self.found, _reference(), strict=True)]
+    def judge(found: list[Escape]) -> Outcome:
+        errors = [one.sigma - exact for one, exact in zip(found, _reference(), strict=True)]
         error = math.sqrt(sum(e * e for e in errors) / len(errors))
-        return Outcome(error, sum(one.evaluations for one in self.found))
+        return Outcome(error, sum(one.evaluations for one in found))
+
+    return computation(float(2 * len(KINDS)), lambda: [query(pair) for pair in overlapping_pairs()], judge)
 
 
 def _settings() -> list[Setting]:
@@ -101,7 +89,7 @@ depth_study = Study(
         Method(GRID, "grid in x, y, angle", 1.0),
     ),
     settings=_settings,
-    trial=DepthTrial,
+    trial=depth_trial,
     reference="Branch and bound to 0.1 µm.",
     expectation="What turning saves no displacement finds; a grid pays for each digit with a thousand times "
     "the motions, branch and bound with a few times.",

@@ -124,12 +124,15 @@ def start_joints_warm(joints, motion):
 
 
 @inner_kernel
-def joint_load(joints, k):
-    """Impulse (N s) and turning impulse (N m s) that a joint carried in the last substep: their sizes."""
+def joint_load(joints, k, resting=False):
+    """Impulse (N s) and turning impulse (N m s) that a joint carried in the last substep: their sizes.
+
+    resting: its bodies sleep, so that its lines are off. What held them when they fell asleep holds them.
+    """
     x, y, turn = 0.0, 0.0, 0.0
     for slot in range(layout.IMPULSES):
         at, j = slot * layout.LINE_WIDTH, joints.impulses[k, slot]
-        if joints.lines[k, at + layout.LINE] == layout.OFF:
+        if j == 0.0 or (joints.lines[k, at + layout.LINE] == layout.OFF and not resting):
             continue
         x += j * joints.lines[k, at + layout.UX]
         y += j * joints.lines[k, at + layout.UY]
@@ -139,6 +142,6 @@ def joint_load(joints, k):
 
 
 @lean_kernel
-def load_of(joints, k):
+def load_of(joints, k, resting):
     """`joint_load`, for calls from Python."""
-    return joint_load(joints, k)
+    return joint_load(joints, k, resting)

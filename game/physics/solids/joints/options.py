@@ -57,6 +57,20 @@ class JointOptions:
         checked_number("break_force", self.break_force, 0.0, math.inf, above=True)
         checked_number("break_torque", self.break_torque, 0.0, math.inf, above=True)
 
+    @classmethod
+    def of(cls, joints: Joints, slot: int) -> JointOptions:
+        """Those of a joint as it is now, with its length, and its axis in the frame of its first body."""
+        own, flags = joints.parameters[slot], int(joints.flags[slot])
+        rows = (layout.LOWER, layout.UPPER, layout.AXIS_X, layout.AXIS_Y)
+        low, high, x, y = (float(own[row]) for row in rows)
+        return cls(
+            length=float(own[layout.LENGTH]), axis=(x, y), limits=(low, high),
+            hertz=float(own[layout.HERTZ]), damping=float(own[layout.DAMPING]),
+            speed=float(own[layout.SPEED]), most=float(own[layout.MOST]),
+            break_force=float(own[layout.BREAK_FORCE]), break_torque=float(own[layout.BREAK_TORQUE]),
+            colliding=bool(flags & layout.COLLIDING),
+        )  # fmt: skip
+
     def direction(self) -> tuple[float, float]:
         """The axis, of length 1."""
         x, y = self.axis

@@ -81,7 +81,7 @@ class TrackWorld:
     ) -> int:  # fmt: skip
         """A ball, free; its number. share: I/(m r²), above 0 to 1. ValueError for nonsense."""
         if len(self.balls.rows) >= MOST_BALLS:
-            raise ValueError(f"balls: there is room for {MOST_BALLS}")
+            raise ValueError(f"balls: at most {MOST_BALLS}")
         row = np.zeros(motion.BALL_WIDTH)
         row[motion.X : motion.Y + 1] = checked_pair("position", position)
         row[motion.VX : motion.VX + 2] = checked_pair("velocity", velocity)

@@ -7,6 +7,7 @@ from game.billiards.game.rules import Call
 from game.billiards.shot.cue import strike as struck_ball
 from game.scenes.billiards.opponents.thinking import WARM_UPS, decision_of, simple_stroke, think
 from game.scenes.billiards.play import AIMING, Play
+from game.scenes.billiards.stroke.motion import PRACTISED
 from game.scenes.shared.tables.choices import GRADES
 from game.scenes.shared.tables.opponents import TableOpponents, check_option
 from game.stage import Decision
@@ -39,7 +40,7 @@ class Opponents(TableOpponents):
         if frame.game.options:
             play.take_option(0)
         elif frame.playable:
-            play.begin_stroke(simple_stroke(frame, self._seed + frame.strokes), Call(), practised=True)
+            play.begin_stroke(simple_stroke(frame, self._seed + frame.strokes), Call(), PRACTISED)
 
     def decide(self, event: Decision) -> None:
         """Let a decision act. ValueError for one that cannot be."""
@@ -51,7 +52,7 @@ class Opponents(TableOpponents):
             call = Call(ball, pocket, bool(values[7]), bool(values[8]))
             stroke = Stroke(*values[:5])
             struck_ball(*stroke)  # refuses what no stroke can be
-            play.begin_stroke(stroke, call, practised=True)
+            play.begin_stroke(stroke, call, PRACTISED)
         elif event.name == "white" and len(values) == 2:  # so recordings name the cue ball
             play.model.move_cue_ball(*values)
         elif event.name == "option" and len(values) == 1:

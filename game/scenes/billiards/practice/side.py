@@ -9,12 +9,13 @@ from game.billiards.game.frame import Frame
 from game.billiards.game.log import Log, Logged
 from game.billiards.game.rules import Call
 from game.billiards.shot.cue import strike
-from game.scenes.billiards.beside import BESIDE, LOG, MAP, NONE
+from game.scenes.billiards.beside import BESIDE, COACH, LOG, MAP, NONE
 from game.scenes.billiards.model import as_practice
 from game.scenes.billiards.play import AIMING, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PLAY, SHOW, PoolAdvisor
 from game.scenes.billiards.practice.columns import COLUMN, ROWS, row_at
 from game.scenes.billiards.practice.hands import hand_of
+from game.scenes.billiards.stroke.motion import PRACTISED
 from game.stage import Decision, Part, Pointer
 
 DECISIONS = (SHOW, PLAY)
@@ -85,6 +86,8 @@ class Side(Part):
             return
         if self.beside == MAP:
             self.advisor.click(row)
+        elif self.beside == COACH and row == ROWS - 1:
+            self.play.ask_coach()
         elif self.beside == LOG and self.play.phase == AIMING:
             rows = self.rows_seen()
             if row < len(rows):
@@ -146,7 +149,7 @@ class Side(Part):
             counts = len(play.model.frame.game.players) == 2 or play.model.frame.game.final
             if counts:
                 stroke = play.by_own_hand(stroke, hand_of(play).noise)
-            play.begin_stroke(stroke, call, practised=True)
+            play.begin_stroke(stroke, call, PRACTISED)
         else:
             play.aiming.aim_as(stroke)
             play.aiming.call_this(call if play.model.frame.game.needs_call() else Call())

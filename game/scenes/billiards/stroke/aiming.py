@@ -186,9 +186,13 @@ class Aiming(Part):
         self.moved = 0.0
         self.cue.pointer(event, *ball, ready=True)
 
+    def note(self, event: Pointer) -> None:
+        """How far the pointer has gone since it grasped the cue."""
+        self.moved = max(self.moved, elementary.dist((event.x, event.y), self.cue.data[3:5].tolist()))
+
     def pull(self, event: Pointer, ball: Point) -> None:
         """The cue is drawn back, which sets the power."""
-        self.moved = max(self.moved, elementary.dist((event.x, event.y), self.cue.data[3:5].tolist()))
+        self.note(event)
         self.cue.pointer(event, *ball, ready=True)
         self.set_power(self.cue.speed)
 
@@ -199,7 +203,7 @@ class Aiming(Part):
 
     def release(self, event: Pointer, ball: Point) -> str:
         """Let go of the cue: "strike", "click", or "" if the pull was taken back."""
-        self.moved = max(self.moved, elementary.dist((event.x, event.y), self.cue.data[3:5].tolist()))
+        self.note(event)
         if self.moved <= CLICK:
             self.take_back()
             return "click"
@@ -210,6 +214,12 @@ class Aiming(Part):
         self.set_power(self.cue.speed)
         self.cue.data[2] = 0.0
         return "strike"
+
+    def lay_down(self, event: Pointer) -> str:
+        """Let go of a cue that has not been pushed through: "click", or "" if it was moved."""
+        self.note(event)
+        self.cue.let_go()
+        return "click" if self.moved <= CLICK else ""
 
     def keep_pull(self) -> None:
         """A stroke has begun with the power that the cue was drawn back for."""

@@ -21,6 +21,7 @@ GAP, SOLID = range(2)
 SWING_FEWEST_S, SWING_MOST_S = 0.07, 0.32
 FOLLOW = 0.16  # m that the tip goes on behind a hard hit
 FOLLOW_S, STAND_S, LEAVE_S = 0.14, 0.22, 0.30
+DRAWN, PRACTISED, PUSHED = "drawn", "practised", "pushed"  # how a stroke begins
 PRACTICE = ((0.16, 0.55), (0.03, 0.42), (0.13, 0.45), (0.025, 0.38))  # m, and s from the key before
 
 
@@ -53,13 +54,16 @@ def pull_of(power: float) -> float:
 
 
 @lru_cache(maxsize=8)
-def stroke_motion(cue_speed: float, practised: bool) -> StrokeMotion:
+def stroke_motion(cue_speed: float, begins: str) -> StrokeMotion:
     """The motion of a stroke with a speed of the cue, m/s, at the hit.
 
-    practised: begins at rest with a few strokes in the air, as a computer player does; else where a hand has
-    drawn the cue.
+    begins: PRACTISED, at rest with a few strokes in the air, as a computer player does. DRAWN, where a hand
+    has drawn the cue. PUSHED, as the tip meets the ball, since a hand has brought it there.
     """
     power = power_of(cue_speed)
+    if begins == PUSHED:
+        return _motion([(0.0, 0.0, 1.0)], power)
+    practised = begins == PRACTISED
     pull = pull_of(power)
     keys = [(0.0, REST_GAP if practised else pull, 1.0)]
     if practised:
@@ -71,8 +75,13 @@ def stroke_motion(cue_speed: float, practised: bool) -> StrokeMotion:
     begun = keys[-1][0]
     # half of the time takes a quarter of the distance: the cue is accelerated evenly until it hits
     keys.append((begun + 0.5 * swing, 0.75 * pull, 1.0))
-    hit = begun + swing
-    keys.append((hit, 0.0, 1.0))
+    keys.append((begun + swing, 0.0, 1.0))
+    return _motion(keys, power)
+
+
+def _motion(keys: list[tuple[float, float, float]], power: float) -> StrokeMotion:
+    """The motion up to the hit, the last of the keys (s, m, solid), and what follows it. power m/s."""
+    hit = keys[-1][0]
     follow = -(0.02 + FOLLOW * min(power / MAX_SPEED, 1.0))
     keys.append((hit + FOLLOW_S, follow, 1.0))
     keys.append((hit + FOLLOW_S + STAND_S, follow, 1.0))
@@ -83,4 +92,4 @@ def stroke_motion(cue_speed: float, practised: bool) -> StrokeMotion:
 
 def warm_ups() -> list[WarmUp]:
     """The kernel that samples a track."""
-    return [WarmUp("key-frames", lambda: stroke_motion(3.0, True).track.sample(0.1))]
+    return [WarmUp("key-frames", lambda: stroke_motion(3.0, PRACTISED).track.sample(0.1))]

@@ -36,7 +36,10 @@ def draw_players_cue(canvas: Canvas, play: Play, time: float) -> None:
         gap, solid = play.motion.track.sample(at).tolist()
     elif play.may_aim and play.grip != grip.CUE_BALL:
         stroke, before, solid = play.aiming.stroke, frame, 1.0
-        gap = pull_of(play.aiming.cue.speed) if play.aiming.pulling else REST_GAP
+        if play.push.chosen:
+            stroke, gap = stroke._replace(azimuth=stroke.azimuth + play.push.swayed), play.push.gap
+        else:
+            gap = pull_of(play.aiming.cue.speed) if play.aiming.pulling else REST_GAP
     else:
         return
     place = before.cue_ball
@@ -44,7 +47,9 @@ def draw_players_cue(canvas: Canvas, play: Play, time: float) -> None:
         return
     radius = float(before.layout.balls.radii[CUE_BALL])
     _draw_stick(canvas, stroke, _tip_of(stroke, place, gap, radius), frame.table, BANDS[before.game.turn])
-    if play.aiming.pulling:
+    if play.push.held:
+        canvas.label(place, play.push.words, FELT_WARM, 13, "semibold", offset=(0.0, -28.0))
+    elif play.aiming.pulling:
         power = f"{play.parameters.power:.1f} m/s"
         canvas.label(place, power, FELT_WARM, 13, "semibold", offset=(0.0, -28.0))
 

@@ -21,6 +21,7 @@ from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import OFFSETS, Odds
+from game.scenes.shared.tables.through.measured import sway_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.numerals import NOTHING
@@ -30,6 +31,7 @@ from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 UNKNOWN = "…"
 ROOM_FOR_CAPTIONS = 0.85  # scale
+CAPTION = 7.0  # design px, by which a caption moves what follows it
 PLACING = "Drag balls to the table and back. Done: E. Save: Ctrl+S."
 MAKING = "Click a ball and its pocket, drag a zone. Wheel: how many."
 TRAY_WIDTH = 610.0  # design px that the balls of the tray take
@@ -51,7 +53,8 @@ class Instruments:
         stroke = play.pending if swinging and play.pending else play.aiming.stroke
         _draw_stroke(canvas, look, stroke, play.model.frame)
         locked = play.aiming.locked and play.may_aim
-        aim = Number("Aim locked" if locked else "Aim", aim_words(play.aiming.cue.aim), locked)
+        title, sways = "Aim locked" if locked else "Aim", sway_words(play.push) if play.may_aim else ""
+        aim = Number(title, aim_words(play.aiming.cue.aim), locked, under=sways)
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == grip.button(name))
@@ -144,15 +147,17 @@ def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> No
     """Figures below each other."""
     x, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
     pitch = layout.NUMBERS_PITCH * canvas.pixels_per_unit
+    roomy = look.k >= ROOM_FOR_CAPTIONS
+    lower = 0.0  # px, what follows a caption
     for row, number in enumerate(numbers):
-        y, color = top + row * pitch, "accent" if number.lit else "text2"
+        y, color = top + row * pitch + lower, "accent" if number.lit else "text2"
         look.text(canvas.surface, number.title, (x, y), 13, "medium", color, "center")
-        roomy = look.k >= ROOM_FOR_CAPTIONS
         letters = 11 if number.small else 13
         at = (x, y + look.px(19))
         look.text(canvas.surface, number.words, at, letters, "semibold", "text1", "center")
         if number.under and roomy:
             look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
+            lower += look.px(CAPTION)
 
 
 def _draw_options(canvas: Canvas, look: Look, frame: Frame, held: grip.Grip) -> None:

@@ -30,6 +30,7 @@ from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
+from game.scenes.shared.tables.through.recoil import draw_recoil
 from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
 from game.ui.canvas.canvas import Canvas
@@ -78,6 +79,9 @@ class BilliardsView:
             sight = self._draw_play(canvas, time)
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS and self._in_view(canvas):
             self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
+        last = frame.last
+        if play.phase == ROLLING and last is not None and last.stroke == play.done:
+            draw_recoil(canvas, play.parameters, last.stroke, time)
 
     def _in_view(self, canvas: Canvas) -> bool:
         """Whether all that stands round the table is seen: nearer, it would be cut off at the edges."""

@@ -47,6 +47,8 @@ def standing_of(play: Play, thinker: Thinker, title: str = "") -> Standing:
         under = "replay"
     else:
         under = _situation(game)
+    if play.coached:
+        under = "coached"
     if len(game.players) == 1:
         return Standing(game_title, under, (_single(game, title),), "", "")
     cards = tuple(_card(play, thinker, player) for player in range(2))

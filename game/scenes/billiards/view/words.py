@@ -53,6 +53,10 @@ def foul_of(game: Game, call: Call, first: int | None, short: bool) -> str:
     return f"foul: {listed(allowed)} first" if len(allowed) == 1 else f"foul: not the {first}"
 
 
+PULLS, PUSHES = "pull the cue back and let go", "draw the cue back and push it through"
+NEXT_LESSON = "O goes on to the next lesson."
+
+
 class Line(NamedTuple):
     """The line below the table: what follows or is to be done, and why; foul: it says a foul."""
 
@@ -71,15 +75,20 @@ def line_of(play: Play, hint: Stroke | None) -> Line:
         return Line(f"Hint: {', '.join(stroke_words(hint, float(frame.layout.balls.radii[CUE_BALL])))}.")
     if frame.words:
         lead, *rest = frame.words if len(game.players) == 1 else (frame.words[-1], *frame.words[:-1])
+        if isinstance(game, Drill) and game.best and play.model.content.lesson:
+            rest = [*rest, NEXT_LESSON]
         return Line(lead, " ".join((*_call_due(play), *rest)), frame.foul)
     if isinstance(game, Drill):
         lead, *rest = described(game.goal, layout.POCKETS)
+        if lesson := play.model.content.lesson:
+            lead, rest = lesson, []
         return Line(lead, " ".join(rest))
     if isinstance(game, RunDrill):
         return Line(run_words(game), "The cue ball is in hand: drag it." if game.in_hand else "")
     if play.phase != AIMING or not play.person_plays:
         return Line("")
-    return Line(_what_to_do(game), " ".join(_call_due(play)))
+    how = PUSHES if play.push.chosen else PULLS
+    return Line(_what_to_do(game, how), " ".join(_call_due(play)))
 
 
 def run_words(game: RunDrill) -> str:
@@ -90,18 +99,14 @@ def run_words(game: RunDrill) -> str:
     return f"Pot all {game.count} {order}{where} without a miss{off}."
 
 
-def _what_to_do(game: Game) -> str:
-    """What a person at turn can do."""
+def _what_to_do(game: Game, how: str) -> str:
+    """What a person at turn can do. how: in words, a stroke is made."""
     alone = len(game.players) == 1
     if game.in_hand:
         where = " behind the line" if game.in_hand == "behind the line" else ""
         who = "The cue ball is" if alone else f"{game.shooter} has the cue ball"
-        return f"{who} in hand: drag it{where}, then pull the cue back and let go."
-    return (
-        "Aim, pull the cue back and let go."
-        if alone
-        else f"{game.shooter} plays: aim, pull the cue back and let go."
-    )
+        return f"{who} in hand: drag it{where}, then {how}."
+    return f"Aim, {how}." if alone else f"{game.shooter} plays: aim, {how}."
 
 
 def _call_due(play: Play) -> tuple[str, ...]:

@@ -49,7 +49,7 @@ class BoxesModel(Part):
 
     def begin(self, content: BoxesContent) -> None:
         """Begin with the boxes of a level, or random ones. ValueError if the level's are none."""
-        self.expected = content.expected
+        self.content = content
         self.listed = bool(content.boxes)  # the boxes are those of the level: their sizes are not changed
         if self.listed:
             self.boxes = listed_boxes(content.boxes)
@@ -210,7 +210,7 @@ class BoxesModel(Part):
             self._clear(boxes.ids[count:])
         self.begin_again()
 
-    def parameter_changed(self, name: str) -> None:
+    def change_parameter(self, name: str) -> None:
         """A parameter has a new value."""
         if name == "count":
             self.set_count(int(self.parameters.count))
@@ -225,8 +225,9 @@ class BoxesModel(Part):
             self.begin_again()
             self.begun, self.ended = counts
 
-    def effects_changed(self) -> None:
-        """``active`` has changed."""
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on."""
+        self.active = active
 
     # -- what a hand does ---------------------------------------------------------------------------
 

@@ -145,10 +145,10 @@ class RaceModel(BoxesModel):
                 seconds = cost_of_a_step(_phase(name, cell, int(chosen.slabs)), boxes, dt)
                 self.curves.note_swept(name, count, seconds)
 
-    def parameter_changed(self, name: str) -> None:
+    def change_parameter(self, name: str) -> None:
         if name not in ("count", "lines", *CONTESTANTS):
             self.curves.clear()  # what was measured was another workload
-        super().parameter_changed(name)
+        super().change_parameter(name)
         if name in self.shaping and not self.parameters.chosen():
             self.messages.say("All are left out. Hierarchical grids stay: one must know the pairs.")
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, PairEvents, UniformGrid
 from game.physics.broadphase.effects import HASHED_PAIRS, MATRIX_PAIRS
+from game.physics.effects import EffectSet
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.base import BoxesModel
 from game.scenes.boxes.model.managers import MOST_IN_MATRIX, matrix_for
@@ -99,8 +100,9 @@ class UniformGridModel(BoxesModel):
         """Whether the hash table keeps the pairs."""
         return HASHED_PAIRS in self.active
 
-    def effects_changed(self) -> None:
+    def change_effects(self, active: EffectSet) -> None:
         """A manager that was off is given the pairs there are; who comes first is another one now."""
+        super().change_effects(active)
         self._forget_times("matrix", "hash")
         for manager in (self.matrix, self.hashed):
             if manager is not None:

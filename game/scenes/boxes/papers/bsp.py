@@ -8,7 +8,7 @@ from time import thread_time
 
 from game.physics.broadphase import BspTree
 from game.physics.broadphase.bsp.tree import PRICE
-from game.scenes.boxes.papers.figures import draw_cuts, draw_gathered, draw_repairs
+from game.scenes.boxes.papers.figures import draw_cuts, draw_gathered, draw_leaves, draw_once, draw_repairs
 from game.scenes.boxes.papers.measuring import (
     beside_others,
     differing_answers,
@@ -129,7 +129,10 @@ BSP = Paper(
             draw_repairs,
             r"c_- \le x < c_+",
         ),
-        Step("Leaves that have become too full are split, nearly empty ones that lie side by side merged."),
+        Step(
+            "Leaves that have become too full are split, nearly empty ones that lie side by side merged.",
+            draw_leaves,
+        ),
         Step(
             "A node whose larger side holds more than its share owes, in each step, what is too much. When "
             "its debt exceeds the cost of cutting it anew, that is done.",
@@ -138,13 +141,14 @@ BSP = Paper(
         ),
         Step(
             "Pairs are looked for in each leaf. One that shares several leaves is told only in the one that "
-            "holds the lower corner of its overlap."
+            "holds the lower corner of its overlap.",
+            draw_once,
         ),
     ),
     showed=(
-        "In scenes with thousands of moving things the tree need not be built anew as a whole even where "
-        "much moves, and keeps its balance and its height. The authors describe several ways to choose "
-        "cuts and leave the measure of what pays to the user; the constants here are ours.",
+        "In scenes with thousands of moving things the tree need not be built anew as a whole, even where "
+        "much moves. It keeps its balance and its height. The authors describe several ways to choose cuts "
+        "and leave the measure of what pays to the user; the constants here are ours.",
     ),
     measure=_measure,
     limits=(

@@ -82,8 +82,57 @@ def draw_gathered(pen: Pen) -> None:
     pen.words("80 steps", 208.0, 84.0, "text2", "left")
 
 
+def draw_leaves(pen: Pen) -> None:
+    """A swarm has drawn together a little: leaves that were split, and leaves that were merged."""
+    tree, ids, low = _tree(70, 5)
+    before = {tuple(leaf) for leaf in tree.leaves()[:, :4].tolist()}
+    now = 0.55 * low + 0.45 * (0.04 + 0.34 * low)
+    tree.update_boxes(ids, now, now + 0.04)
+    tree.pairs()
+    _draw_boxes(pen, tree, {})
+    _draw_parts(pen, tree)
+    split = merged = 0
+    for leaf in tree.leaves()[:, :4].tolist():
+        if tuple(leaf) in before:
+            continue
+        x0, y0, x1, y1 = leaf
+        holds = any(x0 <= a and y0 <= b and c <= x1 and d <= y1 for a, b, c, d in before)
+        split, merged = split + (not holds), merged + holds
+        corners = [_place(x, y) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
+        pen.area(corners, "green" if holds else "amber", 0.7)
+    pen.words(f"{split} by splitting", 208.0, 30.0, "amber", "left")
+    pen.words(f"{merged} by merging", 208.0, 48.0, "green", "left")
+
+
+def draw_once(pen: Pen) -> None:
+    """Pairs, and the lower corner of each overlap: it lies in one leaf only."""
+    low = np.random.default_rng(7).random((26, 2)) * 0.84
+    tree = BspTree()
+    tree.add_boxes(low, low + 0.14)
+    pairs = tree.pairs()
+    _draw_boxes(pen, tree, {})
+    _draw_parts(pen, tree)
+    leaves, shared = tree.leaves()[:, :4], 0
+    for a, b in pairs.tolist():
+        x0, y0 = np.maximum(tree.boxes[a, :2], tree.boxes[b, :2]).tolist()
+        x1, y1 = np.minimum(tree.boxes[a, 2:], tree.boxes[b, 2:]).tolist()
+        both = (leaves[:, 0] < x1) & (leaves[:, 1] < y1) & (leaves[:, 2] > x0) & (leaves[:, 3] > y0)
+        shared += int(np.count_nonzero(both)) > 1
+        pen.area([_place(x, y) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))], "amber", 0.6)
+        pen.disc(*_place(x0, y0), 2.6, "vermilion")
+    pen.words(f"{len(pairs)} pairs", 208.0, 30.0, "text1", "left")
+    pen.words(f"{shared} in several", 208.0, 48.0, "text2", "left")
+    pen.words("leaves, each", 208.0, 66.0, "text2", "left")
+    pen.words("told once", 208.0, 84.0, "text2", "left")
+
+
 def _sweep(slabs: int, growth: float = 3.0) -> KineticSweep:
     """A sweep over boxes in motion in a world of 1 m."""
+    return _led(slabs, growth)[0]
+
+
+def _led(slabs: int, growth: float = 3.0) -> tuple[KineticSweep, np.ndarray]:
+    """The sweep, and lower corners (n, 2) m that its boxes will have if they go on as foreseen."""
     rng = np.random.default_rng(11)
     low = 0.1 + 0.75 * rng.random((16, 2))
     angles = 2.0 * np.pi * rng.random(16)
@@ -94,7 +143,7 @@ def _sweep(slabs: int, growth: float = 3.0) -> KineticSweep:
         now = low + step * way
         sweep.update_boxes(ids, now, now + 0.045)
         sweep.pairs()
-    return sweep
+    return sweep, low + 4.0 * way
 
 
 def _draw_bounds(pen: Pen, slabs: int) -> None:
@@ -137,3 +186,39 @@ def draw_queue(pen: Pen) -> None:
     pen.words("next step", 16.0, 186.0, "text2", "left")
     pen.words("64 steps on", 280.0, 186.0, "text2", "right")
     pen.words(f"600 boxes, at most {most} events in a step", 148.0, 18.0, "text2")
+
+
+def draw_renewed(pen: Pen) -> None:
+    """A step in which some boxes have turned: their bounds were made anew, all others stay."""
+    sweep, low = _led(16)
+    ids = sweep.ids()
+    before = {box: sweep.polygon(box).tolist() for box in ids.tolist()}
+    low[:3] += (0.02, -0.02)  # elsewhere than their straight way would have led
+    sweep.update_boxes(ids, low, low + 0.045)
+    sweep.pairs()
+    anew = [box for box in ids.tolist() if sweep.polygon(box).tolist() != before[box]]
+    for box in ids.tolist():
+        color = "amber" if box in anew else "chalk"
+        corners = [_place(x, y) for x, y in sweep.polygon(box).tolist()]
+        outline(pen, corners, color, 1.4, color, 0.85)
+    _draw_boxes(pen, sweep, dict.fromkeys(anew, "amber"))
+    pen.words(f"{len(anew)} anew", 208.0, 30.0, "amber", "left")
+    pen.words(f"{len(ids) - len(anew)} stay", 208.0, 48.0, "chalk", "left")
+
+
+def draw_candidates(pen: Pen) -> None:
+    """Pairs whose bounds overlap, and those of them whose boxes do."""
+    low = np.random.default_rng(13).random((26, 2)) * 0.9
+    way = 0.01 * np.random.default_rng(14).standard_normal((26, 2))
+    sweep = KineticSweep(16, 3.0)
+    ids = sweep.add_boxes(low, low + 0.08)
+    for step in range(4):
+        sweep.update_boxes(ids, low + step * way, low + step * way + 0.08)
+        met = {tuple(pair) for pair in sweep.pairs().tolist()}
+    _draw_boxes(pen, sweep, {})
+    middles = 0.5 * (sweep.boxes[:, :2] + sweep.boxes[:, 2:])
+    for a, b in sweep.candidate_pairs().tolist():
+        color = "amber" if (a, b) in met else "text3"
+        pen.line((_place(*middles[a].tolist()), _place(*middles[b].tolist())), color, 1.6)
+    pen.words(f"{sweep.candidates} candidates", 208.0, 30.0, "text2", "left")
+    pen.words(f"{len(met)} pairs", 208.0, 48.0, "amber", "left")

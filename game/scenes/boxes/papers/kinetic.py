@@ -8,7 +8,13 @@ import numpy as np
 
 from game.physics.broadphase import KineticSweep, NaiveBroadPhase
 from game.physics.broadphase.kinetic.kinetic_sweep import SLABS
-from game.scenes.boxes.papers.figures import draw_aligned_bounds, draw_plain_bounds, draw_queue
+from game.scenes.boxes.papers.figures import (
+    draw_aligned_bounds,
+    draw_candidates,
+    draw_plain_bounds,
+    draw_queue,
+    draw_renewed,
+)
 from game.scenes.boxes.papers.measuring import (
     beside_others,
     differing_answers,
@@ -120,9 +126,9 @@ def _measure() -> Iterator[Comparison]:
 
 KINETIC = Paper(
     problem=(
-        "A test at the end of each step misses what meets and parts within it, and fast things do that. One "
-        "must look at what they cover on their way; but a box about a long slanting way is mostly empty, "
-        "and tells of many pairs that never meet.",
+        "A test at the end of each step misses what meets and parts within it, and fast things do that. "
+        "One must look at what they cover on their path. But a box about a long slanting path is mostly "
+        "empty, and gives many pairs that never meet.",
     ),
     idea=(
         "Bound the way with slabs, of which one lies across the motion: it is as thin as the thing itself. "
@@ -148,18 +154,21 @@ KINETIC = Paper(
             r"T = s / \max_j \abs{v_j}",
         ),
         Step(
-            "What is used up, and what did not go on as foreseen, is bounded anew, taken out of the sorted "
-            "order, merged in again and swept against its neighbours. The others stay as they are."
+            "What is used up, and what did not go on as foreseen, is bounded anew. It is taken out of the "
+            "sorted order, merged in again and swept against its neighbours. The others stay as they are.",
+            draw_renewed,
         ),
         Step(
             "Pairs of bounds that no slab parts are candidates until one of the two ends. In each step only "
-            "candidates are tested, on the boxes themselves."
+            "candidates are tested, on the boxes themselves.",
+            draw_candidates,
         ),
     ),
     showed=(
-        "Collisions that a test at the end of frames misses are found, at interactive rates and without much "
-        "loss of speed (2004); with a kinetic sweep of bounds in continuous motion (2006) and polytopes of "
-        "chosen directions from coverings of the sphere the pruning makes up for more than it costs (2008).",
+        "Collisions that a test at the end of frames misses are found, at interactive rates and without "
+        "much loss of speed (2004). Later came a kinetic sweep of bounds in continuous motion (2006). With "
+        "polytopes whose directions are chosen from coverings of the sphere the pruning saves more than it "
+        "costs (2008).",
     ),
     measure=_measure,
     limits=(

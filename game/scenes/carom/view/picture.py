@@ -19,6 +19,7 @@ from game.scenes.carom.view.score_board import draw_board, draw_foot
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
 from game.scenes.shared.tables.grip import Held
+from game.scenes.shared.tables.through.recoil import draw_recoil
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM
@@ -58,7 +59,7 @@ class CaromView:
         if course.may_aim or course.phase == STRIKING:
             ball = np.array(course.cue_ball)
             if course.grip.kind is not Held.BALL:
-                draw_cue_behind(canvas, frame.table, ball, BALL_RADIUS, course.cue, CUE_WORDS)
+                draw_cue_behind(canvas, frame.table, ball, BALL_RADIUS, course.cue, CUE_WORDS, course.push)
             canvas.circle(ball, 1.25 * BALL_RADIUS, outline=FELT_WARM, width=1.4, alpha=0.8)
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
             look = look_of(canvas, layout.PIXELS)
@@ -66,6 +67,9 @@ class CaromView:
             draw_list(canvas, look, course, self.advisor, drawn)
             draw_tip(canvas, look, course, self.advisor.study())
             draw_foot(canvas, look, course, drawn)
+        last = frame.last
+        if course.phase == ROLLING and last is not None and last.stroke == course.made:
+            draw_recoil(canvas, course.parameters, last.stroke, float(course.clock[0]))
 
     def _balls(self, alpha: float, clock_before: Floats | None) -> Balls:
         """The balls as they lie, or on their paths."""

@@ -120,6 +120,11 @@ class PairModel(Part):
         self.answer[:] = (found.distance, *points, *found.normal, found.iterations)
         self.counts += (1, found.iterations)
 
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on; without coherence the next query begins anew."""
+        self.active = active
+        self.query(fresh=COHERENCE not in active)
+
     def start_features(self, a: ConvexPolygon, b: ConvexPolygon) -> tuple[Feature, Feature]:
         """Where the last query began, as features that these polygons have."""
         first, second = (int(code) for code in self.begun)

@@ -12,10 +12,14 @@ from game.billiards.shot.cue import speed_ratio
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.through.measured import news_of_hand
+from game.scenes.shared.tables.through.push import MISCUE, Push
+from game.scenes.shared.tables.unsteady import shaken
 from game.stage import Part
 from game.stage.messages import Messages
 
 AIMING, STRIKING, ROLLING = "aiming", "striking", "rolling"
+MOST_OWN = 200  # pushed strokes from which a hand is measured
 AFTER_S = 0.25  # s that a shot is shown beyond its end
 
 
@@ -25,7 +29,8 @@ class CueCourse(Part):
     model: with frame, played, strike, roll, settle and go_back_to. clock (1,) s: time of the phase; it
     belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what a
     subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long nothing
-    has been done, s. by_hand: strokes that a hand has played.
+    has been done, s. by_hand: strokes that a hand has played. push: the cue of a stroke that is pushed;
+    thrust: the next one was; made: the last stroke of a person; strayed: the last of those, meant and made.
     """
 
     model: Any
@@ -36,12 +41,16 @@ class CueCourse(Part):
         self.model = model
         self.ball_per_cue = speed_ratio(ball_mass)  # speed of the ball to that of the cue
         self.cue = CueControl(0.5 * math.pi)
+        self.push = Push(parameters, ball_mass)
         self.phase = AIMING
         self.clock = np.zeros(1)
         self.pending: Stroke | None = None
         self.chosen: Any = None
         self.grip = NOTHING
         self.rest_s = 0.0
+        self.thrust = False
+        self.made: Stroke | None = None
+        self.strayed: tuple[tuple[Stroke, Stroke], ...] = ()
         self.plays_itself = False
         self.by_hand = 0
         self._seed = seed
@@ -100,6 +109,7 @@ class CueCourse(Part):
     def advance(self, dt: float) -> None:
         """One step of what goes on by itself."""
         self.clock[0] += dt
+        self.push.advance(dt)
         if self.phase == AIMING:
             self.rest_s += dt
         elif self.phase == STRIKING:
@@ -110,12 +120,33 @@ class CueCourse(Part):
         elif float(self.clock[0]) >= self.shown_s:
             self.start_phase(AIMING)
 
+    def by_the_hand(self, meant: Stroke, radius: float) -> Stroke:
+        """A stroke as a person's hand does it: as it was pushed, or as it shakes. radius of the ball, m."""
+        if self.push.struck is not None:
+            self.thrust = True
+            made = self.push.made(meant, radius)
+            self.strayed = (*self.strayed, (meant, made))[-MOST_OWN:]
+            if news := news_of_hand(self.strayed, radius):
+                self.messages.say(news)
+        else:
+            self.thrust = False
+            made = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, radius)
+        done = self.push.after_the_tip(made)
+        if self.push.slipped:
+            self.messages.say(MISCUE)
+        self.made = done
+        return done
+
     def swing(self, stroke: Stroke) -> None:
-        """The cue starts to swing for a stroke. ValueError if no stroke may be played now."""
+        """The cue starts to swing for a stroke; one that was pushed is there already. ValueError if no stroke
+        may be played now.
+        """
         if self.phase != AIMING or not self.model.frame.playable:
             raise ValueError("stroke: none may be played now")
         self.pending, self.grip = stroke, NOTHING
         self.cue.strike(stroke.azimuth, min(stroke.cue_speed * self.ball_per_cue, MAX_SPEED))
+        if self.thrust:
+            self.cue.data[6], self.thrust = 0.0, False
         self.start_phase(STRIKING)
 
     def _hit(self) -> None:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from game.arrays import Floats
-from game.stage import Action, Decision, Equation, Hearing, Pointer, Scene, Stamped, Strip
+from game.scenes.shared.tables import actions as keys
+from game.stage import Action, Decision, Equation, Hearing, Hint, Pointer, Scene, Stamped, Strip
 
 ENERGY, CUE_BALL = Strip("Energy", "J", ("energy",)), Strip("Cue ball", "m/s", ("cue ball",))
 SLIDING = Equation(
@@ -81,6 +83,12 @@ class CueGameScene(Scene):
     def hearing(self) -> Hearing | None:
         heard: Hearing | None = self.sounds.hearing()
         return heard
+
+    def hints_now(self) -> Sequence[Hint]:
+        if not self.course.push.chosen:
+            return self.hints
+        pushed = {keys.PULL: (keys.PUSH, keys.BREATH)}
+        return [one for hint in self.hints for one in pushed.get(hint, (hint,))]
 
     def messages(self) -> tuple[str, ...]:
         said: tuple[str, ...] = self.course.messages.take()

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from game.arrays import Floats
 from game.billiards.table.aim import FirstContact, first_contact
 from game.billiards.table.table import Table
-from game.scenes.shared.tables.cue import PULLING, CueControl
+from game.scenes.shared.tables.cue import PULLING, STRIKING, CueControl
+from game.scenes.shared.tables.through.push import Push
 from game.stage import Frame, WarmUp
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
@@ -225,12 +226,20 @@ def draw_cue_behind(
     radius: float,
     cue: CueControl,
     words_y: float,
+    push: Push | None = None,
 ) -> None:
-    """The cue behind a ball; while it is pulled, the speed that it would give, ``words_y`` px below."""
-    back = radius + cue.gap
-    along = (math.cos(cue.aim), math.sin(cue.aim))
+    """The cue behind a ball; while it is pulled, the speed that it would give, ``words_y`` px below.
+
+    push: of strokes that may be pushed; None at a table that has none.
+    """
+    pushed = push is not None and push.chosen and cue.phase != STRIKING
+    gap, aim = (push.gap, cue.aim + push.swayed) if push is not None and pushed else (cue.gap, cue.aim)
+    along = (math.cos(aim), math.sin(aim))
+    back = radius + gap
     draw_stick(canvas, table, (ball[0] - back * along[0], ball[1] - back * along[1]), along)
-    if cue.phase == PULLING:
+    if push is not None and push.held:
+        canvas.label(ball, push.words, FELT_WARM, 13, "semibold", offset=(0.0, words_y))
+    elif cue.phase == PULLING:
         canvas.label(ball, f"{cue.speed:.1f} m/s", FELT_WARM, 13, "semibold", offset=(0.0, words_y))
 
 

@@ -12,6 +12,7 @@ from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.course import STRIKING
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import HAND, OFFSETS, Odds
+from game.scenes.shared.tables.through.measured import sway_words
 from game.scenes.snooker import layout
 from game.scenes.snooker.course import BALL_PER_CUE, Course
 from game.scenes.snooker.hand import SnookerHand
@@ -59,7 +60,8 @@ def _draw_figures(canvas: Canvas, look: Look, course: Course, odds: Odds | None)
     """Direction of the aim, how far it may be off, and how often a hand pots with it."""
     aim = -math.degrees(math.remainder(0.5 * math.pi - course.cue.aim, 2.0 * math.pi))
     locked = course.locked and course.may_aim
-    rows = [("Aim locked" if locked else "Aim", f"{aim + 0.0:.2f}°".replace("-", "\u2212"), locked, "")]
+    sways = sway_words(course.push) if course.may_aim else ""
+    rows = [("Aim locked" if locked else "Aim", f"{aim + 0.0:.2f}°".replace("-", "\u2212"), locked, sways)]
     if odds is not None:
         chance = UNKNOWN if odds.chance is None else f"{100.0 * odds.chance:.0f} %"
         rows.append(("Margin", _margin(odds), False, ""))

@@ -16,6 +16,7 @@ from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
+from game.scenes.shared.tables.through.recoil import draw_recoil
 from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.scenes.snooker import layout
@@ -75,7 +76,9 @@ class SnookerView:
             and (course.may_aim or course.phase == STRIKING)
             and course.grip != grip.CUE_BALL
         ):
-            draw_cue_behind(canvas, frame.table, np.array(place), BALL_RADIUS, course.cue, CUE_WORDS)
+            draw_cue_behind(
+                canvas, frame.table, np.array(place), BALL_RADIUS, course.cue, CUE_WORDS, course.push
+            )
         if sight is not None and place is not None:
             self._magnify(canvas, sight, balls, place, bool(foul))
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
@@ -83,6 +86,9 @@ class SnookerView:
             draw_board(canvas, look, standing_of(course, self.opponents.thinker, self.title))
             draw_foot(canvas, look, course, line_of(course))
             draw_instruments(canvas, look, course, self.hand, self._odds_of(sight))
+        last = frame.last
+        if course.phase == ROLLING and last is not None and last.stroke == course.made:
+            draw_recoil(canvas, course.parameters, last.stroke, float(course.clock[0]))
 
     def _magnify(
         self, canvas: Canvas, sight: Sight, balls: Balls, place: tuple[float, float], foul: bool

@@ -20,7 +20,6 @@ from game.stage import (
     Equation,
     Frame,
     Hint,
-    Pointer,
     Readout,
     SceneAction,
     SetParameter,
@@ -100,9 +99,6 @@ class SolverRace(ModelScene):
         ]
         return (*rows, WarmUp("polygons", warm_up_painter))
 
-    def pointer(self, event: Pointer) -> None:
-        """A race is watched: nothing of it is in a hand."""
-
     def build(self, level: Level | None) -> None:
         self.model = RaceModel(self.parameters, self.active)
         self.view = RaceView(self.model)
@@ -133,9 +129,6 @@ class SolverRace(ModelScene):
     def action(self, name: str) -> None:
         self.parameters.setup = name
         self.build(None)
-
-    def messages(self) -> Sequence[str]:
-        return self.said.take()
 
     def readouts(self) -> list[Readout]:
         rows = []

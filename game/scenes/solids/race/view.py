@@ -38,6 +38,10 @@ class RaceView:
         """How large the panes come out in a picture one unit high."""
         return min(ASPECT / (columns * self.wide), 1.0 / (math.ceil(count / columns) * self.high))
 
+    def legend(self) -> list[tuple[str, str, str]]:
+        """Nothing: each pane has its solver's name."""
+        return []
+
     def frame(self) -> Frame:
         """All panes."""
         view = self.model.setup.content.view

@@ -1,13 +1,15 @@
-"""What stands beside the table: the log, the map's list, or the practice record."""
+"""What stands beside the table: the log, the map's list, the practice record, or the coach."""
 
 from __future__ import annotations
 
 from game.levels import Level
 from game.scenes.billiards import layout
-from game.scenes.billiards.beside import LOG, MAP, NONE
+from game.scenes.billiards.beside import COACH, LOG, MAP, NONE
 from game.scenes.billiards.play import Play
 from game.scenes.billiards.practice.advisor import PoolAdvisor
+from game.scenes.billiards.practice.coach import Coach
 from game.scenes.billiards.practice.side import Side
+from game.scenes.billiards.view.beside.coach_card import draw_coach
 from game.scenes.billiards.view.beside.log_list import draw_log
 from game.scenes.billiards.view.beside.pot_list import draw_pots
 from game.scenes.billiards.view.beside.record import RecordView
@@ -18,10 +20,13 @@ from game.ui.canvas.canvas import Canvas
 class ColumnView:
     """Draws what is chosen."""
 
-    def __init__(self, play: Play, side: Side, advisor: PoolAdvisor, level: Level | None) -> None:
+    def __init__(
+        self, play: Play, side: Side, advisor: PoolAdvisor, coach: Coach, level: Level | None
+    ) -> None:
         self.play = play
         self.side = side
         self.advisor = advisor
+        self.coach = coach
         self.level = level
         self.record = RecordView()
 
@@ -35,5 +40,7 @@ class ColumnView:
             draw_log(canvas, look, self.side)
         elif beside == MAP:
             draw_pots(canvas, look, self.advisor, self.advisor.drawn())
+        elif beside == COACH:
+            draw_coach(canvas, look, self.coach)
         else:
             self.record.draw(canvas, look, self.play, self.level)

@@ -1,0 +1,1 @@
+"""How a scene is opened from a level."""
