@@ -22,7 +22,6 @@ from game.ui.raster.gif_codes import packed_codes
 BITS = 6  # of each of red, green, blue that are kept
 SAME = 255  # colour that means: as in the picture before
 CHOSEN = 255  # colours
-MOST_HZ = 50  # delays are whole hundredths of a second
 _STEPS = 1 << BITS
 
 

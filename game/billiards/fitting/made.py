@@ -24,7 +24,6 @@ APART = 0.15  # m; least distance of the balls' centres at the start
 AT_CUSHION = 0.1  # m; least distance of a centre from the noses at the start
 SPEEDS = (2.0, 4.5)  # m/s
 TIP = 0.45  # ball radii; largest offset of the tip
-AIM_OFF = 0.02  # rad; how the stroke misses the middle of the ball it is aimed at
 MAX_SECONDS = 30.0
 
 

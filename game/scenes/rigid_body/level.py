@@ -22,7 +22,7 @@ ColorName = Literal["ivory", "chalk", "green", "pink", "violet", "yellow", "verm
 COLORS: tuple[str, ...] = ("ivory", "chalk", "green", "pink", "violet", "yellow", "vermilion", "stone")
 MOST_SPHERES = 2_000
 # columns of a design (n, 6): place m in the body's own frame, radius m, density over the panel's, colour
-RADIUS, SHARE, COLOR, DESIGN = 3, 4, 5, 6
+RADIUS, SHARE, COLOR = 3, 4, 5
 
 
 class SphereEntry(LevelEntry, frozen=True, kw_only=True):

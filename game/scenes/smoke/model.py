@@ -250,11 +250,6 @@ class SmokeModel(Part):
         self.take_solids()
         return len(self.obstacles.rows) - 1
 
-    def remove_solid(self, number: int) -> None:
-        """Take a disc away."""
-        self.obstacles.rows = np.delete(self.obstacles.rows, number, axis=0)
-        self.take_solids()
-
     def lead_solid(self, number: int, point: tuple[float, float], dt: float) -> None:
         """Move a disc to a point within a step; it pushes the gas with the velocity that this takes."""
         row = self.obstacles.rows[number]
