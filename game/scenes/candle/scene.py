@@ -14,7 +14,7 @@ from game.scenes.candle.world import CandleWorld
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.scene import Parts, WorldScene
+from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Candle(WorldScene):
@@ -39,16 +39,8 @@ class Candle(WorldScene):
     parameters_type = CandleParameters
     parameters: CandleParameters
     model: CandleWorld
-    parts = Parts(
-        CandleWorld,
-        candle_hand,
-        CandleView,
-        readouts,
-        targets=targets,
-        sizes=sizes,
-        hearing=hearing,
-        names=names,
-    )
+    parts = Parts(CandleWorld, candle_hand, CandleView)
+    told = Told(readouts, targets=targets, sizes=sizes, hearing=hearing, names=names)
     tiny = {"tier": "own", "cells": 32}
     painters = (("polygons", warm_up_painter), ("gas", warm_up_glowing))
     effects = USUAL | COMBUSTION.known
