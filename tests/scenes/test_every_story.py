@@ -29,8 +29,6 @@ MARKED_EVERY_S, MARKED_PX = 9.0, 60
 LOOK_EVERY_S = 0.1
 SMALL, OTHER = (64, 36), 20  # px of pictures that are compared; of 255, by which a colour is another one
 LARGE_CHANGE = 0.1  # of the picture, within a second
-# Stories with nothing new for longer than `MOST_IDLE_S`, or not yet looked at; may only shrink.
-IDLE = frozenset(("c04/wind", "a26/evening"))
 REPLAYED_S = 12.0  # of a story: the rest is made twice in pieces, after each take-over
 TAKE_OVERS, BETWEEN_S, AFTER_S = 20, (0.5, 5.0), 0.25  # at least; s from one to the next, s that each lasts
 
@@ -207,8 +205,6 @@ def test_what_a_moment_is_about_is_seen(played: Performance) -> None:
 
 def test_there_is_something_new_every_eight_seconds(played: Performance) -> None:
     """A moment, words, another place of the camera; or the picture itself changes."""
-    if f"{played.story.scene}/{played.story.name}" in IDLE:
-        pytest.skip("not yet")
     for begins, ends in played.found.idle:
         changes = [at for at, share in played.moved if begins < at < ends and share >= LARGE_CHANGE]
         stretches = itertools.pairwise([begins, *changes, ends])

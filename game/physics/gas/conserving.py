@@ -9,6 +9,9 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
+from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, kernel
 from game.physics.grid.layout import PAD
 
@@ -29,55 +32,58 @@ def largest_outflow(u, v, ax, ay):
 
 @inner_kernel
 def upwind(a, b, c, d, speed):
-    """Value on the face between b and c, from where the gas comes."""
-    if speed >= 0.0:
-        one, two = b - a, c - b
-        return b + (one * two / (one + two) if one * two > 0.0 else 0.0)
-    one, two = d - c, c - b
-    return c - (one * two / (one + two) if one * two > 0.0 else 0.0)
+    """Value on the face between b and c, from where the gas comes. It has no branches: rows are vectors."""
+    ahead = speed >= 0.0
+    one, two = (b - a if ahead else d - c), c - b
+    both = one * two
+    bend = (both if both > 0.0 else 0.0) / (one + two if both > 0.0 else 1.0)
+    return b + bend if ahead else c - bend
+
+
+@inner_kernel
+def _across_faces(a, b, c, d, part, speed, flux):
+    """What flows through a row of faces between b and c, of which a part is open."""
+    for i in range(flux.size):
+        fast = part[i] * speed[i]
+        flux[i] = fast * upwind(a[i], b[i], c[i], d[i], fast)
 
 
 @kernel
-def flux_stage(padded, u, v, solids, scale, kept, mix, out):
+def flux_stage(padded, u, v, solids, scale, kept, mix, out, space):
     """out = mix out + (1 - mix) (padded - scale (flux out of the cell)), for fields that are kept.
 
-    scale: dt / h; padded with ghosts.
+    scale: dt / h; padded with ghosts. space: a plane as large as a padded field, a row for the faces along x,
+    and two rows for those below and above.
     """
     ny, nx, fields = out.shape
+    plane, along, up = space
     for k in range(fields):
         if not kept[k]:
             continue
-        for j in range(ny):
+        for m in range(ny + 2 * PAD):
+            row = plane[m]
+            for n in range(nx + 2 * PAD):
+                row[n] = padded[m, n, k]
+        for j in range(ny + 1):
+            below, above = up[1 - j % 2], up[j % 2]
+            _across_faces(
+                plane[j, PAD : PAD + nx], plane[j + 1, PAD : PAD + nx], plane[j + 2, PAD : PAD + nx],
+                plane[j + 3, PAD : PAD + nx], solids.ay[j], v[j], above,
+            )  # fmt: skip
+            if j == 0:
+                continue
+            row = plane[j + 1]
+            _across_faces(row, row[1:], row[2:], row[3:], solids.ax[j - 1], u[j - 1], along)
+            goal, now = out[j - 1], row[PAD:]
             for i in range(nx):
-                m, n = j + PAD, i + PAD
-                total = 0.0
-                for side in range(2):  # left, right
-                    f = i + side
-                    speed = solids.ax[j, f] * u[j, f]
-                    c = n + side
-                    if speed != 0.0:
-                        value = upwind(
-                            padded[m, c - 2, k],
-                            padded[m, c - 1, k],
-                            padded[m, c, k],
-                            padded[m, c + 1, k],
-                            speed,
-                        )
-                        total += speed * value * (2 * side - 1)
-                for side in range(2):  # below, above
-                    f = j + side
-                    speed = solids.ay[f, i] * v[f, i]
-                    c = m + side
-                    if speed != 0.0:
-                        value = upwind(
-                            padded[c - 2, n, k],
-                            padded[c - 1, n, k],
-                            padded[c, n, k],
-                            padded[c + 1, n, k],
-                            speed,
-                        )
-                        total += speed * value * (2 * side - 1)
-                out[j, i, k] = mix * out[j, i, k] + (1.0 - mix) * (padded[m, n, k] - scale * total)
+                total = along[i + 1] - along[i] - below[i] + above[i]
+                goal[i, k] = mix * goal[i, k] + (1.0 - mix) * (now[i] - scale * total)
+
+
+def space_for(shape: tuple[int, int]) -> tuple[Floats, Floats, Floats]:
+    """What `flux_stage` needs for fields (ny, nx)."""
+    ny, nx = shape
+    return np.empty((ny + 2 * PAD, nx + 2 * PAD)), np.empty(nx + 1), np.empty((2, nx))
 
 
 def substeps_for(most: float, scale: float) -> int:

@@ -9,13 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.arrays import Floats
-from game.physics.gas.conserving import flux_stage, largest_outflow, substeps_for
+from game.physics.gas.conserving import flux_stage, largest_outflow, space_for, substeps_for
 from game.physics.gas.ledger import fields_through
 from game.physics.grid.borders import INFLOW, OPEN
 from game.physics.grid.ghosts import fill_scalar_ghosts
 from game.physics.grid.layout import PAD
-
-ONE = np.ones(1, np.bool_)
 
 
 def carry_in_flux_form(
@@ -32,36 +30,37 @@ def carry_in_flux_form(
     padded, begun, stage = room
     u, v, faces = flow
     inner = padded[PAD:-PAD, PAD:-PAD]
+    space = space_for(inner.shape[:2])
     count = substeps_for(largest_outflow(u, v, faces.ax, faces.ay), scale)
     for _ in range(count):
         np.copyto(begun, inner)
         for mix, out in ((0.0, stage), (0.5, begun)):
             fill_scalar_ghosts(padded, *sides)
             see(padded, count)
-            flux_stage(padded, u, v, faces, scale / count, kept, mix, out)
+            flux_stage(padded, u, v, faces, scale / count, kept, mix, out, space)
             inner[:] = out
 
 
-def carry_density(gas: Any, density: Floats, surrounding: float, dt: float) -> float:
-    """Carry a density (ny, nx) of anything, per m³, for dt (s) by the velocity that a gas has now.
+def carry_densities(gas: Any, densities: Floats, surrounding: Floats, dt: float) -> Floats:
+    """Carry densities (ny, nx, k) of anything, per m³, for dt (s) by the velocity that a gas has now.
 
     After a step this is the velocity that agrees with the expansion of that step. The sum over the cells
-    changes by what goes through the sides alone, whatever walls there are (van Leer 1974). surrounding: the
-    density beyond open sides. Returns what left, per m of depth: the integral over time of the flux there.
+    changes by what goes through the sides alone, whatever walls there are (van Leer 1974). surrounding (k,):
+    the densities beyond open sides. Returns what left (k,), per m of depth: the integral over time of the
+    flux there.
     """
-    ny, nx = gas.grid.shape
-    cell, kinds = gas.grid.cell, gas.edges.kinds
-    padded, left, through = np.zeros((ny + 2 * PAD, nx + 2 * PAD, 1)), 0.0, np.zeros(1)
-    padded[PAD:-PAD, PAD:-PAD, 0] = density
+    (ny, nx, count), cell, kinds = densities.shape, gas.grid.cell, gas.edges.kinds
+    padded, left, through = np.zeros((ny + 2 * PAD, nx + 2 * PAD, count)), np.zeros(count), np.zeros(count)
+    padded[PAD:-PAD, PAD:-PAD] = densities
 
-    def see(stage: Floats, count: int) -> None:
-        nonlocal left
+    def see(stage: Floats, substeps: int) -> None:
         fields_through(stage, gas.u, gas.v, gas.faces, kinds, True, cell, through)
-        left -= 0.5 * dt / count * float(through[0])
+        np.subtract(left, 0.5 * dt / substeps * through, out=left)
 
-    held = np.isin(kinds, (OPEN, INFLOW))[:, None].copy()
-    sides = kinds, held, np.full((4, 1), surrounding)
-    room = padded, np.zeros((ny, nx, 1)), np.zeros((ny, nx, 1))
-    carry_in_flux_form(room, (gas.u, gas.v, gas.faces), sides, ONE, dt / cell, see)
-    density[:] = padded[PAD:-PAD, PAD:-PAD, 0]
+    held = np.repeat(np.isin(kinds, (OPEN, INFLOW))[:, None], count, axis=1)
+    sides = kinds, held, np.tile(np.asarray(surrounding, dtype=np.float64), (4, 1))
+    room = padded, np.zeros(densities.shape), np.zeros(densities.shape)
+    flow = gas.u, gas.v, gas.faces
+    carry_in_flux_form(room, flow, sides, np.ones(count, np.bool_), dt / cell, see)
+    densities[:] = padded[PAD:-PAD, PAD:-PAD]
     return left

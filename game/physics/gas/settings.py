@@ -33,8 +33,9 @@ class GasSettings:
     changes its volume by more than ``tolerance`` in a step. viscosity, and diffusivity of scalars (one
     number, or by field): m²/s. gravity (x, y) m/s²; ambient: K, of what surrounds the gas; smoke_weight: how
     much heavier than air smoke of 1 is; confinement: epsilon of vorticity confinement. slip: the gas slides
-    along solids, else it sticks to them. conservative: fields that are named here are carried in flux form:
-    their sums are kept to rounding.
+    along solids, else it sticks to them. conservative: fields that are named here are carried in flux form,
+    and pushed aside by solids: their sums are kept to rounding. carries_fields: if False, a step leaves
+    fields where they are; what owns the gas carries them afterwards (`densities.carry_densities`).
     """
 
     effects: EffectSet = USUAL
@@ -52,6 +53,7 @@ class GasSettings:
     confinement: float = 0.0
     slip: bool = True
     conservative: tuple[str, ...] = field(default=())
+    carries_fields: bool = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "effects", GAS.checked(self.effects))

@@ -112,10 +112,11 @@ def _advance(s, room, solver, solids, sources, step, q, ahead):
     expansion, force, rates = sources
     effects, dt, book = step.settings.effects, step.dt, step.ledger
     if book is not None:
-        book.begin(s.u, s.v, s.scalars, solids.faces, _kept(step))
+        book.begin(s.u, s.v, s.scalars, solids.faces, _kept(step) | (not step.settings.carries_fields))
     if ADVECTION in effects:
         _find_ways(s, room, solids, step, ahead)
-    keeps = bool(step.settings.conservative) and ADVECTION in effects
+    carries = step.settings.carries_fields and ADVECTION in effects
+    keeps = bool(step.settings.conservative) and carries
     spreads = DIFFUSION in effects
     if spreads:
         _diffuse(s, room, solids, step, 0.5 * dt)
@@ -123,7 +124,7 @@ def _advance(s, room, solver, solids, sources, step, q, ahead):
         book.see_fields(le.LADEN, s.scalars)
     conserved = _conserve(s, room, solids, step, rates) if keeps else None
     _carry_velocity(s, room, solids, step, (1.0 - q) * dt, ADVECTION in effects)
-    _carry_scalars(s, room, solids, step, rates, ADVECTION in effects)
+    _carry_scalars(s, room, solids, step, rates, carries)
     if conserved is not None:
         s.scalars[:, :, _kept(step)] = conserved
     if book is not None:
@@ -222,7 +223,7 @@ def _carry_scalars(
     kinds, faces = step.edges.kinds, solids.faces
     pad_scalars(s.scalars, rates, step.dt, room.pad_s)
     fill_scalar_ghosts(room.pad_s, kinds, step.held, step.values)
-    if carried and step.ledger is not None:
+    if ADVECTION in step.settings.effects and step.ledger is not None:
         step.ledger.flow(step.dt, s.before_u, s.before_v, room.pad_s)
     if not carried:
         s.scalars[:] = room.pad_s[2:-2, 2:-2]

@@ -7,8 +7,7 @@ both distances shrink.
 
 Beside the book of momentum, on Schäfer and Turek's cylinder (1996, 2D-1), drag at the wall is 4.1 % low on 12
 cells across, 0.4 % low on 20, 1.5 % high on 28. A third point on each normal gives -2.5, 2.0, 4.0 %, and
-bicubic reading -3.6, -0.1, 1.6 %. So it is not the slope's order that is missing: `sticking` leads faces near
-the wall only after the pressure is found.
+bicubic reading -3.6, -0.1, 1.6 %. So it is not the slope's order that is missing; the cause is not known.
 """
 
 from __future__ import annotations

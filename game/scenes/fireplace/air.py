@@ -7,7 +7,7 @@ import numpy as np
 from game.arrays import Floats, Point
 from game.physics.effects import EffectSet
 from game.physics.gas import Gas, GasSettings
-from game.physics.gas.densities import carry_density
+from game.physics.gas.densities import carry_densities
 from game.physics.gas.effects import ADVECTION, BUOYANCY, EXPANSION
 from game.physics.grid import Border, Borders, Grid
 from game.physics.grid.obstacles import GridObstacles
@@ -19,15 +19,17 @@ from game.worlds.members.burning_air import FIELDS, FRESH, BurningAir, faded
 from game.worlds.members.openings import Openings
 from game.worlds.painting.glowing import GlowLook
 
-LEAST_FRESH = 1e-6  # kg/m³ of oxygen: where there is less nowhere, all cells are alike
+OUTSIDE = np.array([0.0, 0.0, FRESH, 0.0])  # J/m³ of heat, kg/m³ of fuel, oxygen and soot in the room
+LEAST_FRESH = 1e-6  # share of fresh air: where there is less nowhere, all cells are alike
 SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
 VAPOUR = {
     "ignition": 580.0, "rate": 30.0, "oxygen": 1.3, "heat": 1.6e7, "capacity": 1212.0, "soot": 0.05,
-    "soot_rate": 1.4, "glow": 8e-12, "soot_glow": 1.2e-7, "ambient": ROOM,
+    "soot_rate": 1.4, "glow": 1.5e-11, "soot_glow": 4e-7, "ambient": ROOM,
 }  # fmt: skip
 HEAD = 0.026  # m about the head of a match that its flame fills
 MATCH_HOT = 1500.0  # K at most, of its flame
-LOOK = GlowLook(680.0, 1450.0, 0.05, 4.0e-4, 4.0e-3, 0.85, 950.0)
+LOOK = GlowLook(680.0, 1450.0, 0.05, 1.0e-4, 1.6e-3, 0.85, 950.0)
+USED = 14  # of the flows: oxygen
 COLDEST = 250.0  # K to which wood can cool gas
 QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
 PLATE = 0.017  # m, half the thickness of a plate of the damper
@@ -38,14 +40,14 @@ SLIT = 0.5  # of a face: through what is narrower no gas goes, else it would be 
 
 
 class Air(BurningAir):
-    """cells: across.
+    """cells: across. ``logs``: solids of the gas beside hood and damper.
 
-    Its flows: J/m from the match (less what water took), through the sides, lost in carrying. Then those
-    asked of gas that was too cold to give them, and lost where logs cover and uncover gas. ``logs``: solids
-    of the gas beside hood and damper.
+    Its flows, J/m: from the match (less what water took), and asked of gas that was too cold to give it.
+    Then four each of heat (J/m), fuel, oxygen and soot (kg/m): see `out`, `lost` and `covered`. The last is
+    the oxygen (kg/m) that coal has used.
     """
 
-    vapour, flame_look, counts = VAPOUR, LOOK, 5
+    vapour, flame_look, counts = VAPOUR, LOOK, 15
 
     def __init__(
         self, cells: int, cycles: int, damper: float, sealed: bool, active: EffectSet, gas_effects: EffectSet
@@ -55,7 +57,10 @@ class Air(BurningAir):
         borders = Borders(Border(kind), Border(kind), Border("wall"), Border(kind))
         gas = Gas(
             Grid(cells, round(TALL / cell), cell, (-HALF, 0.0)), borders,
-            GasSettings(effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=ROOM),
+            GasSettings(
+                effects=gas_effects.without(BUOYANCY), turns=cycles, ambient=ROOM, conservative=FIELDS[1:],
+                carries_fields=False,
+            ),
             FIELDS, {"oxygen": FRESH},
         )  # fmt: skip
         super().__init__(gas, faded(gas.grid.shape, 0.12), active, BUOYANCY in gas_effects)
@@ -88,12 +93,12 @@ class Air(BurningAir):
 
     def _take_solids(self) -> None:
         """Sample hood, damper and logs; to the gas they are at rest. What they cover is booked."""
-        before = self.heat()
+        before = self.contents()
         self._solids.rows = np.concatenate([_shell(self.damper), self.logs.rows])
         faces = self._obstacles.update(self._solids)
         self.openings.take(faces.ax, faces.ay, SLIT)
         self.gas.set_open_parts(faces.ax, faces.ay)
-        self.flows[4] += before - self.heat()
+        self.covered[:] += before - self.contents()
 
     def plates(self) -> list[Floats]:
         """Corners (4, 2) m of the damper's two plates."""
@@ -109,7 +114,7 @@ class Air(BurningAir):
         upward = 0.5 * (self.gas.v[j, i] + self.gas.v[j + 1, i])
         speed = np.sqrt(along * along + upward * upward)
         hottest = np.sort(cells[..., 0], axis=1)[:, -3:]
-        fresh = np.sum(self._free(points) * cells[..., 2], axis=1) / FRESH
+        fresh = np.sum(self._free(points) * self.fresh()[j, i], axis=1)
         return np.mean(hottest, axis=1), np.clip(fresh, 0.0, 1.0), np.mean(speed, axis=1)
 
     def _free(self, points: Floats) -> Floats:
@@ -121,18 +126,23 @@ class Air(BurningAir):
         free[np.sum(free, axis=1) == 0.0] = 1.0
         return np.asarray(free / np.sum(free, axis=1)[:, None])
 
-    def take(self, points: Floats, joule: Floats, vapour: Floats) -> None:
+    def take(self, points: Floats, joule: Floats, vapour: Floats, burnt: Floats) -> None:
         """Heat (n,) J/m and vapour (n,) kg/m into the cells at points (n, k, 2) m, where these are free.
 
-        Heat that a piece gives comes from where its coal burns: in proportion to the oxygen there.
+        Coal that has ``burnt`` (n,) kg/m takes its oxygen from there, and gives its heat to the same cells.
         """
         j, i = self.openings.nearest_to(*self.cells_at(points))
         volume, share = self.cell * self.cell, self._free(points)
-        burns = share * np.maximum(self.gas.scalars[j, i, 2], LEAST_FRESH)
+        burns = share * np.maximum(self.fresh()[j, i], LEAST_FRESH)
         burns /= np.sum(burns, axis=1)[:, None]
         parts = np.where(joule[:, None] > 0.0, burns, share)
         np.add.at(self._rise, (j, i), joule[:, None] * parts / (VAPOUR["capacity"] * volume))
         np.add.at(self.gas.scalars[..., 1], (j, i), vapour[:, None] * share / volume)
+        oxygen, asked = self.gas.scalars[..., 2], np.zeros(self.gas.grid.shape)
+        np.add.at(asked, (j, i), VAPOUR["oxygen"] * burnt[:, None] * burns / volume)
+        used = np.minimum(asked, np.maximum(oxygen, 0.0))
+        oxygen -= used
+        self.flows[USED] += volume * float(np.sum(used))
 
     def heat_match(self, head: Point, power: float, dt: float) -> None:
         """The flame of a match of so many W/m at its head."""
@@ -167,11 +177,12 @@ class Air(BurningAir):
     def advance(self, dt: float) -> None:
         """Burn, and flow."""
         gas, warm, volume = self.gas, self.gas.scalars[..., 0], self.cell * self.cell
-        at_first, before, asked = warm.copy(), self.heat(), float(np.sum(self._rise))
-        dense = self._heats()
+        at_first, asked = warm.copy(), float(np.sum(self._rise))
+        dense, before = gas.scalars.copy(), self.heat()
+        dense[..., 0] = self._heats()
         np.maximum(self._rise, COLDEST - warm, out=self._rise)
         given = VAPOUR["capacity"] * volume * float(np.sum(self._rise))
-        self.flows[3] += VAPOUR["capacity"] * volume * asked - given
+        self.flows[1] += VAPOUR["capacity"] * volume * asked - given
         if self._expands():
             np.divide(self._rise, warm * dt, out=gas.expansion)
         else:
@@ -188,21 +199,28 @@ class Air(BurningAir):
         if self.wind != 0.0:
             along, _ = self.velocities()
             gas.force[self._outside, 0] += 3.0 * (self.wind - along[self._outside])
-        dense += VAPOUR["capacity"] * (warm - at_first)  # what is warmed holds that, until it expands
+        # what is warmed holds that, until it expands
+        dense[..., 0] += VAPOUR["capacity"] * (warm - at_first)
+        dense[..., 1:] = gas.scalars[..., 1:]
+        brought = self.contents()
+        brought[0] = before + warmed
         out = self._carry(dense, dt)
-        self.flows[1] += out
-        self.flows[2] += warmed - out - (self.heat() - before)
+        self.out[:] += out
+        self.lost[:] += brought - out - self.contents()
 
-    def _carry(self, dense: Floats, dt: float) -> float:
-        """Let the gas flow, and its heat, (ny, nx) J/m³, by the velocity that is left: it agrees with the
-        expansion of this step, and by fluxes the sum of the heat stays. Returns J/m that left the box.
+    def _carry(self, dense: Floats, dt: float) -> Floats:
+        """Let the gas flow, and what is in it, (ny, nx, 4): heat J/m³, fuel, oxygen and soot kg/m³.
+
+        The velocity is the one that is left, which agrees with the expansion of this step. By fluxes the sums
+        stay. Returns what left the box, J/m and kg/m (4,).
         """
-        gas, out = self.gas, 0.0
+        gas, out = self.gas, np.zeros(len(FIELDS))
         gas.step(dt)
         if ADVECTION in gas.settings.effects:
-            out = carry_density(gas, dense, 0.0, dt)
-        half = dense / VAPOUR["capacity"]
+            out = carry_densities(gas, dense, OUTSIDE, dt)
+        half = dense[..., 0] / VAPOUR["capacity"]
         gas.scalars[..., 0] = half + np.sqrt(half * half + ROOM * ROOM) if self._expands() else ROOM + half
+        gas.scalars[..., 1:] = dense[..., 1:]
         return out
 
     def _expands(self) -> bool:
@@ -214,27 +232,29 @@ class Air(BurningAir):
         return float(self.flows[0])
 
     @property
-    def gone(self) -> float:
-        """J/m that left the box with the gas."""
+    def refused(self) -> float:
+        """J/m (below 0) that wood took from gas which was too cold to give it."""
         return float(self.flows[1])
 
     @property
-    def lost(self) -> float:
-        """J/m that the gas's way of carrying has lost: what its cells were warmed by, less what left through
-        the sides and what more is in them. In flux form it is rounding. Of what burnt and radiated it knows
-        nothing.
+    def out(self) -> Floats:
+        """(4,) J/m, kg/m that left the box with the gas."""
+        return self.flows[2:6]
+
+    @property
+    def lost(self) -> Floats:
+        """(4,) J/m, kg/m that the gas's way of carrying has lost: what was in its cells, or warmed them, less
+        what left through the sides and what is in them then. In flux form it is rounding. Of what burnt and
+        radiated it knows nothing.
         """
-        return float(self.flows[2])
+        return self.flows[6:10]
 
     @property
-    def covered(self) -> float:
-        """J/m that was in gas where logs or damper came to lie, less what is in gas where they lay."""
-        return float(self.flows[4])
-
-    @property
-    def refused(self) -> float:
-        """J/m (below 0) that wood took from gas which was too cold to give it."""
-        return float(self.flows[3])
+    def covered(self) -> Floats:
+        """(4,) J/m, kg/m that was in gas where logs or damper came to lie, less what is where they lay.
+        Fuel, oxygen and soot are pushed aside: of them it is rounding.
+        """
+        return self.flows[10:14]
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -244,8 +264,9 @@ class Air(BurningAir):
         return np.asarray(np.sqrt(along * along + upward * upward))
 
     def fresh(self) -> Floats:
-        """(ny, nx) share of the oxygen of fresh air."""
-        return np.asarray(self.gas.field("oxygen") / FRESH)
+        """(ny, nx) oxygen of the gas, by mass, as a share of that of fresh air."""
+        thin = self.gas.scalars[..., 0] / ROOM if self._expands() else 1.0
+        return np.asarray(np.clip(self.gas.scalars[..., 2] * thin / FRESH, 0.0, 1.0))
 
     def draught(self) -> float:
         """m/s upwards above the fire, by which it is seen to puff."""
@@ -259,6 +280,12 @@ class Air(BurningAir):
         warm = self.gas.scalars[..., 0]
         share = 0.5 * (warm + ROOM) / warm if self._expands() else 1.0
         return np.asarray(VAPOUR["capacity"] * (warm - ROOM) * share)
+
+    def contents(self) -> Floats:
+        """(4,) J/m of heat above that of the room, kg/m of fuel, oxygen and soot."""
+        return np.array(
+            [self.heat(), *(np.sum(self.gas.scalars[..., 1:], axis=(0, 1)) * (self.cell * self.cell))]
+        )
 
     def heat(self) -> float:
         """J/m in the gas above that of the room."""

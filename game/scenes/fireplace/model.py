@@ -23,7 +23,7 @@ from game.scenes.fireplace.match import Match
 from game.scenes.fireplace.parameters import FireplaceParameters
 from game.scenes.fireplace.sparks import Sparks, X, Y
 from game.scenes.fireplace.wood import SPENT, Wood, WoodState
-from game.worlds.hearing import Heard
+from game.worlds.hearing import Heard, impacts
 from game.worlds.members.burning_air import AirState
 from game.worlds.world import World
 
@@ -35,6 +35,10 @@ BEAT_S, LEAST_BEATS = 5.0, 4  # s over which the puffs are counted, and how many
 UNDER_ASH = 0.75  # share of its surface that coal still shows when it has burnt out
 EMBER_FROM = 520.0  # K: hotter, a burnt out piece is an ember
 HEARD_S = 0.25
+POP, BREAK, TICK, FALL = 1, 2, 3, 4  # what is heard
+LEAST_HEARD = 0.25  # m/s at which wood that falls is heard
+TICKS = 0.12  # 1/s at which a piece of coal is heard to crack
+HEAT_AT_FIRST, FUEL_AT_FIRST, COAL = range(3)  # of ``whole``
 LOG = WoodEntry(at=(0.0, 0.0), length=0.44, thick=0.085, pieces=5)
 POUR_REACH = 0.14  # m
 TOUCH, TOUCH_HOT = 0.065, 1300.0  # m, K: of the flame of a match
@@ -43,7 +47,7 @@ GRIP, QUICKEST = 0.12, 2.0  # m, m/s of a hand
 
 class FireplaceState(NamedTuple):
     """wood, air; logs (k, BOX_WIDTH) as the gas knows them; sparks (MOST, 6); heard (k, HEARD_WIDTH), see
-    `tables`; ember (4,): see `FireplaceModel`.
+    `tables`; ember (4,), whole (3,): see `FireplaceModel`.
     """
 
     wood: WoodState
@@ -52,6 +56,7 @@ class FireplaceState(NamedTuple):
     sparks: Floats
     heard: Floats
     ember: Floats
+    whole: Floats
 
 
 class FireplaceModel(World):
@@ -71,7 +76,7 @@ class FireplaceModel(World):
         self.shine, self.most_power, self.most_height, self.most_hot = 0.0, 0.0, 0.0, 0.0
         self.crossings: list[float] = []
         self.rising, self.mean_rise, self.last_beat = False, 0.0, 0.0
-        self.changed, self.given_up = False, 0.0
+        self.changed = False
         self.held, self.target = -1, (0.0, 0.0)
         self.heard = Heard(24, HEARD_S)
         self.ember: Floats = np.array([-1.0, 0.0, 0.0, 0.0])
@@ -87,8 +92,7 @@ class FireplaceModel(World):
         self.air.set_logs(self.wood.boxes(self.air.cell))
         self.match = Match(self.wood.world)
         self.sparks = Sparks(seed)
-        self.fuel_at_first = math.fsum(self.wood.nodes.fuel.tolist())
-        self.heat_at_first = self.wood.nodes.heat()
+        self.whole: Floats = np.array([self.wood.nodes.heat(), self._fuel(), 0.0])
 
     # -- changes ------------------------------------------------------------------------------------------
 
@@ -112,13 +116,13 @@ class FireplaceModel(World):
         """A log falls from a point (m); False if there is no space."""
         self.changed = True
         x = min(max(point[0], -0.3), 0.3)
-        before_heat, before_fuel = self.wood.nodes.heat(), math.fsum(self.wood.nodes.fuel.tolist())
+        heat, fuel = self.wood.nodes.heat(), self._fuel()
         turn = 24.0 * elementary.sin(37.0 * x + self.time)
         entry = WoodEntry(at=(x, max(point[1], 0.3)), turn=turn, length=LOG.length, thick=LOG.thick, pieces=5)
         if not self.wood.add(entry):
             return False
-        self.heat_at_first += self.wood.nodes.heat() - before_heat
-        self.fuel_at_first += math.fsum(self.wood.nodes.fuel.tolist()) - before_fuel
+        self.whole[HEAT_AT_FIRST] += self.wood.nodes.heat() - heat
+        self.whole[FUEL_AT_FIRST] += self._fuel() - fuel
         return True
 
     def blow(self, point: Point, way: Point) -> None:
@@ -132,7 +136,7 @@ class FireplaceModel(World):
         near = np.flatnonzero(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] < POUR_REACH * POUR_REACH)
         for piece in near.tolist():
             most = 0.4 * float(self.wood.table[piece, tables.WHOLE])
-            self.heat_at_first += most * n.WATER_HEAT * tables.ROOM
+            self.whole[HEAT_AT_FIRST] += most * n.WATER_HEAT * tables.ROOM
             nodes.wet(piece, most)
         self.air.pour(point, POUR_REACH)
 
@@ -217,9 +221,12 @@ class FireplaceModel(World):
         wood.meet(gas, oxygen, speed, strong / (1.0 + away / (FAR * FAR)))
         torn = int(wood.nodes.torn.sum())
         wood.advance(dt)
-        joule, vapour, _ = wood.nodes.take_given()
-        self.air.take(points, joule[: wood.count], vapour[: wood.count])
+        joule, vapour, burnt = (row[: wood.count] for row in wood.nodes.take_given())
+        self.air.take(points, joule, vapour, burnt)
         self._spend()
+        found = impacts(wood.world, LEAST_HEARD)
+        fallen = found.heard(self.time, np.full(len(found.rows), FALL), found.rows[:, 3])
+        self.heard.remember(fallen, self.time)
         broken = int(wood.nodes.torn.sum()) - torn
         if broken or wood.nodes.burning().any():
             self.changed = True
@@ -234,7 +241,7 @@ class FireplaceModel(World):
             return
         laws, hot = wood.made_of, wood.nodes.temperature
         for piece in np.flatnonzero(spent).tolist():
-            self.given_up += float(fuel[piece])
+            self.whole[COAL] += float(fuel[piece])
             wood.nodes.nodes[1, piece] += laws.fuel_heat * float(fuel[piece])  # its warmth stays, as ash
             fuel[piece] = 0.0
             wood.nodes.nodes[n.AREA, piece] *= UNDER_ASH
@@ -253,7 +260,11 @@ class FireplaceModel(World):
             piece = int(burning[int(chance.integers(len(burning)))])
             x, y = wood.places()[piece].tolist()
             self.sparks.burst((x, y), 2 if number < pops else 10, 0.8 if number < pops else 1.2)
-            self.heard.add(self.time, 1 if number < pops else 2, 0.4 + 0.6 * float(chance.random()), x)
+            self.heard.add(self.time, POP if number < pops else BREAK, 0.4 + 0.6 * float(chance.random()), x)
+        glowing = np.flatnonzero(wood.nodes.temperature[: wood.count] > EMBER_FROM)
+        if len(glowing) and chance.random() < TICKS * len(glowing) * dt:  # coal that shrinks as it cools
+            x = float(wood.places()[int(glowing[int(chance.integers(len(glowing)))]), 0])
+            self.heard.add(self.time, TICK, 0.1 + 0.3 * float(chance.random()), x)
         self.sparks.step(self.air.wind_at(self.sparks.table[:, X : Y + 1]), dt)
 
     def _see(self, dt: float) -> None:
@@ -318,26 +329,52 @@ class FireplaceModel(World):
         found = {
             "radiated": flames.radiated + float(wood.totals[n.RADIATED]),
             "steam": float(wood.totals[n.STEAM]),
-            "flue": air.gone,
+            "flue": float(air.out[0]),
             "gas": air.heat(),
-            "wood": wood.heat() - self.heat_at_first,
-            "carrying": air.lost,
+            "wood": wood.heat() - float(self.whole[HEAT_AT_FIRST]),
+            "carrying": float(air.lost[0]),
             "refused": air.refused,
-            "covered": air.covered,
+            "covered": float(air.covered[0]),
         }
         return {"made": made, **found, "open": made - sum(found.values())}
 
+    def vapour(self) -> dict[str, float]:
+        """kg/m of vapour. "given": what wood weighs less, but for what it has burnt itself. That is burnt in
+        flames, gone through the sides, or in the gas; "carrying" and "covered" are as in `books`. "open": the
+        rest.
+        """
+        air, of_wood = self.air, float(self.wood.nodes.totals[n.OF_FUEL]) / self.wood.made_of.heat
+        given = float(self.whole[FUEL_AT_FIRST] - self.whole[COAL]) - self._fuel() - of_wood
+        found = {
+            "burnt": air.flames.books_now().burnt,
+            "flue": float(air.out[1]),
+            "gas": float(air.contents()[1]),
+            "carrying": float(air.lost[1]),
+            "covered": float(air.covered[1]),
+        }
+        return {"given": given, **found, "open": given - sum(found.values())}
+
     def burnt_share(self) -> float:
         """Of the wood, by its fuel."""
-        left = math.fsum(self.wood.nodes.fuel.tolist()) + self.given_up
-        return 1.0 - left / self.fuel_at_first if self.fuel_at_first > 0.0 else 0.0
+        first = float(self.whole[FUEL_AT_FIRST])
+        return 1.0 - (self._fuel() + float(self.whole[COAL])) / first if first > 0.0 else 0.0
+
+    def coal_share(self) -> float:
+        """Of the wood, what is left under ash where no air comes to it."""
+        first = float(self.whole[FUEL_AT_FIRST])
+        return float(self.whole[COAL]) / first if first > 0.0 else 0.0
+
+    def _fuel(self) -> float:
+        """kg/m that can still burn."""
+        return math.fsum(self.wood.nodes.fuel.tolist())
 
     def state(self) -> FireplaceState:
         """All that later steps depend on."""
         air, sounds = self.air.state()[0], self.heard.rows
         return FireplaceState(
-            self.wood.state(), air, self.air.logs.rows, self.sparks.table, sounds, self.ember
-        )
+            self.wood.state(), air, self.air.logs.rows, self.sparks.table, sounds, self.ember,
+            self.whole,
+        )  # fmt: skip
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
@@ -345,3 +382,4 @@ class FireplaceModel(World):
         self.air.restore_logs(state.logs.copy())
         self.air.restore(iter([state.air]))
         self.sparks.table[:], self.heard.rows, self.ember[:] = state.sparks, state.heard.copy(), state.ember
+        self.whole[:] = state.whole

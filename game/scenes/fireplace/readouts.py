@@ -13,11 +13,11 @@ from game.stage import Readout
 
 def readouts_of(model: FireplaceModel) -> list[Readout]:
     """The fire first, then the wood, the ember and its law, the books of heat."""
-    wood, air, books = model.wood, model.air, model.books()
+    wood, air, books, vapour = model.wood, model.air, model.books(), model.vapour()
     hot = wood.nodes.nodes[TEMPERATURE, : wood.count]
     burning = int(np.count_nonzero(wood.nodes.burning()[: wood.count]))
     logs = wood.is_log()
-    made = max(books["made"], 1.0)
+    made, given = max(books["made"], 1.0), max(vapour["given"], 1e-6)
     law, piece = float(model.ember[1]), int(model.ember[0])
     ember = float(hot[piece]) if 0 <= piece < len(hot) else math.nan
     rows = [
@@ -49,6 +49,13 @@ def readouts_of(model: FireplaceModel) -> list[Readout]:
         Readout("lost in carrying", 100.0 * books["carrying"] / made, "%"),
         Readout("covered by logs", 100.0 * books["covered"] / made, "%"),
         Readout("open share", 100.0 * books["open"] / made, "%"),
+        Readout("left as coal", 100.0 * model.coal_share(), "%"),
+        Readout("vapour given off", 1e3 * vapour["given"], "g/m"),
+        Readout("vapour burnt", 100.0 * vapour["burnt"] / given, "%"),
+        Readout("vapour up the flue", 100.0 * vapour["flue"] / given, "%"),
+        Readout("vapour covered", 100.0 * vapour["covered"] / given, "%"),
+        Readout("vapour lost", 100.0 * vapour["carrying"] / given, "%"),
+        Readout("vapour open", 100.0 * vapour["open"] / given, "%"),
         Readout("divergence left", air.gas.report.after, ""),
         Readout("puffs of a round pool", 1.5 / math.sqrt(0.6), "Hz"),
     ]

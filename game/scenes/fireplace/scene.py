@@ -15,12 +15,12 @@ from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.parameters import OF_PICTURE, FireplaceParameters
 from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
-from game.scenes.fireplace.told import hearing, names, saved, targets
+from game.scenes.fireplace.told import hearing, names, saved, sizes, targets
 from game.scenes.fireplace.view import FireplaceView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop
-from game.worlds.painting.glowing import warm_up_glowing
 from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.painting.sheets import warm_up_sheets
 from game.worlds.scene import Parts, Told, WorldScene
 
 
@@ -35,8 +35,9 @@ class Fireplace(WorldScene):
 
     All is in the plane, a metre deep. The wood is very light, so that an hour passes in a minute. Logs are
     walls of the gas, so that flames go round them. Past sticks it goes before and behind; slits narrower
-    than half a cell are shut. What carrying the gas's heat over the grid loses stands in the books, and what
-    logs cover and uncover as well.
+    than half a cell are shut. Heat, vapour, oxygen and soot are carried in flux form: none is lost. Coal uses
+    oxygen as flames do; under ash no air comes to it, and a quarter of the wood is left. The picture shows
+    the plane as three sheets, one behind the other. What is smaller than a cell is drawn by chance.
 
     In the equations: T temperature, T_a that around, b from emissivity, area and heat capacity, Y_F and Y_O
     fuel and oxygen, s oxygen for a kilogram of fuel, k rate, g gravity, u velocity, D width of the fire.
@@ -47,10 +48,10 @@ class Fireplace(WorldScene):
     parameters: FireplaceParameters
     model: FireplaceModel
     parts = Parts(FireplaceModel, fire_hand, FireplaceView)
-    told = Told(readouts_of, saved, targets, hearing, names)
+    told = Told(readouts_of, saved, targets, hearing, names, sizes)
     tiny = {"tier": "own", "cells": 16}
     painters = (
-        ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_glowing),
+        ("polygons", warm_up_painter), ("backdrop", warm_up_backdrop), ("gas", warm_up_sheets),
         ("room", warm_up_room),
     )  # fmt: skip
     effects = USUAL | COMBUSTION.known | HEAT.known | SOLID_EFFECTS

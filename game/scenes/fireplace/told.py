@@ -12,17 +12,18 @@ from game.physics.heat.nodes import TEMPERATURE, WATER
 from game.scenes.fireplace import tables
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
 from game.scenes.fireplace.match import KEYS
-from game.scenes.fireplace.model import FireplaceModel
+from game.scenes.fireplace.model import BREAK, FALL, POP, TICK, FireplaceModel
 from game.stage import Hearing
 from game.worlds.hearing import ROOM, fire
 
-LOUD_FIRE, LOUD_COAL = 250e3, 6e3  # W/m: of flames, and of those that are as loud as a bed of coal
-NAMES = {1: "wood", 2: "thud"}
+LOUD_FIRE, LOUD_COAL = 120e3, 6e3  # W/m: of flames, and of those that are as loud as a bed of coal
+NAMES = {POP: "wood", BREAK: "thud", TICK: "stone", FALL: "wood"}
 
 
 def hearing(model: FireplaceModel) -> Hearing:
     """Pops and breaks of the last moments, from the left or the right; the flames, and coal that hisses."""
-    steady = (ROOM, fire(max(model.shine, LOUD_COAL * model.embers_shine()), LOUD_FIRE))
+    flames = model.shine + model.match.power(model.time)
+    steady = (ROOM, fire(max(flames, LOUD_COAL * model.embers_shine()), LOUD_FIRE))
     return Hearing("fireplace", model.time, model.heard.sounds(NAMES, tables.HALF), steady)
 
 
@@ -60,7 +61,7 @@ def targets(model: FireplaceModel) -> dict[str, Point]:
         "kindling": (0.0, 0.09),
         "hearth": (0.0, 0.32),
         "flue": (0.0, 1.2),
-        "flames": (0.0, 0.25 + 0.5 * model.flame_height()),
+        "flames": (0.0, 0.08 + 0.5 * model.flame_height()),
         "embers": (0.0, 0.12),
     }
     wood = model.wood
@@ -68,6 +69,12 @@ def targets(model: FireplaceModel) -> dict[str, Point]:
         x, y = wood.places()[int(np.argmax(wood.nodes.nodes[TEMPERATURE, : wood.count]))].tolist()
         found["hottest"] = (x, y)
     return found
+
+
+def sizes(model: FireplaceModel) -> dict[str, float]:
+    """m: of the match with its flame, of a log on the grate, of the flames, of what glows."""
+    flames = max(model.flame_height(), 0.1)
+    return {"match": 0.1, "kindling": 0.12, "hearth": 0.4, "flames": flames, "embers": 0.1}
 
 
 def names(model: FireplaceModel) -> list[tuple[Point, str]]:
@@ -79,5 +86,5 @@ def names(model: FireplaceModel) -> list[tuple[Point, str]]:
         x, y = wood.places()[hottest].tolist()
         found.append(((x, y), f"the hottest wood, {float(kelvin[hottest]):.0f} K"))
     if model.flame_height() > 0.0:
-        found.append(((0.0, 0.25 + model.flame_height()), f"flames, {model.flame_height():.2f} m"))
+        found.append(((0.0, model.flame_height()), f"flames, {model.flame_height():.2f} m"))
     return found

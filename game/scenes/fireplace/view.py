@@ -16,13 +16,15 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
 from game.worlds.painting.flames import HEAT_STOPS, draw_firelight, glow_inks, glow_stops
+from game.worlds.painting.sheets import Sheets
 
 BOX = ((-tables.HALF, 0.0), (tables.HALF, tables.TALL))
 SMOKE = {True: pygame.Color(70, 66, 64), False: pygame.Color(96, 92, 90)}
+SMOKE_LIT = pygame.Color(150, 104, 74)
 IRON, IRON_LIT = pygame.Color(28, 26, 26), pygame.Color(74, 66, 60)
 COLD, HOT = 293.0, 1500.0  # K, of the view of temperatures
 SPEED_STOPS = ((0.0, "stage"), (0.4, "body"), (0.7, "chalk"), (1.0, "text1"))
-OXYGEN_STOPS = ((0.0, "vermilion"), (0.5, "amber"), (1.0, "chalk"))
+OXYGEN_STOPS = ((0.0, "vermilion"), (0.4, "amber"), (0.9, "violet"), (1.0, "stage"))
 
 
 class FireplaceView:
@@ -31,12 +33,13 @@ class FireplaceView:
     def __init__(self, model: FireplaceModel, hand: Hand):
         self.model, self.hand = model, hand
         self._room, self._wood = Room(), WoodPicture()
+        self._sheets = Sheets(LOOK, model.air.gas.grid.shape, model.air.cell)
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What a view of the gas shows."""
         words = {
             "temperature": "293 K dark to 1500 K bright", "speed": "0 to 4 m/s",
-            "oxygen": "none to fresh air",
+            "oxygen": "none orange, dark as in fresh air",
         }  # fmt: skip
         view = self.model.parameters.view
         return [("square:amber", words[view], "")] if view in words else []
@@ -52,7 +55,7 @@ class FireplaceView:
         bright = adapted(model.shine)
         self._wood.draw(canvas, model.wood, (places, turned), strength, dark, bright)
         self._draw_match(canvas)
-        self._draw_gas(canvas, dark)
+        self._draw_gas(canvas, dark, strength)
         self._draw_damper(canvas)
         self._draw_sparks(canvas, bright)
         canvas.bloom(0.7 if dark else 0.4)
@@ -91,11 +94,13 @@ class FireplaceView:
         for x in BARS:
             canvas.circle((x, tables.GRATE), tables.BAR, IRON, outline=lit, width=1.0)
 
-    def _draw_gas(self, canvas: Canvas, dark: bool) -> None:
+    def _draw_gas(self, canvas: Canvas, dark: bool, strength: float) -> None:
         model, view = self.model, self.model.parameters.view
         if view == "fire":
-            veil = model.air.veil()
-            canvas.veil(veil, *BOX, SMOKE[dark], glow_stops(LOOK.dark, LOOK.bright))
+            air = model.air
+            veil = self._sheets.veil(air.temperature, air.gas.field("soot"), air.edge, model.time)
+            smoke = SMOKE[dark].lerp(SMOKE_LIT, 0.7 * min(strength, 1.0))
+            canvas.veil(veil, *BOX, smoke, glow_stops(LOOK.dark, LOOK.bright))
             draw_firelight(canvas, veil, tables.HALF, 16, 0.02, 3.0, 0.22)
         elif view == "temperature":
             canvas.field((model.air.temperature - COLD) / (HOT - COLD), *BOX, HEAT_STOPS, 0.9)

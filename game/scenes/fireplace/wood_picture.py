@@ -17,11 +17,10 @@ from game.worlds.painting.inks import packed, shaded
 BARK, CHAR, ASH = (104, 70, 44), (24, 20, 19), (112, 107, 102)
 NIGHT, FIRE = np.array((0.42, 0.43, 0.48)), np.array((0.95, 0.66, 0.4))  # light of the room, of a large fire
 DAY = np.array((0.95, 0.94, 0.9))
-DARK = 680.0  # K of what is just seen to glow
-BRIGHT, ADAPTED = 1420.0, 1120.0  # K that are brightest to an eye that sees a large fire, or embers alone
-PATCHES = (3, 6)  # along and across a piece, each of which is as bright and warm as chance has it
-VARIES = 90.0  # K from the coldest to the hottest of them
-DEEPER = 50.0  # K that cracks are hotter than what is round them
+DARK = 750.0  # K of what is just seen to glow
+BRIGHT, ADAPTED = 1460.0, 1060.0  # K that are brightest to an eye that sees a large fire, or embers alone
+PATCHES = (9, 8)  # along and across a piece, each of which is as bright and warm as chance has it
+VARIES = 220.0  # K from the coldest to the hottest of them, which is as hot as the piece
 SOFT = 0.35  # of the light that is about what glows
 
 
@@ -36,7 +35,13 @@ class WoodPicture:
     def __init__(self) -> None:
         chance = np.random.default_rng(5)
         self._tints = chance.uniform(-1.0, 1.0, (61, *PATCHES))
-        self._heats = chance.uniform(-0.6, 0.4, (61, *PATCHES))
+        for _ in range(3):  # the grain of wood is long
+            self._tints += 0.7 * (np.roll(self._tints, 1, 1) + np.roll(self._tints, -1, 1))
+        self._tints /= np.max(np.abs(self._tints))
+        rough = chance.uniform(-1.0, 1.0, (61, *PATCHES))
+        for axis in (1, 2):  # what is hot is beside what is hot
+            rough += 0.5 * (np.roll(rough, 1, axis) + np.roll(rough, -1, axis))
+        self._heats = 0.5 * (rough / np.max(np.abs(rough)) - 1.0)
 
     def draw(
         self, canvas: Canvas, wood: Wood, at: tuple[Floats, Floats], strength: float, dark: bool,
@@ -90,15 +95,15 @@ class WoodPicture:
         self, canvas: Canvas, sizes: Floats, at: tuple[Floats, Floats], kelvin: Floats, bright: float
     ) -> None:
         """Lines across hot pieces, into which one sees deeper, and the light about all that glows."""
-        glowing = np.flatnonzero(kelvin > DARK - DEEPER)
+        glowing = np.flatnonzero(kelvin > DARK)
         if not len(glowing):
             return
         places, turned = at[0][glowing], at[1][glowing]
         numbers, corners, inks = glowing % len(self._tints), [], []
-        share = np.clip((kelvin[glowing] + DEEPER - DARK) / (bright - DARK), 0.0, 1.0)
+        share = np.clip((kelvin[glowing] - DARK) / (bright - DARK), 0.0, 1.0)
         colors = glow_inks(share, DARK, bright)
         for i, k in ((0, 1), (1, 4), (2, 2), (1, 1), (2, 5), (0, 3)):
-            x, y = 0.9 * self._tints[numbers, i, k], 1.5 * self._heats[numbers, i, k] + 0.15
+            x, y = 0.9 * self._tints[numbers, i, k], 3.0 * self._heats[numbers, i, k] + 1.5
             for box, moved in (((-0.05, -0.28, 0.05, 0.28), 0.0), ((-0.16, -0.05, 0.16, 0.05), 0.2)):
                 up = np.clip(y + moved, -0.7, 0.7)
                 shift = np.stack([x * sizes[glowing, 0], up * sizes[glowing, 1]], 1)

@@ -21,6 +21,7 @@ from game.worlds.world import Member
 GRAVITY = 9.81  # m/s²
 FIELDS = ("temperature", "fuel", "oxygen", "soot")  # of the gas, in this order
 FRESH = 0.27  # kg/m³ of oxygen in air of a room
+KEPT = ("effects", "turns", "ambient", "conservative", "carries_fields")  # of settings that change
 
 
 class AirState(NamedTuple):
@@ -55,7 +56,7 @@ class BurningAir(Member):
         self.flames = Flames(range(4), self.cell, GasFuel(**self.vapour, effects=active))
         self.flows: Floats = np.zeros(self.counts)
         self.lifts = lifts
-        self._edge = edge
+        self.edge = edge
         self._veil = np.zeros((*gas.grid.shape, 2), np.float32)
 
     def set_cycles(self, cycles: int) -> None:
@@ -70,7 +71,7 @@ class BurningAir(Member):
 
     def _change(self, **changes: object) -> None:
         now = self.gas.settings
-        kept = {name: getattr(now, name) for name in ("effects", "turns", "ambient", "conservative")}
+        kept = {name: getattr(now, name) for name in KEPT}
         self.gas.settings = GasSettings(**(kept | changes))
 
     # -- what comes in ----------------------------------------------------------------------------------
@@ -126,7 +127,7 @@ class BurningAir(Member):
     def veil(self) -> Singles:
         """(ny, nx, 2) how thick the smoke and how bright the flames are, 0 to 1; good until the next call."""
         cells = self.gas.scalars
-        see_glowing(self.flame_look, cells[..., 0], cells[..., 3], self._edge, self._veil)
+        see_glowing(self.flame_look, cells[..., 0], cells[..., 3], self.edge, self._veil)
         return self._veil
 
     def flame_height(self) -> float:

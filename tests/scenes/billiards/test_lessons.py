@@ -105,7 +105,7 @@ def test_the_lesson_of_speed_needs_no_spin_and_not_just_any_speed():
     apart = distance(frame, ends)
     assert not open_level("lesson-5-speed").scene.model.content.solution.tip_up
     fit = strokes[apart < rings(frame)[1], 0]
-    assert 1.0 < fit.min() < fit.max() < 2.6, "neither the softest nor the hardest"
+    assert 1.0 < fit.min() <= fit.max() < 2.6, "neither the softest nor the hardest"
 
 
 def test_lessons_follow_each_other_and_lead_to_a_game():

@@ -46,16 +46,18 @@ def test_a_hard_level_comes_to_what_it_expects(path):
 
 def test_only_what_is_written_burns_and_the_books_stay_closed():
     stage = opened("burning", tier="own", meshes=64)
-    seen = []
+    seen, fronts = [], []
     for _ in range(9):
         stage.run(60)
         seen.append(measured(stage, "open share"))
+        fronts.append(measured(stage, "front") / measured(stage, "by its law"))
     assert measured(stage, "letters alight") == 4 and measured(stage, "letters burnt") > 8.0
     assert measured(stage, "rest burnt") < 0.15 * measured(stage, "letters burnt")
     assert measured(stage, "heat made") > 1e4 and max(map(abs, seen)) < 0.1
     parts = ("radiated", "with the air", "in the gas", "in the cloth", "with ash and steam", "open share")
     assert sum(measured(stage, name) for name in parts) == pytest.approx(100.0, abs=1e-9)
-    assert 0.005 < measured(stage, "last front") < 0.06
+    # its law takes losses as they are in still air; those of the wind that a fire makes are greater
+    assert 0.75 < min(fronts[2:]) <= max(fronts[2:]) < 1.05
     lost = stage.scene.model.cloth.whole <= 0.0
     salt = stage.scene.model.cloth.patches[SALT].reshape(lost.shape[0], 2, lost.shape[1], 2).mean(axis=(1, 3))
     assert lost.any() and np.all(salt[lost] > 0.2)
