@@ -10,6 +10,7 @@ from game.scenes import (
     bounds,
     boxes,
     burning_cloth,
+    candle,
     carom,
     cavity,
     convex,
@@ -84,5 +85,6 @@ CATALOGUE = Catalogue(
         *tower.ENTRIES,
         *burning_cloth.ENTRIES,
         *trebuchet.ENTRIES,
+        *candle.ENTRIES,
     )
 )

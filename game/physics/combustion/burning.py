@@ -4,9 +4,10 @@ Where the gas is at least at its ignition temperature, what can burn does so at 
 oxygen / s), s the oxygen that a kilogram of fuel needs, the share 1 - exp(-rate dt). It is exact for the
 reactant of which there is less, so neither falls below nothing however long the step. The heat goes into the
 cell's capacity (J/(m³ K), the same everywhere: of a gas at constant pressure density times temperature is).
-Hot gas radiates as T⁴, exactly, in proportion to the soot in it and to what glows of itself. A cell whose
-temperature rises from T to T' wants (T' - T) / (T dt) more space in a second: a source of the divergence, for
-the gas to be projected to.
+Soot burns off at a rate of its own; by its temperature and oxygen too if the size of its balls is given
+(`soot`). Hot gas radiates as T⁴, exactly, in proportion to the soot in it and to what glows of itself. A cell
+whose temperature rises from T to T' wants (T' - T) / (T dt) more space in a second: a source of the
+divergence, for the gas to be projected to.
 
 Cells (ny, nx, fields): the carried scalars of a gas; columns (4,) says where temperature (K), fuel, oxygen
 and soot (kg/m³) are among them.
@@ -18,6 +19,7 @@ from typing import NamedTuple
 
 from game.compiler.decorator import lean_kernel
 from game.physics.combustion.effects import EXPANSION_BIT, FLAMES_BIT, RADIATION_BIT, SOOT_LOSS_BIT
+from game.physics.combustion.soot import soot_rate_of
 from game.physics.heat.radiation import cooled_inside
 from game.physics.kernels import elementary
 
@@ -39,6 +41,7 @@ class FlameLaws(NamedTuple):
     capacity: float  # J/(m³ K)
     soot: float  # kg that a kg of fuel makes
     soot_rate: float  # 1/s at which soot burns off in flames
+    soot_size: float  # m, diameter of soot that burns off by temperature and oxygen; 0: at soot_rate alone
     glow: float  # 1/(K³ s): b of gas without soot
     soot_glow: float  # m³/(kg K³ s): b for a kg of soot in a m³
     ambient: float  # K
@@ -70,6 +73,9 @@ def burn_cells(cells, columns, laws, dt, source, sums):
                 sums[ALIGHT] += 1.0
             if laws.mask & SOOT_LOSS_BIT and soot > 0.0 and warm >= laws.ignition and cells[j, i, o] > 0.0:
                 gone = soot * soot_share
+                if laws.soot_size > 0.0:
+                    rate = laws.soot_rate + soot_rate_of(warm, cells[j, i, o], laws.soot_size)
+                    gone = -soot * elementary.expm1(-rate * dt)
                 soot -= gone
                 sums[SOOT_GONE] += gone
             cells[j, i, s] = soot

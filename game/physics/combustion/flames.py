@@ -31,8 +31,9 @@ class GasFuel:
     """A gas that burns. ValueError, naming the field, for nonsense.
 
     ignition K; rate 1/s; oxygen kg for a kg of fuel; heat J/kg; capacity of the gas J/(m³ K); soot: kg of it
-    from a kg of fuel; soot_rate 1/s at which it burns off in flames; glow 1/(K³ s) of clear gas, soot_glow
-    m³/(kg K³ s) of soot: b of dT/dt = -b (T⁴ - Ta⁴); ambient K.
+    from a kg of fuel; soot_rate 1/s at which it burns off where gas may burn. soot_size m: diameter of its
+    balls, which lose mass by temperature and oxygen as well (see `soot`), or 0. glow 1/(K³ s) of clear gas,
+    soot_glow m³/(kg K³ s) of soot: b of dT/dt = -b (T⁴ - Ta⁴); ambient K.
     """
 
     ignition: float = 600.0
@@ -42,6 +43,7 @@ class GasFuel:
     capacity: float = 1212.0
     soot: float = 0.02
     soot_rate: float = 0.0
+    soot_size: float = 0.0
     glow: float = 2e-11
     soot_glow: float = 1e-8
     ambient: float = 293.15

@@ -14,10 +14,9 @@ from game.physics.gas.effects import BUOYANCY
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary
 from game.scenes.burning_cloth import tables
-from game.worlds.members.burning_air import FIELDS, BurningAir
+from game.worlds.members.burning_air import FIELDS, FRESH, BurningAir, faded
 from game.worlds.painting.glowing import GlowLook
 
-FRESH = 0.27  # kg/m³ of oxygen
 MIXES = 1.3  # 1/s at which the layer takes on the wind before and behind it
 VAPOUR = {
     "ignition": 560.0, "rate": 24.0, "oxygen": 1.3, "heat": 1.5e7, "capacity": 1212.0, "soot": 0.06,
@@ -51,7 +50,7 @@ class Air(BurningAir):
             ),
             FIELDS, {"oxygen": FRESH},
         )  # fmt: skip
-        super().__init__(gas, _edge_of(gas.grid.shape), active, BUOYANCY in gas_effects)
+        super().__init__(gas, faded(gas.grid.shape, 0.07, 0.1), active, BUOYANCY in gas_effects)
         self.wind = 0.0
         self.speed_now = np.zeros(self.gas.grid.shape)
         self._nothing = np.zeros(self.gas.grid.shape)  # of expansion, which this layer leaves out
@@ -162,12 +161,3 @@ class Air(BurningAir):
             slope = np.where(both > 0.0, both / np.where(both > 0.0, one + two, 1.0), 0.0)
             total.append(float(np.sum(speed * (cell + slope))))
         return math.fsum(total) * VAPOUR["capacity"] * self.cell * tables.DEEP
-
-
-def _edge_of(shape: tuple[int, int]) -> Floats:
-    """1 within, falling to 0 at the sides of the box, so that the picture has no edge there."""
-    ny, nx = shape
-    across = np.minimum(np.arange(nx), np.arange(nx)[::-1])
-    up = np.arange(ny)[::-1]
-    wide, tall = np.clip(across / (0.07 * nx), 0.0, 1.0), np.clip(up / (0.1 * ny), 0.0, 1.0)
-    return np.asarray(wide[None, :] * tall[:, None])

@@ -15,11 +15,10 @@ from game.physics.kernels import elementary
 from game.scenes.fireplace import tables as t
 from game.scenes.fireplace.tables import HALF, ROOM, TALL
 from game.worlds.members.boxes import Boxes, box_rows
-from game.worlds.members.burning_air import FIELDS, BurningAir
+from game.worlds.members.burning_air import FIELDS, FRESH, BurningAir, faded
 from game.worlds.members.openings import Openings
 from game.worlds.painting.glowing import GlowLook
 
-FRESH = 0.27  # kg/m³ of oxygen
 OUTSIDE = np.array([0.0, 0.0, FRESH, 0.0])  # J/m³ of heat, kg/m³ of fuel, oxygen and soot in the room
 LEAST_FRESH = 1e-6  # share of fresh air: where there is less nowhere, all cells are alike
 SLOWS = 0.8  # 1/s at which whirls die down: in space they fall apart, in the plane they would last
@@ -64,7 +63,7 @@ class Air(BurningAir):
             ),
             FIELDS, {"oxygen": FRESH},
         )  # fmt: skip
-        super().__init__(gas, _edge_of(gas.grid.shape), active, BUOYANCY in gas_effects)
+        super().__init__(gas, faded(gas.grid.shape, 0.12), active, BUOYANCY in gas_effects)
         self.wind, self.damper = 0.0, -1.0
         self.logs, self._solids = Boxes(), Boxes()
         self._obstacles, self.openings = GridObstacles(gas.grid), Openings(gas.grid.shape, WAYS)
@@ -196,10 +195,9 @@ class Air(BurningAir):
         np.clip(gas.expansion, -QUICKEST, QUICKEST, out=gas.expansion)
         gas.force[:] = 0.0
         self.rise()
-        along, _ = self.velocities()
-        gas.force[..., 0] -= SLOWS * along
-        gas.force[..., 1] -= 0.5 * SLOWS * (gas.v[1:] + gas.v[:-1])
+        self.slow(SLOWS, SLOWS)
         if self.wind != 0.0:
+            along, _ = self.velocities()
             gas.force[self._outside, 0] += 3.0 * (self.wind - along[self._outside])
         # what is warmed holds that, until it expands
         dense[..., 0] += VAPOUR["capacity"] * (warm - at_first)
@@ -322,11 +320,3 @@ def _shell(damper: float) -> Floats:
         directions += [(side * c, s), (0.0, 1.0), (1.0, 0.0)]
         halves += [(0.5 * long, half), (0.5 * (TALL + 0.2 - t.THROAT), half), (0.5 * t.HOOD_IN, PLATE)]
     return box_rows(np.array(places), np.array(directions), np.array(halves))
-
-
-def _edge_of(shape: tuple[int, int]) -> Floats:
-    """1 within, falling to 0 at the sides of the box, so that the picture has no edge there."""
-    ny, nx = shape
-    across = np.minimum(np.arange(nx), np.arange(nx)[::-1])
-    wide = np.clip(across / (0.12 * nx), 0.0, 1.0)
-    return np.asarray(np.broadcast_to(wide, (ny, nx)))

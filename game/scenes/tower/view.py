@@ -9,7 +9,6 @@ import pygame
 
 from game.arrays import Floats, Longs
 from game.scenes.tower.building import floor_height, half_width
-from game.scenes.tower.dust import AGE, LIFE, PLACE, SIZE
 from game.scenes.tower.frame import FLOORS
 from game.scenes.tower.hours import Hour, hour_of, lamplight, lit
 from game.scenes.tower.measures import fall_of, front_of
@@ -19,6 +18,7 @@ from game.scenes.tower.world import TowerState, TowerWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.canvas.standing import Standing
 from game.worlds.hands.hand import Hand
+from game.worlds.members.dust import AGE, LIFE, PLACE, SIZE
 from game.worlds.members.solids import bodies_between
 from game.worlds.painting.boards import paint_quads
 from game.worlds.painting.inks import color_of, scaled, shaded

@@ -20,6 +20,7 @@ STONE, FILLING = 2500.0, 2000.0  # kg/m³ of the stone, of the box of earth
 BRAKE = 0.25  # of the greatest torque of the counterweight; put on once the stone is away
 WINCH, NEARLY, FARTHEST = 3.0, 0.02, math.radians(160.0)  # m/s of rope; rad from cocked; rad it can pull
 MOST_STONES = 20
+NEAR, LEAST = 0.9, 1e-5  # share of the time to the release that is stepped at once; s, at least
 COCKED, THROWING, LOOSE, WINDING = "cocked", "throwing", "loose", "winding"
 
 
@@ -51,6 +52,7 @@ class Machine(Member):
         self.solids, self.world, self.parameters, self.anchor = solids, solids.world, parameters, anchor
         self.phase, self.stones, self.bodies, self.began = COCKED, list[int](), list[int](), (0.0, 0.0)
         self.shot: Shot | None = None
+        self.flight, self.turns = math.inf, 0.0  # rad, angle of the stone's flight; rad/s at which it changes
         self.start = math.pi + elementary.asin((PIVOT - LOW) / LONG)
         self.tip: Point = (LONG * elementary.cos(self.start), LOW)
         self.cock()
@@ -67,10 +69,8 @@ class Machine(Member):
         self.arm = world.add_body(beam, (0.0, PIVOT), self.start, restless=True)
         self.axle = world.add_joint("pin", self.anchor, self.arm, (0.0, PIVOT), most=0.0)
         x, y = self.end_of_arm(-SHORT)
-        self.side, mass = (
-            elementary.cbrt(chosen.counterweight / FILLING),
-            chosen.counterweight,
-        )  # as deep as wide
+        mass = chosen.counterweight
+        self.side = elementary.cbrt(mass / FILLING)  # as deep as wide
         weight = box(self.side, self.side, material=Material(mass / (self.side * self.side), mask=0))
         self.weight = world.add_body(weight, (x, y - HANG), restless=True)
         self.hinge = world.add_joint("pin", self.arm, self.weight, (x, y), most=0.0)
@@ -100,6 +100,7 @@ class Machine(Member):
             return "It is not cocked."
         for joint in (self.rope, self.peg):
             self.world.remove_joint(joint)
+        self.flight, self.turns = math.inf, 0.0
         self.phase, self.began = THROWING, (self.weight_energy(), self.energy())
         return ""
 
@@ -117,12 +118,25 @@ class Machine(Member):
             self.rope = self.world.add_joint("rope", self.anchor, self.arm, self.tip, at, length=far)
         return ""
 
+    def part_of(self, most: float) -> float:
+        """s that may be stepped at once of ``most``: all, or nearly up to the release if that is sooner.
+
+        Flight turns by three degrees in a step: without this, a shot would depend on when it is fired.
+        """
+        left = (
+            (math.radians(self.parameters.release) - self.flight) / self.turns if self.turns < 0.0 else most
+        )
+        return most if self.phase != THROWING or left >= most else min(max(NEAR * left, LEAST), most)
+
     def step(self, dt: float) -> None:
         """After the solids: let go at the angle, wind on."""
         if self.phase == THROWING:
             body, rows = self.stones[-1], self.world.bodies
             (x, y), (vx, vy) = rows.positions[body].tolist(), rows.velocities[body].tolist()
-            if y > PIVOT and vx > 0.0 and elementary.atan2(vy, vx) <= math.radians(self.parameters.release):
+            before = self.flight
+            self.flight = elementary.atan2(vy, vx) if y > PIVOT and vx > 0.0 else math.inf
+            self.turns = (self.flight - before) / dt if before < math.inf else 0.0
+            if self.flight <= math.radians(self.parameters.release):
                 mass, gravity = 1.0 / float(rows.inverse_masses[body]), -self.world.settings.gravity[1]
                 gain = 0.5 * mass * (vx * vx + vy * vy) + mass * gravity * (y - stone_radius(mass))
                 kept = self.energy() - self.began[1]
@@ -141,6 +155,10 @@ class Machine(Member):
         self.world.drive(self.axle, 0.0, torque)
         self.world.drive(self.hinge, 0.0, 0.1 * torque)
         self.phase = LOOSE
+
+    def free(self) -> list[int]:
+        """Stones that no sling holds."""
+        return self.stones[: len(self.stones) - (self.phase in (COCKED, THROWING))]
 
     def weight_energy(self) -> float:
         """J of the counterweight's height."""

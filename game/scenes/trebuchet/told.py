@@ -17,6 +17,7 @@ from game.worlds.rubbing import rubbing_heard
 
 NAMES = {world.EARTH: "thud", world.STONES: "stone"}
 FARTHEST = (-400.0, -50.0), (1000.0, 400.0)  # m
+LOWEST = 4.0  # m, of a camera that goes with the stone: else the ground would fill half of the picture
 LOUD, HALF, CREAK = 20000.0, 40.0, 3.0  # W of rubbing; m to either side; rad/s of an arm that is loudest
 
 
@@ -49,14 +50,11 @@ def readouts(model: TrebuchetWorld) -> list[Readout]:
 
 
 def targets(model: TrebuchetWorld) -> dict[str, Point]:
-    """The stone, the machine, the wall."""
+    """The stone, it or what is above where it lies, the machine, the wall."""
     x, y = model.world.bodies.positions[model.machine.stones[-1]].tolist()
     middle = model.content.wall + 0.5 * model.content.columns * world.WIDE
-    return {
-        "stone": (x, y),
-        "machine": (0.0, PIVOT),
-        "wall": (middle, 0.5 * model.parameters.rows * world.TALL),
-    }
+    wall = (middle, 0.5 * model.parameters.rows * world.TALL)
+    return {"stone": (x, y), "flight": (x, max(y, LOWEST)), "machine": (0.0, PIVOT), "wall": wall}
 
 
 def sizes(model: TrebuchetWorld) -> dict[str, float]:

@@ -11,31 +11,40 @@ from game.scenes.trebuchet.world import TrebuchetState, TrebuchetWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand, legend_of
+from game.worlds.members.dust import as_seen
 from game.worlds.members.solids import turned_between
 from game.worlds.painting.boards import (
     WHOLE,
     beams,
     paint_blocks,
+    paint_pits,
     paint_quads,
     paint_shadows,
     paint_timber,
     placed,
-)
+    rects,
+)  # fmt: skip
+from game.worlds.painting.dust import draw_dust
 from game.worlds.painting.inks import color_of, scaled
-from game.worlds.painting.landscape import Landscape
+from game.worlds.painting.landscape import DUSK, Landscape
 from game.worlds.painting.marks import draw_contacts
 from game.worlds.painting.spheres import draw_spheres
 
-# by day and at night: timber, its lit edge, edge, rope, iron, stone, mortar
+# by day and late: timber, its lit edge, edge, rope, iron, stone, mortar, light on what faces the sun
 TONES = (
-    (0x8A6038, 0xC29460, 0x2A1D10, 0xD8C6A0, 0x4C5258, 0xB8AB96, 0x8F836F),
-    (0x6A4E36, 0x94724E, 0x06080C, 0x9A8C70, 0x3A4046, 0x8C8478, 0x57524A),
+    (0x8A6038, 0xC29460, 0x2A1D10, 0xD8C6A0, 0x4C5258, 0xB8AB96, 0x8F836F, 0xFFF0D0),
+    (0x6E4A30, 0xE0A468, 0x160E10, 0xC8A884, 0x3A3640, 0x9A8880, 0x4E4248, 0xFFB060),
 )
-GRASS = (0x5E8642, 0x2C5446)  # by day and at night
+DUST = ((0xF0E0C0, 0xB8A890), (0xFFC890, 0x8A6A66))  # lit and in the shade, by day and late
 SPREAD = 2.2  # m: of the frame's legs
 STAKES, STAKE_M, FAR_STAKE = 15, 10.0, 50.0  # along the field; m from one to the next, m between tall ones
-TUFTS, TUFT_M = 90, 2.3  # of grass; m from one to the next, about
 SHARES = (1.0, 0.93, 1.06, 0.88, 0.98, 1.04)  # of the wall's colour, block after block
+# of the castle far behind the wall: left, right, top m, beside CASTLE_AT; merlons on top; windows
+CASTLE = ((-16.0, 34.0, 6.0), (-18.0, -13.0, 10.5), (2.0, 14.0, 13.5), (5.0, 9.0, 17.0), (30.0, 36.0, 11.5))
+CASTLE_AT, CASTLE_NEAR, CASTLE_FAR, CASTLE_INK = 112.0, 0.45, 0.7, (0x8A9098, 0x4A3650)
+WINDOWS = [
+    (x, y, x + 0.3, y + 0.8) for x, y in ((-15.8, 8), (4.5, 10), (7, 14), (11, 10), (32.5, 9), (7.5, 7))
+]
 
 
 class TrebuchetView:
@@ -44,7 +53,7 @@ class TrebuchetView:
     def __init__(self, model: TrebuchetWorld, hand: Hand):
         self.model, self.machine, self.hand = model, model.machine, hand
         self._asked = False  # marks are asked for by key
-        self._landscape = Landscape()
+        self._landscape = Landscape(late=DUSK)
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the hand does, and what the marks mean."""
@@ -55,7 +64,9 @@ class TrebuchetView:
     def draw(self, canvas: Canvas, previous: TrebuchetState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         self._landscape.draw(canvas)
-        model, tones = self.model, TONES[is_dark(canvas)]
+        model, late = self.model, is_dark(canvas)
+        tones = TONES[late]
+        self._draw_castle(canvas, late)
         places, turned = turned_between(model.world, previous and previous.world, alpha)
         self._draw_field(canvas, tones)
         self._draw_wall(canvas, places[model.blocks], turned[model.blocks], tones)
@@ -67,20 +78,27 @@ class TrebuchetView:
         radii = [stone_radius(1.0 / one) for one in model.world.bodies.inverse_masses[stones].tolist()]
         least, inks = canvas.px(2.4), np.full(len(stones), tones[5], dtype=np.int64)
         draw_spheres(canvas, places[stones], np.maximum(radii, least), turned[stones], inks)
+        draw_dust(canvas, as_seen(model.dust.rows), DUST[late], (0.12, 0.08), 40)
+        self._landscape.draw_front(canvas)
         self._asked = canvas.asked
         if canvas.marks(False):
             self._draw_marks(canvas)
         if self.hand.point is not None:
             canvas.ring(self.hand.point, 9.0, "amber", 2.0)
 
+    def _draw_castle(self, canvas: Canvas, late: bool) -> None:
+        """What the wall is for: towers far behind it, and light in their windows."""
+        size = (canvas.camera.visible().right - canvas.camera.visible().left) / 100.0
+        far = np.array((CASTLE_AT + (1.0 - CASTLE_NEAR) * (canvas.camera.center[0] - CASTLE_AT), 0.0))
+        parts = [(left, -0.4, right, top) for left, right, top in CASTLE]
+        for left, right, top in CASTLE:  # merlons, as wide as what is between them
+            parts += [(one, top, one + 0.5, top + 0.7) for one in np.arange(left, right - 0.4, 1.0).tolist()]
+        size = size**CASTLE_FAR  # as hills, it does not grow as what is near
+        paint_quads(canvas, far + size * rects(parts), CASTLE_INK[late])
+        paint_quads(canvas, far + size * rects(WINDOWS), 0xFFC060, 0.9 if late else 0.1)
+
     def _draw_field(self, canvas: Canvas, tones: tuple[int, ...]) -> None:
-        """Tufts of grass, and stakes every ten metres of range; those at fifty are taller and banded."""
-        k = np.arange(TUFTS, dtype=np.float64)
-        x = -20.0 + TUFT_M * k + 1.6 * np.sin(5.3 * k)
-        for lean in (-0.16, 0.0, 0.16):
-            tall = 0.24 + 0.1 * np.sin(3.1 * k + 9.0 * lean)
-            blades = np.stack([np.stack([x, 0.0 * x], axis=1), np.stack([x + lean, tall], axis=1)], axis=1)
-            paint_quads(canvas, beams(blades, 0.05), GRASS[is_dark(canvas)])
+        """Stakes every ten metres of range; those at fifty are taller and banded."""
         far = STAKE_M * np.arange(1.0, STAKES + 1.0)
         tall = np.where(far % FAR_STAKE == 0.0, 1.8, 0.9)
         feet, heads = np.stack([far, 0.0 * far], axis=1), np.stack([far, tall], axis=1)
@@ -91,13 +109,16 @@ class TrebuchetView:
     def _draw_wall(self, canvas: Canvas, at: Floats, turn: Floats, tones: tuple[int, ...]) -> None:
         sizes = 0.5 * self.model.sizes
         inks = np.array([scaled(tones[5], SHARES[(5 * k) % 6]) for k in range(len(at))], dtype=np.int64)
-        paint_shadows(canvas, placed(WHOLE, sizes, at, turn), tones[2])
+        paint_shadows(canvas, placed(WHOLE, sizes, at, turn), tones[2], -1.0)
         paint_blocks(canvas, sizes, at, turn, inks, tones[6])
+        paint_pits(canvas, sizes, at, turn, tones[6])
+        up = turn[:, 0] > 0.7  # the low sun is on the right
+        paint_quads(canvas, placed((0.78, -1.0, 1.0, 1.0), sizes[up], at[up], turn[up]), tones[7], 0.4)
 
     def _draw_frame(self, canvas: Canvas, turned: Floats, tones: tuple[int, ...]) -> None:
         """Shadow, braces, legs, sill and winch behind the arm; its rope while it holds."""
         x, wood = self.machine.tip[0], (tones[0], tones[1], tones[2])
-        shadow = np.array([(x, 0.0), (SPREAD + 2.2, 0.0), (SPREAD + 1.4, -0.35), (x + 0.5, -0.35)])
+        shadow = np.array([(x - 2.0, 0.0), (SPREAD + 0.4, 0.0), (SPREAD - 0.6, -0.35), (x - 1.0, -0.35)])
         canvas.polygon(shadow, fill=color_of(tones[2]), fill_alpha=0.3)
         legs = np.array([[(k * SPREAD, 0.0), (0.12 * k, PIVOT + 0.15)] for k in (-1.0, 1.0, -0.55, 0.55)])
         brace = np.array([[(-0.62 * SPREAD, 1.35), (0.62 * SPREAD, 1.35)]])

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from game.arrays import Floats, Longs, Point
 from game.physics.effects import EffectSet
 from game.physics.fields import QUADRATIC_DRAG
-from game.physics.kernels import elementwise
+from game.physics.kernels import elementwise, linear
 from game.physics.solids import Chain, Material, SolidState
 from game.physics.solids.arrays.state import SEGMENT
 from game.scenes.trebuchet.machine import LOOSE, THROWING, Machine, stone_radius
 from game.scenes.trebuchet.parameters import TrebuchetContent, TrebuchetParameters
 from game.worlds.hands.hand import NOBODY
-from game.worlds.hearing import Heard, impacts
-from game.worlds.members.solids import Solids, drag_sphere, momentum
+from game.worlds.hearing import Heard, Impacts, impacts
+from game.worlds.members.dust import Dust, advance_dust
+from game.worlds.members.solids import Solids, drag_sphere, momentum, resist_rolling
 from game.worlds.world import World
 
 WIDE, TALL, DENSITY = 0.8, 0.55, 690.0  # m; kg/m² of a block, 0.3 m deep
@@ -25,13 +26,18 @@ MOVED = 0.3  # m: a block that is farther from its place than that is out of pla
 EVERY, MOST = 0.15, 200  # s between two points of the trail, and how many there are
 EARTH, STONES = range(2)  # sounds
 LEAST_HEARD, USUAL = 0.3, 60.0  # m/s of approach; kg that sounds as it is
+DUSTY, QUICK = 80.0, 6.0  # N s for a puff of dust; m/s, of the quickest
+ROLLS = (
+    0.3  # rolling resistance on turf: that of wheels in sand (0.2 to 0.4), so that no stone rolls to the wall
+)
 
 
 class TrebuchetState(NamedTuple):
-    """heard (k, HEARD_WIDTH)."""
+    """heard (k, HEARD_WIDTH); dust (n, DUST_WIDTH)."""
 
     world: SolidState
     heard: Floats
+    dust: Floats
 
 
 class TrebuchetWorld(World):
@@ -49,7 +55,7 @@ class TrebuchetWorld(World):
         self, content: TrebuchetContent, parameters: TrebuchetParameters, active: EffectSet, seed: int
     ):
         super().__init__(content, parameters, active)
-        self.solids, self.heard = Solids(parameters, active), Heard()
+        self.solids, self.heard, self.dust, self.seed = Solids(parameters, active), Heard(), Dust(), seed
         self.world, self.anchor = self.solids.world, self.solids.anchor()
         ground = Chain([(-400.0, 0.0), (2000.0, 0.0)], material=Material(1.0, 0.6))
         self.world.add_body(ground, kind="fixed")
@@ -60,18 +66,30 @@ class TrebuchetWorld(World):
         self.flying, self.thrown, self.trail = NOBODY, 0.0, list[Point]()
         self.landing: Point | None = None
         self.before = self.after = math.nan
-        self.members = (self.solids, self.machine, self.heard)
+        self.members = (self.solids, self.machine, self.heard, self.dust)
 
     def loose(self) -> Longs:
         """Bodies that a hand may take: blocks, and stones that no sling holds."""
-        free = len(self.machine.stones) - (self.machine.phase != LOOSE)
-        return np.concatenate([self.blocks, np.array(self.machine.stones[:free], dtype=np.int64)])
+        return np.concatenate([self.blocks, np.array(self.machine.free(), dtype=np.int64)])
 
     def advance(self, dt: float) -> str:
+        left, said = dt, ""
+        while left > 0.0:  # in parts where the hook lets go within the step
+            part = self.machine.part_of(left)
+            said, left = self.go_on(part) or said, left - part
+        self.dust.rows = advance_dust(self.dust.rows, dt)
+        return said
+
+    def go_on(self, dt: float) -> str:
+        """A step, or a part of one, of dt (s)."""
         phase, rows = self.machine.phase, self.world.bodies
         stone = self.machine.stones[-1] if self.flying == NOBODY else self.flying
         if self.flying != NOBODY and QUADRATIC_DRAG in self.active:
             drag_sphere(self.world, stone, stone_radius(1.0 / float(rows.inverse_masses[stone])))
+        for ball in self.machine.free():
+            radius = stone_radius(1.0 / float(rows.inverse_masses[ball]))
+            if float(rows.positions[ball, 1]) < 1.1 * radius:
+                resist_rolling(self.world, ball, radius, ROLLS, dt)
         place, velocity = rows.positions[stone].copy(), rows.velocities[stone].copy()
         both = np.append(self.blocks, stone)
         pushed = momentum(self.world, both)
@@ -92,8 +110,19 @@ class TrebuchetWorld(World):
                 self.trail.append((float(rows.positions[stone, 0]), float(rows.positions[stone, 1])))
         loud = found.take(found.rows[:, 3] > LEAST_HEARD)
         kinds = np.where((loud.shapes == SEGMENT).any(axis=1), EARTH, STONES)
+        self._raise_dust(loud, kinds == EARTH)
         self.heard.remember(loud.heard(self.time - dt, kinds, loud.by_impulse(USUAL, 3.0)), self.time - dt)
         return said
+
+    def _raise_dust(self, loud: Impacts, earth: Any) -> None:
+        """What strikes hard raises dust, the more the greater its impulse; from earth it goes upwards."""
+        counts = np.minimum(loud.rows[:, 2] / DUSTY, 30.0).astype(np.int64)
+        rows, up = np.repeat(loud.rows, counts, axis=0), np.repeat(earth, counts)
+        random = np.random.default_rng((self.seed, round(1e4 * self.time)))
+        aim = linear.uniform(random, -1.0, 1.0, (len(rows), 2)) * np.minimum(rows[:, 3:4], QUICK)
+        aim[:, 1] = np.where(up, np.abs(aim[:, 1]), 0.5 * aim[:, 1])
+        if len(rows):
+            self.dust.add(rows[:, :2] + 0.1 * aim, aim, 0.36, 4.0, random)
 
     def range_by_law(self) -> float:
         """m from where the sling let go to the height of landing, by the parabola without air; NaN before."""

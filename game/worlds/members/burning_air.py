@@ -20,6 +20,7 @@ from game.worlds.world import Member
 
 GRAVITY = 9.81  # m/s²
 FIELDS = ("temperature", "fuel", "oxygen", "soot")  # of the gas, in this order
+FRESH = 0.27  # kg/m³ of oxygen in air of a room
 KEPT = ("effects", "turns", "ambient", "conservative", "carries_fields")  # of settings that change
 
 
@@ -29,6 +30,14 @@ class AirState(NamedTuple):
     gas: GasState
     books: Floats
     flows: Floats
+
+
+def faded(shape: tuple[int, int], sides: float, top: float = 0.0) -> Floats:
+    """(ny, nx) 1 within, falling to 0 over such shares of the width and of the height: no edge is seen."""
+    ny, nx = shape
+    across = np.minimum(np.arange(nx), np.arange(nx)[::-1]) / (sides * nx)
+    above = np.arange(ny)[::-1] / (top * ny) if top else np.ones(ny)
+    return np.clip(across, 0.0, 1.0) * np.clip(above, 0.0, 1.0)[:, None]
 
 
 class BurningAir(Member):
@@ -76,6 +85,11 @@ class BurningAir(Member):
             away = (elementary.square(x - place[0]) + elementary.square(y - place[1])) / (reach * reach)
             field += part * elementary.square(np.clip(1.0 - away, 0.0, None))
         self.gas.jolt()
+
+    def slow(self, along: float, upward: float) -> None:
+        """Add a force that lets whirls die down at rates 1/s: in space they fall apart, in the plane not."""
+        self.gas.force[..., 0] -= 0.5 * along * (self.gas.u[:, 1:] + self.gas.u[:, :-1])
+        self.gas.force[..., 1] -= 0.5 * upward * (self.gas.v[1:] + self.gas.v[:-1])
 
     def near(self, place: Point, reach: float) -> Any:
         """(ny, nx) which cells are nearer to a place (m) than that, m."""

@@ -233,6 +233,18 @@ def drag_sphere(world: SolidWorld, body: int, radius: float) -> None:
     world.add_force(body, (force * vx, force * vy))
 
 
+def resist_rolling(world: SolidWorld, body: int, radius: float, share: float, dt: float) -> None:
+    """Soft ground slows a ball that rolls on it, in the next step of dt (s), by a torque: so great a share of
+    its weight (the coefficient of rolling resistance) times its radius (m); not beyond rest.
+    """
+    rows, spin = world.bodies, float(world.bodies.spins[body])
+    mass, inertia = 1.0 / float(rows.inverse_masses[body]), 1.0 / float(rows.inverse_inertias[body])
+    most = (inertia + mass * radius * radius) * abs(spin) / dt
+    torque = min(share * mass * -world.settings.gravity[1] * radius, most)
+    if torque > 0.0:
+        world.add_force(body, (0.0, 0.0), math.copysign(torque, -spin))
+
+
 def nearest_box(
     world: SolidWorld, bodies: Longs, sizes: Floats, point: tuple[float, float]
 ) -> tuple[int, float]:

@@ -14,6 +14,8 @@ from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.polygons import NO_EDGE, paint
 
 WHOLE = (-1.0, -1.0, 1.0, 1.0)  # of a box, in shares of its half sizes
+# of a stone's face: pits and chips, each at a place and of half a size, in shares of half sizes
+PITS = ((-0.62, 0.18, 0.1, 0.16), (0.14, -0.3, 0.16, 0.1), (0.55, 0.42, 0.08, 0.14), (-0.2, 0.5, 0.12, 0.08))
 LIT_SIDE, SHADED_SIDE = (-1.0, 0.55, 1.0, 1.0), (-1.0, -1.0, 1.0, -0.6)
 SMOOTH = 0.5  # rad: where a floor turns by more, its board ends
 
@@ -65,6 +67,11 @@ def placed(box: tuple[float, float, float, float], sizes: Floats, places: Floats
     return corners.reshape(-1, 2)
 
 
+def rects(rows: Any) -> Floats:
+    """Corners (4 n, 2) m of upright rectangles (n, 4): left, lower, right, upper, m."""
+    return np.asarray(rows, dtype=np.float64).reshape(-1, 4)[:, [0, 1, 2, 1, 2, 3, 0, 3]].reshape(-1, 2)
+
+
 def beams(ends: Floats, breadth: float) -> Floats:
     """Corners (4 n, 2) m of straight beams between ends (n, 2, 2) m."""
     along = ends[:, 1] - ends[:, 0]
@@ -95,8 +102,13 @@ def paint_quads(
 
 
 def paint_timber(canvas: Canvas, ends: Floats, breadth: float, inks: tuple[int, int, int]) -> None:
-    """Straight beams between ends (n, 2, 2) m: wood, its lit upper edge, its outline."""
+    """Straight beams between ends (n, 2, 2) m: wood, its lit upper edge, its outline, its grain."""
     paint_quads(canvas, beams(ends, breadth), inks[0], edges=inks[2])
+    for beside, share in ((-0.3, 0.4), (-0.08, 0.22), (0.06, 0.3)):  # along the beam, as wood is sawn
+        along = ends[:, 1] - ends[:, 0]
+        across = np.stack([-along[:, 1], along[:, 0]], axis=1)
+        across /= np.maximum(elementwise.hypot(along[:, 0], along[:, 1]), 1e-9)[:, None]
+        paint_quads(canvas, beams(ends + beside * breadth * across[:, None], 0.07 * breadth), inks[2], share)
     paint_quads(canvas, beams(ends + np.array((0.0, 0.2 * breadth)), 0.25 * breadth), inks[1], 0.5)
 
 
@@ -107,6 +119,14 @@ def paint_blocks(canvas: Canvas, sizes: Floats, places: Floats, turned: Floats, 
     paint_quads(canvas, placed(SHADED_SIDE, sizes, places, turned), 0x000000, 0.16)
 
 
+def paint_pits(canvas: Canvas, sizes: Floats, places: Floats, turned: Floats, ink: int) -> None:
+    """Pits and chips of stones of half sizes (n, 2) m, others on each of four."""
+    for k, (x, y, wide, tall) in enumerate(PITS):
+        some = slice(k % 2, None, 2) if k < 2 else slice(k - 2, None, 3)
+        box = (x - wide, y - tall, x + wide, y + tall)
+        paint_quads(canvas, placed(box, sizes[some], places[some], turned[some]), ink, 0.35)
+
+
 def paint_shapes(canvas: Canvas, shapes: Shapes, ink: int, share: float = 1.0) -> None:
     """Polygons of one colour."""
     count = len(shapes.starts) - 1
@@ -114,11 +134,11 @@ def paint_shapes(canvas: Canvas, shapes: Shapes, ink: int, share: float = 1.0) -
     paint(canvas, shapes.corners, shapes.starts, inks, np.full(count, share), none, np.zeros((4, 2)))
 
 
-def paint_shadows(canvas: Canvas, corners: Floats, ink: int) -> None:
-    """Soft shadows on the floor below boxes (4 n, 2) m, towards the right."""
+def paint_shadows(canvas: Canvas, corners: Floats, ink: int, side: float = 1.0) -> None:
+    """Soft shadows on the floor below boxes (4 n, 2) m, towards the right, or with side -1 the left."""
     if not len(corners):
         return
-    boxes = corners.reshape(-1, 4, 2)
+    boxes = corners.reshape(-1, 4, 2) * (side, 1.0)
     low, high = boxes.min(axis=1), boxes.max(axis=1)
     foot = low[:, 1]
     for wider, deep, share in ((0.0, 0.05, 0.3), (0.1, 0.1, 0.2)):
@@ -127,4 +147,4 @@ def paint_shadows(canvas: Canvas, corners: Floats, ink: int) -> None:
             [np.stack([left, foot], 1), np.stack([right, foot], 1),
              np.stack([right - 0.06, foot - deep], 1), np.stack([left + 0.06, foot - deep], 1)], axis=1
         )  # fmt: skip
-        paint_quads(canvas, quads.reshape(-1, 2), ink, share)
+        paint_quads(canvas, quads.reshape(-1, 2) * (side, 1.0), ink, share)

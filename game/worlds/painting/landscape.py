@@ -14,7 +14,8 @@ from game.compiler.decorator import lean_kernel
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.ui.raster.pixels import blend
-from game.worlds.painting.inks import channels, opaque
+from game.worlds.painting.boards import paint_quads
+from game.worlds.painting.inks import channels, mixed, opaque
 
 USUAL_SCALE = 14.0  # px to a m, at which hills are as large as they say
 LIFTED = 11.0  # m above the meadow: a camera there sees the hills where they say
@@ -38,10 +39,40 @@ HILLS = (
     Hill(0.17, 2.6, 21.0, 0.76, 0.55),
     Hill(0.32, 1.6, 33.0, 0.86, 1.0),
 )
+BLADES, PASSES = 90, 1.8  # of grass before the world, across the picture; its motion over the world's
 HAZE = (0.5, 0.42, 0.34, 0.2)  # at the foot of each
-# sky above, at the horizon; its light; the hills from the farthest on; earth: grass and below
-DAY = (0x6FA8D6, 0xF6E3C4, 0xFFF6DC, (0xA9BFCB, 0x8FB0A6, 0x719A7B, 0x527F58), 0x7FA05A, 0x5A4632)
-NIGHT = (0x0B1026, 0x3A3560, 0xF3EBD2, (0x2B2D52, 0x23294A, 0x1A2440, 0x121C33), 0x1C3A33, 0x0E1720)
+
+
+class Hour(NamedTuple):
+    """Colours of the sky above and at the horizon, of its light, of hills from the farthest on, of grass and
+    of the earth below. sun: where the light stands, shares of width and height; radius: share of the height.
+    wide, near: how much it brightens the sky far from it and close to it; stars: how bright they are.
+    """
+
+    above: int
+    horizon: int
+    light: int
+    hills: tuple[int, int, int, int]
+    grass: int
+    earth: int
+    sun: tuple[float, float] = (0.77, 0.2)
+    radius: float = 0.05
+    wide: float = 0.42
+    near: float = 0.5
+    stars: float = 0.0
+
+
+DAY = Hour(
+    0x6FA8D6, 0xF6E3C4, 0xFFF6DC, (0xA9BFCB, 0x8FB0A6, 0x719A7B, 0x527F58), 0x7FA05A, 0x5A4632
+)  # fmt: skip
+NIGHT = Hour(
+    0x0B1026, 0x3A3560, 0xF3EBD2, (0x2B2D52, 0x23294A, 0x1A2440, 0x121C33), 0x1C3A33, 0x0E1720,
+    radius=0.045, wide=0.18, stars=1.0,
+)  # fmt: skip
+DUSK = Hour(
+    0x1B2247, 0xF08A4B, 0xFFE2A8, (0x7C5470, 0x5C4262, 0x3C3150, 0x262640), 0x4A5A34, 0x1C1A18,
+    (0.74, 0.5), 0.055, 0.62, 0.7, 0.4,
+)  # fmt: skip
 
 
 @lean_kernel
@@ -83,10 +114,12 @@ def smooth_crest(pixels, left, top, crest, shades, height):
 
 
 class Landscape:
-    """Paints the background of a canvas; keeps the sky of its size and theme. ground: m, of the meadow."""
+    """Paints the background of a canvas; keeps the sky of its size and theme. ground: m, of the meadow; late:
+    the hour at night.
+    """
 
-    def __init__(self, ground: float = 0.0) -> None:
-        self._ground = ground
+    def __init__(self, ground: float = 0.0, late: Hour = NIGHT) -> None:
+        self._ground, self._late = ground, late
         self._key: object = None
         self._sky: Inks = np.zeros((1, 1), np.uint32)
         self._hues: Floats = np.zeros((1, 2, 3))
@@ -97,15 +130,35 @@ class Landscape:
         width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
         if width <= 0 or height <= 0:
             return
-        dark = is_dark(canvas)
-        key = (width, height, dark)
+        hour = self._late if is_dark(canvas) else DAY
+        key = (width, height, hour)
         if key != self._key:
             self._key = key
-            self._sky, self._hues = _sky(width, height, dark), _hues(dark)
+            self._sky, self._hues = _sky(width, height, hour), _hues(hour)
         crests = _crests(canvas, width, height, self._ground)
         paint_landscape(
             pixels, clip, self._sky, crests, _shades(self._hues, crests, height), spans_of(crests, height)
         )
+
+    def draw_front(self, canvas: Canvas) -> None:
+        """Paint grass before the world, at the lower edge of the picture; it moves more than the world."""
+        hour, seen = self._late if is_dark(canvas) else DAY, canvas.camera.visible()
+        wide, tall = seen.right - seen.left, seen.top - seen.bottom
+        gap = wide / BLADES
+        k = np.arange(math.floor(PASSES * seen.left / gap), math.ceil((PASSES * seen.left + wide) / gap))
+        x = seen.left + k * gap - PASSES * seen.left + gap * np.sin(7.3 * k)
+        high = tall * (0.035 + 0.03 * np.abs(np.sin(0.13 * k)) + 0.03 * np.sin(2.9 * k) ** 2)
+        tip, low = x + 0.4 * high * np.sin(1.7 * k), max(seen.bottom - self._ground + 0.1 * tall, 0.0)
+        base = seen.bottom - 0.01 * tall - low  # a camera that rises leaves it below
+        corners = [
+            (x - 0.9 * gap, base),
+            (x + 0.9 * gap, base),
+            (tip + 0.1 * gap, base + high),
+            (tip, base + high),
+        ]
+        quads = np.stack([np.stack(np.broadcast_arrays(*one), axis=1) for one in corners], axis=1)
+        inks = mixed(np.full(len(k), hour.grass), hour.earth, 0.45 + 0.4 * np.sin(4.1 * k) ** 2)
+        paint_quads(canvas, quads.reshape(-1, 2), inks)
 
 
 def warm_up_landscape() -> None:
@@ -117,36 +170,34 @@ def warm_up_landscape() -> None:
     )  # fmt: skip
 
 
-def _sky(width: int, height: int, dark: bool) -> Inks:
+def _sky(width: int, height: int, hour: Hour) -> Inks:
     """Colours (h, w): a gradient, the sun or the moon with its glow, at night stars."""
-    above, horizon, light = (channels(ink) for ink in (NIGHT if dark else DAY)[:3])
+    above, horizon, light = (channels(ink) for ink in hour[:3])
     y, x = np.mgrid[0:height, 0:width].astype(np.float64)
     down = np.clip(y / (0.8 * height), 0.0, 1.0)[..., None] ** 1.3
     colors = above + (horizon - above) * down
-    away = np.hypot(x - 0.77 * width, y - 0.2 * height) / height
-    radius = 0.045 if dark else 0.05
-    if dark:
+    away = np.hypot(x - hour.sun[0] * width, y - hour.sun[1] * height) / height
+    if hour.stars:
         random = np.random.default_rng(7)
         for row, column, bright in zip(
             (random.random(160) ** 1.4 * 0.6 * height).astype(int), (random.random(160) * width).astype(int),
             random.uniform(0.2, 0.9, 160), strict=True,
         ):  # fmt: skip
-            colors[row, column] += (light - colors[row, column]) * bright
-    glow = 0.5 * np.exp(-((away / 0.11) ** 2)) + (0.18 if dark else 0.42) * np.exp(-away / 0.28)
+            colors[row, column] += (light - colors[row, column]) * bright * hour.stars
+    glow = hour.near * np.exp(-((away / 0.11) ** 2)) + hour.wide * np.exp(-away / 0.28)
     colors += (light - colors) * np.clip(glow, 0.0, 1.0)[..., None]
-    disc = np.clip((radius - away) * height + 0.5, 0.0, 1.0)
+    disc = np.clip((hour.radius - away) * height + 0.5, 0.0, 1.0)
     colors += (light - colors) * disc[..., None]
     return opaque(colors)
 
 
-def _hues(dark: bool) -> Floats:
+def _hues(hour: Hour) -> Floats:
     """Colours (l, 2, 3) at the crest and at the foot of hills and meadow: haze lies at the feet."""
-    _, horizon, _, hills, grass, earth = NIGHT if dark else DAY
     rows = [
-        (channels(ink), channels(ink) + (channels(horizon) - channels(ink)) * haze)
-        for ink, haze in zip(hills, HAZE, strict=True)
+        (channels(ink), channels(ink) + (channels(hour.horizon) - channels(ink)) * haze)
+        for ink, haze in zip(hour.hills, HAZE, strict=True)
     ]
-    return np.array([*rows, (channels(grass), channels(earth))])
+    return np.array([*rows, (channels(hour.grass), channels(hour.earth))])
 
 
 def _shades(hues: Floats, crests: Floats, height: int) -> Inks:

@@ -49,7 +49,7 @@ def test_contents_are_counted_from_the_ambient():
 
 
 @pytest.mark.parametrize(
-    "name", ["ignition", "rate", "heat", "soot", "soot_rate", "glow", "soot_glow", "ambient"]
+    "name", ["ignition", "rate", "heat", "soot", "soot_rate", "soot_size", "glow", "soot_glow", "ambient"]
 )
 def test_what_may_be_nothing_may(name):
     assert getattr(GasFuel(**{name: 0.0}), name) == 0.0

@@ -9,12 +9,12 @@ from game.levels import parse_level
 from game.physics.fields import GRAVITY
 from game.physics.gas.ledger import CARRIED_THROUGH
 from game.scenes.tower.air import FLOOR_WIDTH, QUICKEST, Floors, TowerAir, drag_along, weigh
-from game.scenes.tower.dust import DVX, DX, advance_dust, puffs
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
 from game.scenes.tower.tables import SHARD
 from game.stage import Action, Pointer, SetEffect, Stage
+from game.worlds.members.dust import DVX, DX, advance_dust, puffs
 
 SMALL = TowerContent(storeys=3, bays=2, first=3)
 LEVEL = 'scene = "a08"\n[content]\nstoreys = 4\nbays = 2\nfirst = 3\n'

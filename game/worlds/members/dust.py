@@ -1,8 +1,7 @@
 """Dust: puffs that spring up where something strikes, slow down in the air, spread, settle.
 
-Their velocity goes over to that of the air at a rate, implicitly. The air is at rest unless it is computed
-(see `air`). A puff grows as the square root of its age, as what mixes does. They show the dust; its mass is
-in the air's cells.
+Their velocity goes over to that of the air at a rate, implicitly. A puff grows as the square root of its age,
+as what mixes does. They show the dust; where its mass counts, it is elsewhere.
 """
 
 from __future__ import annotations
@@ -67,3 +66,9 @@ class Dust(Member):
     ) -> None:
         """New ones, see `puffs`."""
         self.rows = np.concatenate([self.rows, puffs(places, speeds, size, life, random)])
+
+
+def as_seen(dust: Floats) -> tuple[Floats, Floats, Floats]:
+    """Of puffs (n, DUST_WIDTH): places (n, 2) m, shares of their life that are over and radii m, (n,)."""
+    radii = dust[:, SIZE] * (0.6 + 1.5 * np.sqrt(dust[:, AGE]))
+    return dust[:, PLACE], dust[:, AGE] / dust[:, LIFE], radii
