@@ -13,7 +13,7 @@ from game.scenes.candle.view import CandleView
 from game.scenes.candle.world import CandleWorld
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.painting.glowing import warm_up_glowing
-from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.painting.lit import warm_up_lit
 from game.worlds.scene import Parts, Told, WorldScene
 
 
@@ -42,7 +42,7 @@ class Candle(WorldScene):
     parts = Parts(CandleWorld, candle_hand, CandleView)
     told = Told(readouts, targets=targets, sizes=sizes, hearing=hearing, names=names)
     tiny = {"tier": "own", "cells": 32}
-    painters = (("polygons", warm_up_painter), ("gas", warm_up_glowing))
+    painters = (("lit", warm_up_lit), ("gas", warm_up_glowing))
     effects = USUAL | COMBUSTION.known
     content_type, default_content = CandleContent, CandleContent()
     not_of_model = ("shown",)

@@ -1,13 +1,12 @@
-"""How the candle is drawn: a wall in its light, table, wax, flame and smoke, the glass before them."""
+"""How the candle is drawn: room and table in two lights, wax, smoke, flame, the glass before them."""
 
 from __future__ import annotations
 
 import numpy as np
-import pygame
 
+from game.arrays import Floats
 from game.scenes.candle.air import (
     AIR,
-    CANDLE,
     HALF,
     HIGH,
     LOOK,
@@ -18,26 +17,31 @@ from game.scenes.candle.air import (
     SUPPLY,
     TALL,
     TOP,
-    WALL,
-)
+    VAPOUR,
+)  # fmt: skip
+from game.scenes.candle.room import SHINES, draw_room
+from game.scenes.candle.things import FLAME_HALF, draw_glass, draw_wax, flame_picture
 from game.scenes.candle.world import CandleState, CandleWorld
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
 from game.worlds.members.burning_air import FRESH
-from game.worlds.painting.boards import paint_quads, rects
-from game.worlds.painting.flames import FIRELIGHT, HEAT_STOPS, draw_firelight, glow_stops
-from game.worlds.painting.inks import color_of, scaled
+from game.worlds.painting.flames import FIRELIGHT, HEAT_STOPS, glow_stops
+from game.worlds.painting.inks import color_of
+from game.worlds.painting.shades import Light, finer, lay_lit
 
 BOX = ((-HALF, 0.0), (HALF, TALL))
-SMOKE = {True: pygame.Color(128, 126, 130), False: pygame.Color(112, 110, 112)}
-# by day and at night: wall, panel of the wall, table, its edge, wax, glass
-TONES = (
-    (0xB9B0A2, 0xA89F92, 0x9A6B42, 0x6E4A2C, 0xF2E8D2, 0xE8F4F6),
-    (0x32343E, 0x2A2C36, 0x5A4030, 0x3A2A20, 0xC6BAA2, 0xBFD4DA),
-)
-BRIGHT, EMBER_S = 2600.0, 3.0  # W/m of a flame that lights all; s that a wick still glows
-DEPTH = 0.05  # m: of the table in the picture
+OWN: dict[bool, Light] = {
+    True: (0.68, 0.76, 0.98),
+    False: (1.25, 1.2, 1.12),
+}  # the room's, at night and by day
+WARM = (1.0, 0.68, 0.38)
+SMOKE = {True: (0x8C94A8, 0xD8B48C), False: (0x6C6E76, 0x94836E)}  # in the room's light, and in the flame's
+EMBER_S = 4.0  # s that a wick still glows
+COLD, BRIGHT = 880.0, 1040.0  # K between which gas above the wick counts as flame
+REACH, SHORTEST, LONGEST = 0.013, 0.012, 0.066  # m beside its axis that are the flame's; its height
+EASED = np.array((1.0, 2.0, 3.0, 4.0, 3.0, 2.0, 1.0)) / 16.0  # of an axis, over so many rows of cells
+WICK = ((0.0, TOP - 0.001), (0.0002, TOP + 0.004), (0.0012, TOP + 0.0075), (0.0024, TOP + 0.0088))
 OXYGEN_STOPS = ((0.0, "vermilion"), (0.5, "amber"), (1.0, "chalk"))
 
 
@@ -55,95 +59,95 @@ class CandleView:
 
     def draw(self, canvas: Canvas, previous: CandleState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
-        model, tones = self.model, TONES[is_dark(canvas)]
-        light = min(max(model.power(), 0.0) / BRIGHT, 1.0) ** 0.5
-        rim = float(model.air.flows[RIM])
+        air, dark, strength = self.model.air, is_dark(canvas), self._strength()
+        red, green, blue = (part * (1.0 - 0.35 * strength) for part in OWN[dark])  # the eye gets used to less
+        own: Light = (red, green, blue)
+        flame: Light = (WARM[0] * strength, WARM[1] * strength, WARM[2] * strength)
+        rim = float(air.flows[RIM])
         if previous is not None:
             before = float(previous.air.flows[RIM])
             rim = before + alpha * (rim - before)
-        self._draw_room(canvas, tones, light)
-        self._draw_glass(canvas, tones[5], rim, 0.06)
-        self._draw_candle(canvas, tones[4], light)
-        self._draw_gas(canvas, is_dark(canvas))
-        if light > 0.03:
-            at = np.array([(0.0, TOP + 0.03), (0.0, TOP + 0.02)])
-            inks, parts = np.full(2, FIRELIGHT, np.uint32), light * np.array((0.5, 0.8))
-            canvas.soft_glow(at, np.array((0.34, 0.07)), inks, parts)
-        canvas.bloom(0.8 if is_dark(canvas) else 0.45)
-        self._draw_rims(canvas, tones[5], rim, light)
+        draw_room(canvas, own, flame)
+        draw_wax(canvas, own, flame)
+        self._draw_wick(canvas)
+        self._draw_gas(canvas, dark, strength)
+        if strength > 0.02:
+            self._draw_flame(canvas, strength)
+        draw_glass(canvas, (float(air.flows[RADIUS]), float(air.flows[HIGH])), rim, own, flame)
         if canvas.marks(False):
             self._draw_marks(canvas)
         if self.hand.point is not None:
             canvas.ring(self.hand.point, 9.0, "amber", 2.0)
 
-    def _draw_room(self, canvas: Canvas, tones: tuple[int, ...], light: float) -> None:
-        """Wall with panels, lit from the candle; table with its edge and the shadow of the candle."""
-        wall = scaled(tones[0], 0.75 + 0.4 * light)
-        canvas.fill(color_of(wall))
-        middles = np.arange(-6.0, 6.5) * 0.2
-        panels = rects([(x - 0.085, 0.05, x + 0.085, 1.2) for x in middles])
-        near = 0.7 + 0.5 * light / (1.0 + (middles / 0.3) ** 2)
-        paint_quads(canvas, panels, np.array([scaled(tones[1], one) for one in near.tolist()]), 0.9)
-        top = scaled(tones[2], 0.6 + 0.5 * light)
-        paint_quads(canvas, rects((-3.0, -DEPTH, 3.0, 0.012)), top)
-        paint_quads(canvas, rects((-3.0, -1.0, 3.0, -DEPTH)), scaled(tones[3], 0.7 + 0.4 * light))
-        foot = np.array([(-1.3, -0.004), (1.3, -0.004), (2.2, -0.02), (-2.2, -0.02)]) * (CANDLE, 1.0)
-        paint_quads(canvas, foot, 0x000000, 0.35)
+    def _strength(self) -> float:
+        """How bright the flame is: 1 where all that the wick may carry up burns."""
+        most = self.model.parameters.supply * VAPOUR["heat"]
+        return min(max(self.model.power(), 0.0) / most, 1.0) ** 0.5
 
-    def _draw_candle(self, canvas: Canvas, wax: int, light: float) -> None:
-        """Wax that shines through below the flame, the wick, its ember."""
-        slices = 10
-        edges = np.linspace(-0.006, TOP, slices + 1)
-        for k in range(
-            slices
-        ):  # the flame's light goes some way into wax; each covers the one before: no seams
-            share, low = 0.55 + 0.55 * light * (k / (slices - 1)) ** 2, edges[k]
-            for left, right, tone in ((-1.0, 1.0, 0.74), (-1.0, 0.4, 1.0), (-1.0, -0.5, 0.82)):
-                slice_ = rects((left * CANDLE, low, right * CANDLE, TOP))
-                paint_quads(canvas, slice_, scaled(wax, share * tone))
-        canvas.line((0.0, TOP), (0.0008, TOP + 0.008), color_of(0x1C1612), 0.0016 * canvas.pixels_per_unit)
+    def _axis(self, rows: int) -> tuple[float, Floats]:
+        """Height (m) of the flame above the wick's foot, and how far its axis is aside in so many rows, as
+        its picture has them. Both are those of the hot gas, from one row of cells to the next.
+        """
+        air = self.model.air
+        x, y = (one.reshape(-1) for one in (air.gas.grid.centres()[0][:1], air.gas.grid.centres()[1][:, :1]))
+        middle, high, burning, places = 0.0, 0.0, 1.0, [(TOP, 0.0)]
+        for j in np.flatnonzero((y > TOP) & (y < TOP + 1.5 * LONGEST)).tolist():
+            excess = np.maximum(air.temperature[j] - 500.0, 0.0) * (np.abs(x - middle) < REACH)
+            total = float(excess.sum())
+            hottest = 500.0 + float(excess.max())
+            burning = min(burning, max((hottest - COLD) / (BRIGHT - COLD), 0.0))
+            high += min(burning, 1.0) * air.cell
+            middle = float(np.sum(excess * x)) / total if total > 0.0 else middle
+            places.append((float(y[j]), middle))
+        high = min(max(high * 1.1, SHORTEST), LONGEST)
+        up = TOP + high * (-0.06 + 1.2 * (np.arange(rows) + 0.5) / rows)
+        known = np.array(places)
+        eased = np.convolve(np.pad(known[:, 1], 3, mode="edge"), EASED, mode="valid")
+        bent = np.interp(up, known[:, 0], eased)
+        return high, bent * np.clip((up - TOP) / 0.025, 0.0, 1.0)
+
+    def _draw_wick(self, canvas: Canvas) -> None:
+        """The wick, and its tip as long as it glows."""
         flows = self.model.air.flows
         ember = 1.0 if flows[SUPPLY] > 0.0 else max(1.0 - float(flows[SINCE]) / EMBER_S, 0.0)
+        thick = canvas.pixels_per_unit / canvas.k
+        canvas.polyline(WICK, color_of(0x17110E), 0.0012 * thick)
+        canvas.polyline(WICK[:3], color_of(0x5A4A3C), 0.0003 * thick, alpha=0.7)
         if ember > 0.0:
-            canvas.circle((0.0008, TOP + 0.008), 0.0011, color_of(0xFF7A28), ember)
+            canvas.polyline(WICK[2:], color_of(0xC83A12), 0.0013 * thick, alpha=ember)
+            canvas.circle(WICK[3], 0.0006, color_of(0xFF9A48), ember)
+            canvas.soft_glow(
+                np.array([WICK[3]]), np.array([0.006]), np.array([FIRELIGHT], np.uint32), 0.9 * ember
+            )
 
-    def _draw_gas(self, canvas: Canvas, dark: bool) -> None:
+    def _draw_gas(self, canvas: Canvas, dark: bool, strength: float) -> None:
         air, shown = self.model.air, self.model.parameters.shown
         if shown == "flame":
-            veil = air.veil()
-            canvas.veil(veil, *BOX, SMOKE[dark], glow_stops(LOOK.dark, LOOK.bright))
-            draw_firelight(canvas, veil, HALF, 16, 0.02, 2.0, 0.18)
-        elif shown == "oxygen":
-            fresh = air.gas.field("oxygen") / air.gas.field("air") * (AIR / FRESH)
-            canvas.field(fresh, *BOX, OXYGEN_STOPS, 0.6)
-        else:
-            canvas.field((air.temperature - ROOM) / 1500.0, *BOX, HEAT_STOPS, 0.85)
+            veil = finer(air.veil())
+            veil[..., 1] *= 0.45 * (strength * veil[..., 1]) ** 2  # the teardrop is drawn by itself
+            smoke = color_of(SMOKE[dark][0]).lerp(color_of(SMOKE[dark][1]), 0.8 * strength)
+            canvas.veil(veil, *BOX, smoke, glow_stops(LOOK.dark, LOOK.bright))
+            return
+        fresh = air.gas.field("oxygen") / air.gas.field("air") * (AIR / FRESH)
+        oxygen = shown == "oxygen"
+        values, stops = (fresh, OXYGEN_STOPS) if oxygen else ((air.temperature - ROOM) / 1500.0, HEAT_STOPS)
+        radius, high, rim = (float(air.flows[k]) for k in (RADIUS, HIGH, RIM))
+        box = ((-radius, rim), (radius, rim + high)) if self.model.sealed() else BOX
+        with canvas.within(*box):
+            canvas.field(finer(values), *BOX, stops, 0.6 if oxygen else 0.85)
 
-    def _walls(self, rim: float) -> np.ndarray:
-        """Corners (12, 2) m of the glass: left, right, its bottom that is above."""
-        flows = self.model.air.flows
-        radius, top = float(flows[RADIUS]), rim + float(flows[HIGH])
-        return rects([(-radius - WALL, rim, -radius, top + WALL), (radius, rim, radius + WALL, top + WALL),
-                      (-radius, top, radius, top + WALL)])  # fmt: skip
-
-    def _draw_glass(self, canvas: Canvas, ink: int, rim: float, share: float) -> None:
-        """The pane behind the flame, and its shadow on the table."""
-        flows = self.model.air.flows
-        wide, top = float(flows[RADIUS]) + WALL, rim + float(flows[HIGH]) + WALL
-        near = max(1.0 - rim / 0.2, 0.0)
-        shadow = np.array([(-wide, -0.002), (wide, -0.002), (1.25 * wide, -0.024), (-1.25 * wide, -0.024)])
-        paint_quads(canvas, shadow, 0x000000, 0.3 * near)
-        paint_quads(canvas, rects((-wide, rim, wide, top)), ink, share)
-
-    def _draw_rims(self, canvas: Canvas, ink: int, rim: float, light: float) -> None:
-        """Walls of the glass as they catch the light, and its gleams."""
-        corners = self._walls(rim)
-        paint_quads(canvas, corners, ink, 0.22 + 0.14 * light)
-        flows = self.model.air.flows
-        radius, high = float(flows[RADIUS]), float(flows[HIGH])
-        for x, wide, share in ((-0.78, 0.05, 0.28), (-0.66, 0.02, 0.2), (0.82, 0.03, 0.16)):
-            gleam = (radius * (x - wide), rim + 0.1 * high, radius * (x + wide), rim + 0.9 * high)
-            paint_quads(canvas, rects(gleam), 0xFFFFFF, share * (0.5 + 0.5 * light))
+    def _draw_flame(self, canvas: Canvas, strength: float) -> None:
+        """The teardrop of it, as high as gas is hot there and bent as it flows, and the light about it."""
+        picture = flame_picture()
+        high, bent = self._axis(picture.shape[0])
+        high *= 0.4 + 0.6 * strength
+        box = ((-FLAME_HALF, TOP - 0.06 * high), (FLAME_HALF, TOP + 1.14 * high))
+        glow = min(2.0 * strength, 1.0)
+        lay_lit(canvas, picture, box, (glow, glow, glow), (strength, strength, strength), bent)
+        at = np.array([(0.0, SHINES), (0.0, SHINES)])
+        inks, parts = np.full(2, FIRELIGHT, np.uint32), strength * np.array((0.2, 0.35))
+        canvas.soft_glow(at, np.array((0.3, 0.06)), inks, parts)
+        canvas.bloom(0.5 if is_dark(canvas) else 0.3)
 
     def _draw_marks(self, canvas: Canvas) -> None:
         """Where the gas goes."""
