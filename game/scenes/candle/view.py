@@ -36,7 +36,7 @@ OWN: dict[bool, Light] = {
     False: (1.25, 1.2, 1.12),
 }  # the room's, at night and by day
 WARM = (1.0, 0.68, 0.38)
-SMOKE = {True: (0x8C94A8, 0xD8B48C), False: (0x6C6E76, 0x94836E)}  # in the room's light, and in the flame's
+SMOKE = {True: (0xA2AAC0, 0xD8B48C), False: (0x6C6E76, 0x94836E)}  # in the room's light, and in the flame's
 EMBER_S = 4.0  # s that a wick still glows
 COLD, BRIGHT = 880.0, 1040.0  # K between which gas above the wick counts as flame
 REACH, SHORTEST, LONGEST = 0.013, 0.012, 0.066  # m beside its axis that are the flame's; its height
@@ -60,7 +60,7 @@ class CandleView:
     def draw(self, canvas: Canvas, previous: CandleState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         air, dark, strength = self.model.air, is_dark(canvas), self._strength()
-        red, green, blue = (part * (1.0 - 0.35 * strength) for part in OWN[dark])  # the eye gets used to less
+        red, green, blue = (part * (1.0 - 0.48 * strength) for part in OWN[dark])  # the eye gets used to less
         own: Light = (red, green, blue)
         flame: Light = (WARM[0] * strength, WARM[1] * strength, WARM[2] * strength)
         rim = float(air.flows[RIM])
@@ -68,9 +68,9 @@ class CandleView:
             before = float(previous.air.flows[RIM])
             rim = before + alpha * (rim - before)
         draw_room(canvas, own, flame)
+        self._draw_gas(canvas, dark, strength)
         draw_wax(canvas, own, flame)
         self._draw_wick(canvas)
-        self._draw_gas(canvas, dark, strength)
         if strength > 0.02:
             self._draw_flame(canvas, strength)
         draw_glass(canvas, (float(air.flows[RADIUS]), float(air.flows[HIGH])), rim, own, flame)
@@ -84,7 +84,7 @@ class CandleView:
         most = self.model.parameters.supply * VAPOUR["heat"]
         return min(max(self.model.power(), 0.0) / most, 1.0) ** 0.5
 
-    def _axis(self, rows: int) -> tuple[float, Floats]:
+    def axis(self, rows: int) -> tuple[float, Floats]:
         """Height (m) of the flame above the wick's foot, and how far its axis is aside in so many rows, as
         its picture has them. Both are those of the hot gas, from one row of cells to the next.
         """
@@ -124,7 +124,7 @@ class CandleView:
         air, shown = self.model.air, self.model.parameters.shown
         if shown == "flame":
             veil = finer(air.veil())
-            veil[..., 1] *= 0.45 * (strength * veil[..., 1]) ** 2  # the teardrop is drawn by itself
+            veil[..., 1] *= 0.25 * (strength * veil[..., 1]) ** 2  # the teardrop is drawn by itself
             smoke = color_of(SMOKE[dark][0]).lerp(color_of(SMOKE[dark][1]), 0.8 * strength)
             canvas.veil(veil, *BOX, smoke, glow_stops(LOOK.dark, LOOK.bright))
             return
@@ -139,7 +139,7 @@ class CandleView:
     def _draw_flame(self, canvas: Canvas, strength: float) -> None:
         """The teardrop of it, as high as gas is hot there and bent as it flows, and the light about it."""
         picture = flame_picture()
-        high, bent = self._axis(picture.shape[0])
+        high, bent = self.axis(picture.shape[0])
         high *= 0.4 + 0.6 * strength
         box = ((-FLAME_HALF, TOP - 0.06 * high), (FLAME_HALF, TOP + 1.14 * high))
         glow = min(2.0 * strength, 1.0)

@@ -6,13 +6,18 @@ import functools
 from typing import Any
 
 import numpy as np
+import pygame
 import pytest
 
 from game.levels import level_files, load_level
 from game.scenes.candle.air import AIR, TOP, UP, VAPOUR
 from game.scenes.candle.parameters import CandleContent
 from game.scenes.candle.scene import Candle
-from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+from game.stage import Action, Frame, Pointer, SetEffect, SetParameter, Stage
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
 from game.worlds.members.burning_air import FRESH
 from tests.scenes.listening import heard_in
 
@@ -235,3 +240,40 @@ def test_a_step_back_leads_on_the_same() -> None:
         stage.step_back()
         stage.run(1)
         assert stage.digest() == digest
+
+
+def test_the_flame_that_is_drawn_is_as_high_as_gas_is_hot_and_bends_with_it() -> None:
+    stage = open_level()
+    run(stage, 3.0)
+    view, air = stage.scene.view, stage.scene.model.air
+    high, bent = view.axis(120)
+    assert TOP + high == pytest.approx(air.flame_height(), abs=2.0 * air.cell)
+    assert np.abs(bent).max() < 0.1 * air.cell
+    above = air.gas.grid.centres()[1] > TOP + 0.02
+    air.temperature[:] = np.where(above, np.roll(air.temperature, 2, axis=1), air.temperature)
+    _, bent = view.axis(120)
+    assert bent[-20] == pytest.approx(2.0 * air.cell, rel=0.2) and bent[10] == pytest.approx(0.0, abs=1e-4)
+    air.temperature[:] = 293.15
+    assert view.axis(120)[0] < 0.5 * high
+
+
+def test_the_flame_lights_the_room_and_the_room_is_not_black_without_it() -> None:
+    """Far from the flame, on wall and table: brighter with it, and redder; without it the window's light."""
+    stage = open_level()
+    canvas, camera = Canvas(Look(DARK)), Camera()
+    surface = pygame.Surface((640, 360), 0, 32)
+    camera.fit(Frame(left=-0.32, bottom=-0.08, right=0.32, top=0.28), surface.get_rect(), 0.0)
+
+    def shown() -> np.ndarray:
+        canvas.begin(surface, surface.get_rect(), camera)
+        stage.scene.view.draw(canvas, None, 1.0)
+        canvas.end()
+        whole = pygame.surfarray.array3d(surface).astype(float)
+        return np.array([whole[380:440, 60:120].mean(axis=(0, 1)), whole[380:440, 270:300].mean(axis=(0, 1))])
+
+    cold = shown()
+    run(stage, 3.0)
+    warm = shown()
+    assert cold.min() > 12.0
+    assert (warm[:, 0] > 1.6 * cold[:, 0]).all()
+    assert (warm[:, 0] / warm[:, 2] > 1.5 * cold[:, 0] / cold[:, 2]).all()
