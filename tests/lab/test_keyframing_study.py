@@ -59,5 +59,6 @@ def test_present_settings_can_be_placed_and_points_set():
     for study in (keyframing_study, uneven_study):  # of another motion than the scene's
         assert study.place({"interpolation": "linear"}) == (None, study.no_place)
     trial = line_study.trial(present_lines({"tolerance": 0.01}))
+    trial.reset()
     trial.run()
     assert trial.outcome().error <= 0.01

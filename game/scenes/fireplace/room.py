@@ -23,7 +23,7 @@ FLOOR = -0.1  # m, where the floor begins
 BRICK, COURSE, MORTAR = 0.19, 0.066, 0.007  # m
 MIDDLE = (0.0, 0.3)  # m, of the light of a fire
 # night, day: plaster, brick, mortar, stone, boards; light of the room itself, red, green, blue (256: all)
-NIGHT = (0x6A5A4C, 0x7A4430, 0x2E2520, 0x6A6259, 0x6A4630, (58, 64, 80))
+NIGHT = (0x6A5A4C, 0x7A4430, 0x2E2520, 0x6A6259, 0x6A4630, (86, 93, 116))
 DAY = (0xE9DFCB, 0xA8624A, 0xB9A894, 0xA8A198, 0x9A6B44, (232, 232, 232))
 WARM = (400, 240, 120)  # red, green, blue of firelight where it is strongest, at full strength
 

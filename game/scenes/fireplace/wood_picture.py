@@ -15,11 +15,12 @@ from game.worlds.painting.flames import glow_inks
 from game.worlds.painting.inks import packed, shaded
 
 BARK, CHAR, ASH = (104, 70, 44), (24, 20, 19), (112, 107, 102)
-NIGHT, FIRE = np.array((0.42, 0.43, 0.48)), np.array((0.95, 0.66, 0.4))  # light of the room, of a large fire
+NIGHT, FIRE = np.array((0.55, 0.57, 0.64)), np.array((0.95, 0.66, 0.4))  # light of the room, of a large fire
 DAY = np.array((0.95, 0.94, 0.9))
 DARK = 750.0  # K of what is just seen to glow
 BRIGHT, ADAPTED = 1460.0, 1060.0  # K that are brightest to an eye that sees a large fire, or embers alone
 PATCHES = (9, 8)  # along and across a piece, each of which is as bright and warm as chance has it
+UNDER = 0.4  # of a patch that lies below the next ones, so that no seam between them shows what is behind
 VARIES = 220.0  # K from the coldest to the hottest of them, which is as hot as the piece
 SOFT = 0.35  # of the light that is about what glows
 
@@ -62,9 +63,10 @@ class WoodPicture:
         along, across = PATCHES
         for i in range(along):
             for k in range(across):
-                low, high = -1.0 + 2.0 * k / across, -1.0 + 2.0 * (k + 1) / across
-                box = (-1.0 + 2.0 * i / along, low, -1.0 + 2.0 * (i + 1) / along, high)
-                middle = 0.5 * (low + high)
+                right, high = min(i + 1 + UNDER, along), min(k + 1 + UNDER, across)
+                box = (-1.0 + 2.0 * i / along, -1.0 + 2.0 * k / across,
+                       -1.0 + 2.0 * right / along, -1.0 + 2.0 * high / across)  # fmt: skip
+                middle = -1.0 + 2.0 * (k + 0.5) / across
                 lit = 1.0 - 0.62 * middle * middle + 0.13 * self._tints[numbers, i, k]
                 patch = _scaled(inks, lit)
                 seed = self._heats[numbers, i, k]
@@ -104,7 +106,7 @@ class WoodPicture:
         colors = glow_inks(share, DARK, bright)
         for i, k in ((0, 1), (1, 4), (2, 2), (1, 1), (2, 5), (0, 3)):
             x, y = 0.9 * self._tints[numbers, i, k], 3.0 * self._heats[numbers, i, k] + 1.5
-            for box, moved in (((-0.05, -0.28, 0.05, 0.28), 0.0), ((-0.16, -0.05, 0.16, 0.05), 0.2)):
+            for box, moved in (((-0.022, -0.3, 0.022, 0.3), 0.0), ((-0.12, -0.02, 0.12, 0.02), 0.2)):
                 up = np.clip(y + moved, -0.7, 0.7)
                 shift = np.stack([x * sizes[glowing, 0], up * sizes[glowing, 1]], 1)
                 c, s = turned.T

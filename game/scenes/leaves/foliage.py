@@ -23,6 +23,7 @@ SUN = (0.42, 0.80, -0.43)  # towards the light, in x, y and into the picture
 BELOW = 0.35  # the midrib lies that far below the middle, times sin q
 OF_SHAPE = [model.KIND, model.YAW, model.FLIP]  # columns of what outlines come from
 SHADOW = 14  # corners
+NEARER, NEAR_M = 0.45, 0.4  # share of its depth that a leaf has in the basket; m before it where that begins
 LARGER = 1.18  # leaves are drawn than their chords, as these are mean ones
 FADES = 0.9  # m of height by which a shadow is weaker by e
 
@@ -61,6 +62,21 @@ def cut_outlines(own: Floats) -> Cut:
     return Cut(points, np.array(leaves, dtype=np.int64), np.array(starts, dtype=np.int64), ribs)
 
 
+def nearer(basket: Basket, rows: Floats, own: Floats) -> Floats:
+    """What leaves are, with the depths (n, 6) at which they are seen: the basket is less deep than the
+    lawn, and towards it they come into its plane.
+    """
+    near = 1.0 - np.minimum(basket.away(rows[law.X], rows[law.Y]) / NEAR_M, 1.0)
+    seen = own.copy()
+    seen[:, model.DEPTH] *= 1.0 - (1.0 - NEARER) * near * near * (3.0 - 2.0 * near)
+    return seen
+
+
+def shifts_of(own: Floats) -> Floats:
+    """How far (n, 2) each leaf is seen to be shifted by its depth, m."""
+    return own[:, model.DEPTH][:, None] * np.array(OF_DEPTH)
+
+
 class Foliage:
     """Keeps the outlines of the leaves there are."""
 
@@ -82,7 +98,7 @@ class Foliage:
         height = np.maximum(rows[law.Y], 0.0)
         turn = np.linspace(0.0, math.tau, SHADOW, endpoint=False)
         wide = halves * (0.45 + 0.55 * np.abs(np.cos(rows[law.THETA]))) * (1.0 + 0.5 * height)
-        middle = self._depths(own) + np.stack([rows[law.X] - 0.45 * height, np.full(n, -0.012)], axis=1)
+        middle = shifts_of(own) + np.stack([rows[law.X] - 0.45 * height, np.full(n, -0.012)], axis=1)
         spots = middle[:, None] + np.stack(
             [wide[:, None] * np.cos(turn), (0.36 * halves * (1.0 + 0.5 * height))[:, None] * np.sin(turn)],
             axis=2,
@@ -100,11 +116,6 @@ class Foliage:
             edges,
             np.zeros((SHADOW, 2)),
         )
-
-    @staticmethod
-    def _depths(own: Floats) -> Floats:
-        """How far each leaf is shifted by its depth, m."""
-        return own[:, model.DEPTH][:, None] * np.array(OF_DEPTH)
 
     def leaves(
         self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, tint: tuple[float, float, float],
@@ -142,7 +153,7 @@ class Foliage:
         y = (np.abs(along) - BELOW) * np.sin(q) * half
         c, s = np.cos(theta), np.sin(theta)
         depth = into * half
-        shift = self._depths(own)[leaf]
+        shift = shifts_of(own)[leaf]
         return np.stack(
             [
                 rows[law.X, leaf] + c * x - s * y + BACKWARD[0] * depth,

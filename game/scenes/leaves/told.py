@@ -11,6 +11,7 @@ from game.physics.kernels import elementwise
 from game.physics.plates import law
 from game.physics.plates.flight import WY
 from game.physics.plates.watch import FLUTTER, GLIDE, TUMBLE
+from game.scenes.leaves.foliage import nearer, shifts_of
 from game.scenes.leaves.model import KIND, LeavesModel
 from game.scenes.leaves.model import NAMES as SPECIES_NAMES
 from game.scenes.leaves.sounds import HALF, NAMES
@@ -18,6 +19,7 @@ from game.scenes.leaves.ways import TOOK, TURNED
 from game.stage import Hearing, Readout
 from game.worlds.hearing import ROOM, wind
 
+MIDST = (1.0, 0.65)  # m across and up from the middle of the cloud, which a picture's middle follows
 VERBS = {FLUTTER: "flutters", TUMBLE: "tumbles", GLIDE: "glides"}
 
 
@@ -61,10 +63,15 @@ def sizes(model: LeavesModel) -> dict[str, float]:
 
 
 def names_of(model: LeavesModel) -> list[tuple[int, str]]:
-    """Of each way the leaf that goes it longest: its number; what it is, what it does, and its inertia."""
+    """Of each way the leaf in the midst of the cloud that goes it longest: its number; what it is, what it
+    does, and its inertia.
+    """
     found, seen, ways = [], model.seen(), model.ways
+    away = np.abs(model.plates.rows[[law.X, law.Y]].T - model.tally[2:4])
+    midst = np.all(away < MIDST, axis=1)
     for way, verb in VERBS.items():
-        longest = np.where(seen == way, np.abs(ways[:, TURNED if way == TUMBLE else TOOK]) + 1.0, 0.0)
+        how_long = np.abs(ways[:, TURNED if way == TUMBLE else TOOK]) + 1.0
+        longest = np.where(midst & (seen == way), how_long, 0.0)
         if longest.any():
             i = int(np.argmax(longest))
             inertia = float(model.plates.laws[law.MASS_Y, i]) - 1.0
@@ -73,9 +80,10 @@ def names_of(model: LeavesModel) -> list[tuple[int, str]]:
 
 
 def names(model: LeavesModel) -> list[tuple[Point, str]]:
-    """Where these leaves are, m, and their words."""
-    x, y = model.plates.rows[law.X], model.plates.rows[law.Y]
-    return [((float(x[i]), float(y[i])), words) for i, words in names_of(model)]
+    """Where these leaves are seen, m, and their words."""
+    rows = model.plates.rows
+    places = rows[[law.X, law.Y]].T + shifts_of(nearer(model.basket, rows, model.own))
+    return [((float(places[i, 0]), float(places[i, 1])), words) for i, words in names_of(model)]
 
 
 def hearing(model: LeavesModel) -> Hearing:

@@ -12,19 +12,18 @@ from numpy.typing import NDArray
 from game.arrays import Floats
 from game.physics.plates import law, watch
 from game.physics.plates.regimes import BORDERS
-from game.scenes.leaves.foliage import Foliage
+from game.scenes.leaves.foliage import Foliage, nearer, shifts_of
 from game.scenes.leaves.landscape import DAY, Hour, Park
 from game.scenes.leaves.model import DEPTH, LeavesModel, LeavesState
 from game.scenes.leaves.told import names_of
 from game.ui.canvas.canvas import Canvas
 from game.worlds.hands.hand import Hand
 
-MOTES, MOTE_STEPS, MOTE_S = 70, 10, 0.06  # of dust: how many, points and s of their way
+MOTES, MOTE_STEPS, MOTE_S = 70, 10, 0.045  # of dust: how many, points and s of their way
 COLORS = {watch.NOTHING: "text2", watch.FLUTTER: "chalk", watch.TUMBLE: "amber", watch.GLIDE: "green"}
 MAP = (0.12, 1.05, 1.55, 0.62)  # m from the view's upper left corner: right, down; width, height of the map
 LEAST, MOST = 0.3, 4.0  # inertias on it
 RIM = 0.13  # m, half the depth of the basket's rim as it is seen
-NEARER, NEAR_M = 0.45, 0.4  # share of its depth that a leaf has in the basket; m before it where that begins
 
 
 class LeavesView:
@@ -56,7 +55,7 @@ class LeavesView:
         blades = model.wind.sample(self.park.blade_places, model.plates.time)
         self.park.grass(canvas, blades, front=False)
         self.foliage.shadows(canvas, rows, own, halves)
-        own = self._nearer(rows, own)
+        own = nearer(model.basket, rows, own)
         within = model.basket.holds(rows[law.X], rows[law.Y])
         back = ~within & (own[:, DEPTH] > 0.1)
         self.foliage.leaves(canvas, rows, own, halves, hour.leaves, back)
@@ -75,15 +74,6 @@ class LeavesView:
             self._teach(canvas, rows)
 
     # -- the basket -----------------------------------------------------------------------------------
-
-    def _nearer(self, rows: Floats, own: Floats) -> Floats:
-        """What leaves are, with the depths (n, 6) at which they are seen: the basket is less deep than the
-        lawn, and towards it they come into its plane.
-        """
-        near = 1.0 - np.minimum(self.model.basket.away(rows[law.X], rows[law.Y]) / NEAR_M, 1.0)
-        seen = own.copy()
-        seen[:, DEPTH] *= 1.0 - (1.0 - NEARER) * near * near * (3.0 - 2.0 * near)
-        return seen
 
     def _ring(self, height: float, share: float, front: bool) -> Floats:
         """Half an ellipse about the basket at a height, before or behind its middle."""
@@ -154,7 +144,7 @@ class LeavesView:
             for k in range(3):
                 a, b = ways[at + k, number][part], ways[at + k + 1, number][part]
                 if len(a):
-                    canvas.segments(a, b, ink, 1.2 + 0.3 * k, 0.16 + 0.13 * group)
+                    canvas.segments(a, b, ink, 1.2 + 0.3 * k, 0.12 + 0.11 * group)
 
     # -- what teaches ---------------------------------------------------------------------------------
 
@@ -178,8 +168,9 @@ class LeavesView:
 
     def _names(self, canvas: Canvas, rows: Floats, seen: NDArray[np.int64]) -> None:
         """Beside one leaf of each way what it is, what it does, and its inertia."""
+        places = rows[[law.X, law.Y]].T + shifts_of(nearer(self.model.basket, rows, self.model.own))
         for i, words in names_of(self.model):
-            place, color = rows[[law.X, law.Y], i], COLORS[int(seen[i])]
+            place, color = places[i], COLORS[int(seen[i])]
             canvas.dot(place, 3.0, color)
             canvas.label(place, words, color, 13, "semibold", "left", (10.0, -10.0), clear=True)
 

@@ -72,7 +72,7 @@ def build(world: SolidWorld, content: TowerContent, friction: float, joints: flo
                 "weld", slabs[bay], slabs[bay + 1], seam, break_force=load, break_torque=load * content.bay
             )
         for k in range(content.bays + 1):
-            x = _column_place(content, k)
+            x = column_place(content, k)
             body = world.add_body(
                 box(content.column, tall, material=stuff), (x, top - content.slab - 0.5 * tall)
             )
@@ -87,7 +87,7 @@ def build(world: SolidWorld, content: TowerContent, friction: float, joints: flo
     return extended(PartTable(), rows)
 
 
-def _column_place(content: TowerContent, k: int) -> float:
+def column_place(content: TowerContent, k: int) -> float:
     """x, m, of a column's middle: the outer ones stand within the floor's edge."""
     half, inset = half_width(content), 0.5 * content.column
     return min(max(-half + k * content.bay, -half + inset), half - inset)

@@ -9,6 +9,7 @@ import pygame
 
 from game.arrays import Floats, Longs
 from game.scenes.tower.building import floor_height, half_width
+from game.scenes.tower.charges import draw_flashes, draw_packs
 from game.scenes.tower.frame import FLOORS
 from game.scenes.tower.hours import Hour, hour_of, lamplight, lit
 from game.scenes.tower.measures import fall_of, front_of
@@ -53,8 +54,10 @@ class TowerView:
         self._standing.draw(canvas, self._site.paint)
         self._facade(canvas, hour)
         self._bodies(canvas, hour, previous, alpha)
+        draw_packs(canvas, self.model)
         if self.model.parameters.dust:
             self._dust(canvas, hour)
+        draw_flashes(canvas, self.model)
         if hour.mirrors:
             canvas.water(0.0, WET_TO, 0.0, color_of(hour.ground[1]), hour.mirrors)
         self._asked = canvas.asked

@@ -22,7 +22,7 @@ class WavesParameters(Parameters):
         40.0, 1.0, 1000.0, unit="m", log=True, group="Channel", rebuild=True, help="from end to end"
     )
     gravity = Param(9.81, 0.0, 30.0, unit="m/s²", group="Channel", help="downwards")
-    roughness = Param(0.0, 0.0, 0.1, unit="s/m^(1/3)", group="Channel", label="Manning's number",
+    roughness = Param(0.0, 0.0, 0.1, unit="m^(-1/3) s", group="Channel", label="Manning's number",
                       help="of the bed: 0.01 glass, 0.03 a river")  # fmt: skip
     rain = Param(0.0, 0.0, 100_000.0, unit="mm/h", group="Channel",
                  help="a cloudburst has 50")  # fmt: skip

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import pygame
 
+from game.ui.look.fonts import FontBook
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 
@@ -60,7 +62,25 @@ def draw_caption(
 
 
 def _lines(look: Look, rect: pygame.Rect, text: str) -> list[str]:
-    return look.fonts.wrap(text, SIZE, "semibold", round(WIDEST * rect.w)) or [""]
+    return _even_lines(look.fonts, look.k, text, round(WIDEST * rect.w))
+
+
+@lru_cache(maxsize=64)
+def _even_lines(fonts: FontBook, scale: float, text: str, widest: int) -> list[str]:
+    """As few lines as ``widest`` px allow, each about as long as the others: no word stands alone below.
+
+    scale: of the fonts; with another one the same words are wider.
+    """
+    lines = fonts.wrap(text, SIZE, "semibold", widest) or [""]
+    narrow, wide = widest // len(lines), widest
+    while wide - narrow > 1:
+        middle = (narrow + wide) // 2
+        fewer = fonts.wrap(text, SIZE, "semibold", middle)
+        if len(fewer) <= len(lines):
+            lines, wide = fewer or lines, middle
+        else:
+            narrow = middle
+    return lines
 
 
 def draw_card(

@@ -500,7 +500,7 @@ def test_there_is_an_end_to_keys():
     stage.post(SetParameter("time", 0.9975))
     click(stage, FREE)
     assert len(keys(stage)) == 200
-    assert any("at most 200" in words for words in stage.scene.messages())
+    assert any("At most 200" in words for words in stage.scene.messages())
 
 
 # -- files, time back, replay -------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from game.physics.plates.law import BEND, HALF, MASS_Y, X, Y
 from game.physics.plates.watch import FLUTTER, GLIDE, NOTHING, TUMBLE
 from game.scenes.leaves import foliage
 from game.scenes.leaves.basket import Basket
-from game.scenes.leaves.foliage import Foliage, cut_outlines
+from game.scenes.leaves.foliage import Foliage, cut_outlines, nearer, shifts_of
 from game.scenes.leaves.level import LeavesContent
 from game.scenes.leaves.model import KIND, NAMES
 from game.scenes.leaves.scene import Leaves
@@ -275,7 +275,11 @@ def test_one_leaf_of_each_way_is_named_where_it_flies():
         assert model.plates.time < 30.0
     found = stage.scene.story_names()
     assert {words.split(":")[0].split()[1] for _, words in found} == {"flutters", "tumbles", "glides"}
+    rows = model.plates.rows
+    seen = rows[[X, Y]].T + shifts_of(nearer(model.basket, rows, model.own))
     for place, words in found:
-        i = int(np.argmin(np.hypot(*(model.plates.rows[[X, Y]].T - place).T)))
+        away = np.hypot(*(seen - place).T)
+        i = int(np.argmin(away))
+        assert away[i] == 0.0, "at the depth at which it is drawn"
         kind, inertia = NAMES[int(model.own[i, KIND])], float(model.plates.laws[MASS_Y, i]) - 1.0
         assert model.flying()[i] and words.startswith(kind) and words.endswith(f"{inertia:.2f}")

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from game.physics.fields import GRAVITY
 from game.scenes.tower.air import DIMS, LAMP_RISES, LAMPS_AT, TowerAir
+from game.scenes.tower.building import column_place, floor_height
+from game.scenes.tower.charges import FLASH_S, flashes_of, packs_of
 from game.scenes.tower.effects import AIR
 from game.scenes.tower.hours import DAY, NIGHT, lamplight, lit
 from game.scenes.tower.level import TowerContent
@@ -50,3 +54,24 @@ def test_a_heap_is_darker_below_and_floors_that_stand_are_not():
 def test_it_is_never_wholly_silent():
     steady = Stage(Tower).scene.hearing().steady
     assert [one.kind for one in steady] == ["room", "wind"] and steady[0].level > 0.0 == steady[1].level
+
+
+def test_a_charge_lies_on_each_column_that_is_cut_first_until_it_goes_off_and_its_light_dies_away():
+    stage = Stage(Tower)
+    model = stage.scene.model
+    content, delay = model.content, model.parameters.delay
+    x = [column_place(content, k) for k in range(content.bays + 1)]
+    assert sorted(packs_of(model)[:, 0]) == pytest.approx(x)
+    assert (packs_of(model)[:, 1] < floor_height(content, model.first_storey())).all()
+    assert not len(flashes_of(model)[0])
+    model.fire()
+    stage.run(1)
+    places, left = flashes_of(model)
+    assert places[:, 0] == pytest.approx(x[:1]) and left[0] > math.exp(-2.0 * stage.dt / FLASH_S)
+    assert sorted(packs_of(model)[:, 0]) == pytest.approx(x[1:])
+    stage.run(round(delay * content.bays / stage.dt) + 1)
+    places, left = flashes_of(model)
+    assert not len(packs_of(model)) and places[-1, 0] == pytest.approx(x[-1])
+    assert (np.diff(left) > 0.0).all() and left[-1] / left[-2] == pytest.approx(math.exp(delay / FLASH_S))
+    stage.run(round(4.0 * FLASH_S / stage.dt))
+    assert not len(flashes_of(model)[0])

@@ -107,7 +107,7 @@ def test_a_scene_gives_a_chart_of_its_own_once_it_has_measured():
     ("chart", "reason"),
     [
         ('measured = "height"', "expected measured and expected, or shows"),
-        ('shows = "a", measured = "height"', "names all that is drawn"),
+        ('shows = "a", measured = "height"', "names everything that is drawn"),
         ('measured = "height", expected = 1, since = "x"', "no moment is called 'x'"),
         ('measured = "height", expected = nan', "not a finite number"),
         ('measured = "height", expected = 1, corner = "middle"', "corner"),

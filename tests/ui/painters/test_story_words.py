@@ -5,7 +5,7 @@ import pytest
 
 from game.ui.look.look import Look
 from game.ui.look.theme import theme_named
-from game.ui.painters.story_words import draw_card
+from game.ui.painters.story_words import SIZE, _even_lines, draw_card
 from game.ui.widgets.timebar import TimeBar
 
 
@@ -40,3 +40,15 @@ def test_nothing_shines_through_the_time_bar():
         bar.draw(surface)
         pictures.append(surface.get_at((320, 56)))
     assert pictures[0] == pictures[1]
+
+
+def test_a_caption_of_two_lines_leaves_no_word_alone_and_takes_no_line_more():
+    look = Look(theme_named("dark"), 1.0)
+    words = "Radius, depth and drag: of each caption both lines are about as long, however it is cut, m/s."
+    greedy = look.fonts.wrap(words, SIZE, "semibold", 700)
+    even = _even_lines(look.fonts, look.k, words, 700)
+    assert " ".join(even) == words and len(even) == len(greedy) == 2
+    wide = [look.fonts.size(line, SIZE, "semibold")[0] for line in even]
+    assert max(wide) <= 700 and min(wide) > 0.7 * max(wide)
+    assert _even_lines(look.fonts, look.k, "Short.", 700) == ["Short."]
+    assert _even_lines(look.fonts, look.k, "", 700) == [""]

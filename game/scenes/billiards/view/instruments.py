@@ -80,7 +80,7 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> No
     bar = layout.rect_of(canvas, layout.POWER)
     draw_power(surface, bar, power, MAX_SPEED, theme, book)
     for row, words in enumerate(lengths_words(power, frame)):
-        below = (bar.centerx, bar.bottom + look.px(2 + 15 * row))
+        below = (bar.centerx, bar.bottom + look.px(7 + 17 * row))
         look.text(surface, words, below, 12, "medium", "text2", "center")
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin, mm", (x, y - look.px(44)), 13, "medium", "text2", "center")

@@ -8,11 +8,11 @@ from typing import NamedTuple
 import pygame
 
 from game.ui.canvas.canvas import Canvas
-from game.ui.look.fonts import SMALLEST_PX
 from game.ui.look.look import Look
 from game.ui.look.theme import Theme
 
 READABLE, ROOM_FOR_READABLE = 11, 0.65  # px of the smallest letters, at scales that have the space for them
+CROWDED = 8  # px of them at smaller scales
 
 
 class Box(NamedTuple):
@@ -42,7 +42,7 @@ def rect_of(canvas: Canvas, box: Box) -> pygame.Rect:
 
 @lru_cache(maxsize=16)
 def _look(theme: Theme, k: float, less_motion: bool) -> Look:
-    return Look(theme, k, less_motion=less_motion, least=READABLE if k >= ROOM_FOR_READABLE else SMALLEST_PX)
+    return Look(theme, k, less_motion=less_motion, least=READABLE if k >= ROOM_FOR_READABLE else CROWDED)
 
 
 def look_of(canvas: Canvas, pixels: float) -> Look:
