@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -18,6 +19,9 @@ EDGE = 0.045  # of the picture's height from a caption to its edge
 FADE_S = 0.25
 CARD_FADE_S = 0.6
 LIGHT_VEIL = 178  # of 255, over the picture behind a card of dark words
+
+AFTER_A_NUMBER = re.compile(r"(?<=\d) (?=\S)")  # a line does not end there: a unit follows
+UNBROKEN = "\u00a0"  # a space at which no line ends
 
 CardLine = tuple[str, int, str, str]  # words, size in design px, weight, colour
 
@@ -67,10 +71,12 @@ def _lines(look: Look, rect: pygame.Rect, text: str) -> list[str]:
 
 @lru_cache(maxsize=64)
 def _even_lines(fonts: FontBook, scale: float, text: str, widest: int) -> list[str]:
-    """As few lines as ``widest`` px allow, each about as long as the others: no word stands alone below.
+    """As few lines as ``widest`` px allow, each about as long as the others: no word stands alone below,
+    and no unit is parted from its number.
 
     scale: of the fonts; with another one the same words are wider.
     """
+    text = AFTER_A_NUMBER.sub(UNBROKEN, text)
     lines = fonts.wrap(text, SIZE, "semibold", widest) or [""]
     narrow, wide = widest // len(lines), widest
     while wide - narrow > 1:

@@ -50,5 +50,8 @@ def test_a_caption_of_two_lines_leaves_no_word_alone_and_takes_no_line_more():
     assert " ".join(even) == words and len(even) == len(greedy) == 2
     wide = [look.fonts.size(line, SIZE, "semibold")[0] for line in even]
     assert max(wide) <= 700 and min(wide) > 0.7 * max(wide)
+    for width in range(120, 400, 20):
+        lines = _even_lines(look.fonts, look.k, "It errs by 588 nm at the most in 1/120 s of it", width)
+        assert not any(line[-1].isdigit() for line in lines) and "588\u00a0nm" in "".join(lines)
     assert _even_lines(look.fonts, look.k, "Short.", 700) == ["Short."]
     assert _even_lines(look.fonts, look.k, "", 700) == [""]
