@@ -126,6 +126,7 @@ def glass_picture(radius: float, high: float) -> Singles:
     round_ = (ring - 0.985) / slope  # m outside the rim
     foot = bump(round_, 0.00055) * (0.3 + 0.7 * smoothstep(0.002, -0.004, y))
     foot += 0.4 * bump(round_ + 0.0012, 0.0006) * (y < 0.0)
+    foot *= (y < 0.0) | (np.abs(x) > CANDLE)  # the candle stands before its far side
     h, s = y / tall, x / wide
     pane = smoothstep(0.035, -0.015, np.abs(s + 0.76) - 0.05) * (0.45 + 0.55 * h)
     pane *= smoothstep(0.3, 0.36, h) * smoothstep(0.9, 0.8, h)
