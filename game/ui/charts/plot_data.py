@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 Parameters = Mapping[str, Any]
 MOST_DECADES = 16
+HIGHEST = 308  # decade of a float
 
 
 class PlotPoint(NamedTuple):
@@ -70,13 +71,13 @@ class Range(NamedTuple):
 
 
 def decades(values: Sequence[float], least: int = 2) -> Range:
-    """Whole decades that hold all positive finite values, at least so many."""
+    """Whole decades that hold all positive finite values, at least so many; the highest that is a number."""
     logs = [math.log10(value) for value in values if math.isfinite(value) and value > 0.0]
     if not logs:
         return Range(-least, 0)
     low, high = math.floor(min(logs) + 1e-9), math.ceil(max(logs) - 1e-9)
     while high - low < least:
         low, high = (low, high + 1) if (high - low) % 2 else (low - 1, high)
-    if high - low > MOST_DECADES:
-        low = high - MOST_DECADES
-    return Range(low, high)
+    over = max(high - HIGHEST, 0)
+    low, high = low - over, high - over
+    return Range(max(low, high - MOST_DECADES), high)
