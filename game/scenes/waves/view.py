@@ -88,7 +88,7 @@ class WavesView:
             view = self.model.content.view
             at = (view.left, self.stretch * view.bottom)
             canvas.label(
-                at, f"heights × {self.stretch:g}", "text2", 12, anchor="bottomleft", offset=(8.0, -6.0)
+                at, f"heights × {self.stretch:g}", "text1", 16, "semibold", "bottomleft", (10.0, -10.0)
             )
 
     def _paint(self, canvas: Canvas, depth: Floats, bed: Floats) -> None:
