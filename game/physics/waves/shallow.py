@@ -24,6 +24,7 @@ from game.physics.waves.riemann import (
     DEPTH,
     DRY,
     GHOSTS,
+    MASS,
     PERIODIC,
     ROWS,
     WORKS,
@@ -37,22 +38,25 @@ from game.settings import Number, Option
 ENDS = ("wall", "open", "periodic", "flow", "level")
 METHODS = ("constant", "linear")
 MOST_STEPS = 10_000  # in one `advance`
+ENDS_GAVE, RAIN_GAVE = range(2)  # of ``came``
 
 
 class ShallowSettings(NamedTuple):
     """How shallow water is stepped."""
 
-    gravity: Annotated[float, Number(0.0, 100.0, unit="m/s²")] = 9.81
+    gravity: Annotated[float, Number(0.0, 30.0, help="downwards", unit="m/s²")] = 9.81
     method: Annotated[int, Option(METHODS, help="how depth and speed go through a cell")] = 1
     courant: Annotated[float, Number(0.05, 1.0, help="cells that the fastest wave crosses in a step")] = 0.5
-    roughness: Annotated[float, Number(0.0, 0.2, unit="s/m^(1/3)", help="Manning's number of the bed")] = 0.0
+    roughness: Annotated[
+        float, Number(0.0, 0.2, unit="m^(-1/3) s", help="of the bed: 0.01 glass, 0.03 a river")
+    ] = 0.0  # Manning's number
     rain: Annotated[float, Number(0.0, 0.1, unit="m/s", help="that falls everywhere")] = 0.0
 
 
 class ShallowState(NamedTuple):
     """depth, along, across, bed: (ny, nx) m, m²/s, m; kinds, values: (4,) of the ends.
 
-    clock: (2,) s since the start, steps made.
+    came: (2,) through the ends and as rain, in the unit of the volume; clock: (2,) s since the start, steps.
     """
 
     depth: Floats
@@ -61,12 +65,16 @@ class ShallowState(NamedTuple):
     bed: Floats
     kinds: Longs
     values: Floats
+    came: Floats
     clock: Floats
 
 
 @kernel
-def _sweep_rows(fields, row, work, ends, ratio, gravity, second):
-    """Sweep all rows; fields: depth, along, across, bed, each (ny, nx), or transposed views of them."""
+def _sweep_rows(fields, row, work, ends, came, size, ratio, gravity, second):
+    """Sweep all rows; fields: depth, along, across, bed, each (ny, nx), or transposed views of them.
+
+    came: what goes through both ends is added; size: of a cell, in the unit of the volume for 1 m of depth.
+    """
     depth, along, across, bed = fields
     count = depth.shape[1]
     for j in range(depth.shape[0]):
@@ -77,6 +85,7 @@ def _sweep_rows(fields, row, work, ends, ratio, gravity, second):
             row[BED, i + GHOSTS] = bed[j, i]
         fill_ghosts(row, count, ends[0], ends[1], gravity)
         sweep_row(row, work, count, ratio, gravity, second)
+        came[ENDS_GAVE] += size * ratio * (work[MASS, GHOSTS] - work[MASS, GHOSTS + count])
         for i in range(count):
             depth[j, i] = row[DEPTH, i + GHOSTS]
             along[j, i] = row[ALONG, i + GHOSTS]
@@ -133,6 +142,7 @@ class ShallowWater:
         self.settings = settings or ShallowSettings()
         self.along: Floats = np.zeros_like(self.depth)
         self.across: Floats = np.zeros_like(self.depth)
+        self.came: Floats = np.zeros(2)
         self.clock: Floats = np.zeros(2)
         self.kinds: Longs = np.array([ENDS.index(end) for end in ends], dtype=np.int64)
         width = padded(max(self.depth.shape))
@@ -172,6 +182,7 @@ class ShallowWater:
         settings, ratio = self.settings, dt / self.cell
         if settings.rain > 0.0:
             self.depth += settings.rain * dt
+            self.came[RAIN_GAVE] += settings.rain * dt * self.depth.size * self._size
         second = settings.method == METHODS.index("linear")
         rows = (self.depth, self.along, self.across, self.bed)
         columns = (self.depth.T, self.across.T, self.along.T, self.bed.T)
@@ -184,14 +195,12 @@ class ShallowWater:
         elif int(self.clock[1]) % 2:
             sweeps.reverse()
         for fields, ends in sweeps:
-            _sweep_rows(fields, self._row, self._work, ends, ratio, settings.gravity, second)
-        if settings.roughness > 0.0:
-            _rub(
-                self.depth,
-                self.along,
-                self.across,
-                settings.gravity * elementary.square(settings.roughness) * dt,
+            _sweep_rows(
+                fields, self._row, self._work, ends, self.came, self._size, ratio, settings.gravity, second
             )
+        if settings.roughness > 0.0:
+            strength = settings.gravity * elementary.square(settings.roughness) * dt
+            _rub(self.depth, self.along, self.across, strength)
         self.clock[0] += dt
         self.clock[1] += 1.0
 
@@ -233,7 +242,7 @@ class ShallowWater:
     def state(self) -> ShallowState:
         """All that later steps depend on."""
         return ShallowState(
-            self.depth, self.along, self.across, self.bed, self.kinds, self.values, self.clock
+            self.depth, self.along, self.across, self.bed, self.kinds, self.values, self.came, self.clock
         )
 
     def restore(self, state: ShallowState) -> None:

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from game.physics.waves import DamBreak
+from game.physics.waves import AiryTank, DamBreak
 from game.scenes.waves.world import NOWHERE, THIN, WavesWorld
 from game.stage import Readout
 from game.worlds.hands.hand import Hand, Use
@@ -24,19 +24,18 @@ def readouts(model: WavesWorld) -> list[Readout]:
     wet = depth > THIN
     gravity = water.settings.gravity
     froude = float(np.max(speed[wet] / np.sqrt(gravity * depth[wet]))) if wet.any() and gravity else 0.0
-    exact, airy = model.exact(), model.with_dispersion()
-    off = float(np.mean(np.abs(depth - exact))) if exact is not None else math.nan
-    front = model.front()
-    known = math.nan
-    if exact is not None and isinstance(model.theory, DamBreak):
-        known = front_by_law(model.theory, water.time)
+    theory, expected = model.theory, model.expected()
+    off = float(np.mean(np.abs(depth - expected))) if expected is not None else math.nan
+    airy, front, known = isinstance(theory, AiryTank), model.front(), math.nan
+    if expected is not None and isinstance(theory, DamBreak):
+        known = front_by_law(theory, water.time)
     middle = len(depth) // 2
-    start, came = model.ledger.volume.tolist()
-    volume = water.volume()
+    start, poured = model.volume.tolist()
+    came, volume = poured + float(np.sum(water.came)), water.volume()
     return [
         Readout("front", front, "m"), Readout("exact front", known, "m"),
-        Readout("depth error", off, "m"),
-        Readout("beside Airy", math.nan if airy is None else float(np.mean(np.abs(depth - airy))), "m"),
+        Readout("depth error", math.nan if airy else off, "m"),
+        Readout("beside Airy", off if airy else math.nan, "m"),
         Readout("level in the middle", float(bed[middle] + depth[middle]), "m"),
         Readout("depth in the middle", float(depth[middle]), "m"),
         Readout("deepest", float(np.max(depth)), "m"),

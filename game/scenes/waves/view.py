@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
 from game.arrays import Floats, Inks
+from game.physics.waves import AiryTank
 from game.scenes.waves.painting import SHADES, columns_of, paint_water
 from game.scenes.waves.world import THIN, WavesState, WavesWorld
 from game.ui.canvas.canvas import Canvas
@@ -24,6 +26,7 @@ ARROWS = 24
 SEEN_DEPTH = 1e-6  # m; less is not drawn
 
 
+@lru_cache(maxsize=8)
 def shades_of(above: int, below: int) -> Inks:
     """(SHADES,) colours, darker downwards at first fast."""
     share = (np.linspace(0.0, 1.0, SHADES) ** 0.6)[:, None]
@@ -57,12 +60,11 @@ class WavesView:
         self.landscape = Landscape(self.stretch * (view.bottom + 0.4 * (view.top - view.bottom)))
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        """The exact surface, while it is known."""
-        if self.model.parameters.exact and self.model.exact() is not None:
-            return [("line:vermilion", "exact surface", "")]
-        if self.model.parameters.exact and self.model.with_dispersion() is not None:
-            return [("line:vermilion", "waves of any length (Airy)", "")]
-        return []
+        """The surface by theory, while it is known."""
+        if not (self.model.parameters.exact and self.model.undisturbed):
+            return []
+        airy = isinstance(self.model.theory, AiryTank)
+        return [("line:vermilion", "waves of any length (Airy)" if airy else "exact surface", "")]
 
     def draw(self, canvas: Canvas, previous: WavesState | None, alpha: float) -> None:
         """The water ``alpha`` of the way from the state before to now."""
@@ -72,18 +74,17 @@ class WavesView:
         if previous is not None and previous.water.depth.shape == water.depth.shape:
             before = previous.water.depth[0]
             depth = before + alpha * (depth - before)
-        self._paint(canvas, depth, water.bed[0])
+        speed = water.velocity()[0][0]
+        self._paint(canvas, depth, speed)
         chosen = self.model.parameters
-        exact = self.model.exact() if chosen.exact else None
-        if exact is None and chosen.exact:
-            exact = self.model.with_dispersion()
-        if exact is not None:
-            wet = np.nonzero(exact > 1e-4)[0]
+        expected = self.model.expected() if chosen.exact else None
+        if expected is not None:
+            wet = np.nonzero(expected > 1e-4)[0]
             span = slice(wet[0], wet[-1] + 2) if len(wet) else slice(0, 0)
-            surface = self.stretch * (water.bed[0] + exact)
+            surface = self.stretch * (water.bed[0] + expected)
             canvas.polyline(np.stack([self.model.x[span], surface[span]], axis=1), "vermilion", 1.8)
         if chosen.arrows or canvas.teaching:
-            self._draw_arrows(canvas, depth)
+            self._draw_arrows(canvas, depth, speed)
         if self.stretch > 1.0:
             view = self.model.content.view
             at = (view.left, self.stretch * view.bottom)
@@ -91,15 +92,15 @@ class WavesView:
                 at, f"heights × {self.stretch:g}", "text1", 16, "semibold", "bottomleft", (10.0, -10.0)
             )
 
-    def _paint(self, canvas: Canvas, depth: Floats, bed: Floats) -> None:
+    def _paint(self, canvas: Canvas, depth: Floats, speed: Floats) -> None:
         pixels, clip = canvas.raster_target
         width = int(clip[2] - clip[0])
         if width <= 0:
             return
         seen = canvas.camera.visible()
-        x = self.model.x
+        x, bed = self.model.x, self.model.water.bed[0]
         level = np.where(depth > SEEN_DEPTH, bed + depth, bed)
-        foam_of = foam_at(depth, self.model.water.velocity()[0][0])
+        foam_of = foam_at(depth, speed)
         across = (x, width, float(seen.left), float(seen.right))
         zero, scale = canvas.place((0.0, 0.0))[1], canvas.pixels_per_unit * self.stretch
         surface, floor = columns_of(level, *across), columns_of(bed, *across)
@@ -114,10 +115,10 @@ class WavesView:
         reach = 0.6 * float(clip[3] - clip[1])
         paint_water(pixels, clip, surface, floor, foam, shades_of(above, below), shades_of(sand, deep), reach)
 
-    def _draw_arrows(self, canvas: Canvas, depth: Floats) -> None:
+    def _draw_arrows(self, canvas: Canvas, depth: Floats, speed: Floats) -> None:
         """Speeds at places evenly along the channel."""
         count = len(depth)
-        speed, bed = self.model.water.velocity()[0][0], self.model.water.bed[0]
+        bed = self.model.water.bed[0]
         scale = float(self.model.parameters.length) / 200.0
         for i in range(count // (2 * ARROWS), count, max(count // ARROWS, 1)):
             if depth[i] > THIN and abs(speed[i]) > 0.02:

@@ -12,7 +12,6 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.kernels import elementary, elementwise, linear
 from game.physics.waves import (
-    METHODS,
     AiryTank,
     Bowl,
     DamBreak,
@@ -24,9 +23,9 @@ from game.physics.waves import (
 from game.physics.waves.effects import BED_FRICTION, RAIN
 from game.scenes.waves.level import HumpEntry, WavesContent
 from game.scenes.waves.parameters import WavesParameters
-from game.worlds.world import Whole, World
+from game.settings import taken
+from game.worlds.world import Kept, Whole, World
 
-GRAVITY_EARTH = 9.81  # m/s², of exact solutions
 THIN = 0.01  # m; less is no front
 NOWHERE = math.nan
 SPREAD = 0.012  # of the channel's length: half of what the hand reaches
@@ -34,25 +33,10 @@ RAIN_UNIT = 1e-3 / 3600.0  # m/s in a mm/h
 
 
 class WavesState(NamedTuple):
-    """water; volume: (2,) m² at the beginning, let in or poured since."""
+    """water; volume: (2,) m² at the beginning, poured by the hand since."""
 
     water: ShallowState
     volume: Floats
-
-
-class Ledger:
-    """Volumes that a state keeps."""
-
-    def __init__(self, start: float):
-        self.volume: Floats = np.array((start, 0.0))
-
-    def state(self) -> Floats:
-        """At the beginning, and what came since, m²."""
-        return self.volume
-
-    def restore(self, volume: Floats) -> None:
-        """Take over a copy."""
-        self.volume = volume.copy()
 
 
 def hump_of(entry: HumpEntry, x: Floats) -> Floats:
@@ -73,16 +57,18 @@ class WavesWorld(World):
         count, length = int(parameters.cells), float(parameters.length)
         self.cell = length / count
         self.x: Floats = np.asarray((np.arange(count) + 0.5) * self.cell - 0.5 * length)
-        self.theory: DamBreak | Bowl | None = None
+        self.theory: DamBreak | Bowl | AiryTank | None = None
+        settings = self._settings(parameters, active)
         bed: Floats = np.zeros(count)
         depth: Floats = np.zeros(count)
         flow: Floats = np.zeros(count)
-        if content.dam is not None and content.dam.left > content.dam.right:
-            self.theory = dam_break(content.dam.left, content.dam.right, GRAVITY_EARTH)
+        if content.dam is not None:
             depth[:] = np.where(self.x < 0.0, content.dam.left, content.dam.right)
+            if content.dam.left > content.dam.right and settings.gravity:
+                self.theory = dam_break(content.dam.left, content.dam.right, settings.gravity)
         elif content.bowl is not None:
-            self.theory = Bowl(content.bowl.depth, content.bowl.half, content.bowl.swing, GRAVITY_EARTH)
-            bed, depth = self.theory.bed(self.x), self.theory.at(self.x, 0.0)[0]
+            bowl = Bowl(content.bowl.depth, content.bowl.half, content.bowl.swing, settings.gravity)
+            bed, depth, self.theory = bowl.bed(self.x), bowl.at(self.x, 0.0)[0], bowl
         else:
             if content.bed:
                 points = sorted(content.bed)
@@ -93,51 +79,53 @@ class WavesWorld(World):
                 flow = np.where(inside & (depth > 0.0), entry.flow, flow)
         if content.hump is not None:
             depth = np.maximum(depth + (depth > 0.0) * hump_of(content.hump, self.x), 0.0)
-        self.airy: AiryTank | None = None
         if content.airy:
             still = float(np.mean(depth))
             if len(content.bed) or content.ends != ("wall", "wall") or flow.any() or still <= 0.0:
                 raise ValueError("airy: only for water at rest over a flat bed, between walls")
-            self.airy = AiryTank(depth - still, self.cell, still, GRAVITY_EARTH)
+            self.theory = AiryTank(depth - still, self.cell, still, settings.gravity)
         self.still = max(float(depth[0]), 0.05)  # m, of the water that a swell comes through
-        self.ends = content.ends
         self.water = ShallowWater(
-            depth, bed, self.cell, self._settings(parameters, active),
-            (*self._kinds(content, parameters), "wall", "wall"), (*content.values, 0.0, 0.0),
+            depth, bed, self.cell, settings,
+            (self._left_end(content, parameters), content.ends[1], "wall", "wall"),
+            (*content.values, 0.0, 0.0),
         )  # fmt: skip
         self.water.along[0] = flow
         self.pours = NOWHERE
-        self.touched = False
+        self.touched = bool(settings.roughness or settings.rain)
         self.steps = 0
-        self.ledger = Ledger(self.water.volume())
-        super().__init__(content, parameters, active, Whole(self.water), Whole(self.ledger))
+        self.volume: Floats = np.array((self.water.volume(), 0.0))
+        super().__init__(content, parameters, active, Whole(self.water), Kept(self, "volume"))
 
     @staticmethod
     def _settings(chosen: WavesParameters, active: EffectSet) -> ShallowSettings:
-        return ShallowSettings(
-            float(chosen.gravity) if GRAVITY in active else 0.0,
-            METHODS.index(chosen.method), float(chosen.courant),
-            float(chosen.roughness) if BED_FRICTION in active else 0.0,
-            RAIN_UNIT * float(chosen.rain) if RAIN in active else 0.0,
-        )  # fmt: skip
+        """What is chosen, without the effects that are off."""
+        found = taken(ShallowSettings, chosen.values)
+        return found._replace(
+            gravity=found.gravity if GRAVITY in active else 0.0,
+            roughness=found.roughness if BED_FRICTION in active else 0.0,
+            rain=RAIN_UNIT * chosen.rain if RAIN in active else 0.0,
+        )
 
     @staticmethod
-    def _kinds(content: WavesContent, chosen: WavesParameters) -> tuple[str, str]:
-        return ("flow" if chosen.swell > 0.0 else content.ends[0]), content.ends[1]
+    def _left_end(content: WavesContent, chosen: WavesParameters) -> str:
+        return "flow" if chosen.swell > 0.0 else content.ends[0]
+
+    def _take_settings(self) -> None:
+        """Step as is chosen now; by other forces than at first, no theory holds any longer."""
+        before, now = self.water.settings, self._settings(self.parameters, self.active)
+        same = before._replace(method=now.method, courant=now.courant) == now
+        self.water.settings, self.touched = now, self.touched or not same
 
     def change_parameter(self, name: str) -> None:
-        self.water.settings = self._settings(self.parameters, self.active)
-        if name in ("swell", "period"):
-            first, last = self._kinds(self.content, self.parameters)
-            self.water.set_end(0, first, self.content.values[0])
-            self.water.set_end(1, last, self.content.values[1])
-        if name in ("gravity", "roughness", "rain", "swell"):
+        self._take_settings()
+        if name == "swell":
+            self.water.set_end(0, self._left_end(self.content, self.parameters), self.content.values[0])
             self.touched = True
 
     def change_effects(self, active: EffectSet) -> None:
         super().change_effects(active)
-        self.water.settings = self._settings(self.parameters, active)
-        self.touched = True
+        self._take_settings()
 
     # -- a step ---------------------------------------------------------------------------------------
 
@@ -152,10 +140,8 @@ class WavesWorld(World):
             near = self.near(self.pours)
             total = float(np.sum(near)) * self.cell
             water.depth[0] += near * (chosen.poured * dt / total)
-            self.ledger.volume[1] += chosen.poured * dt
-        before = water.volume()
+            self.volume[1] += chosen.poured * dt
         self.steps = water.advance(dt)
-        self.ledger.volume[1] += water.volume() - before
         self.time += dt
         return ""
 
@@ -185,32 +171,25 @@ class WavesWorld(World):
 
     # -- what is there --------------------------------------------------------------------------------
 
-    def _disturbed(self) -> bool:
-        """Whether anything acts that no theory here knows."""
-        settings = self.water.settings
-        return bool(self.touched or settings.gravity != GRAVITY_EARTH or settings.roughness or settings.rain)
-
-    def exact(self) -> Floats | None:
-        """Depths (n,) m as they are exactly known now; None once they are not.
-
-        Of a dam: until the first wave meets an end.
-        """
+    @property
+    def undisturbed(self) -> bool:
+        """Whether nothing has acted that the theory does not know. A dam: until a wave meets an end."""
         theory = self.theory
-        if theory is None or self._disturbed():
-            return None
-        time = self.water.time
-        if isinstance(theory, Bowl):
-            return theory.at(self.x, time)[0]
+        if theory is None or self.touched or not isinstance(theory, DamBreak):
+            return theory is not None and not self.touched
         fastest = max(theory.bore, math.sqrt(theory.gravity * theory.left))
-        if time * fastest > 0.5 * float(self.parameters.length):
-            return None
-        return theory.at(self.x, time)[0] if time > 0.0 else np.where(self.x < 0.0, theory.left, theory.right)
+        return self.water.time * fastest <= 0.5 * float(self.parameters.length)
 
-    def with_dispersion(self) -> Floats | None:
-        """Levels (n,) m of the same water with waves of any length; None where they are not asked for."""
-        if self.airy is None or self._disturbed():
+    def expected(self) -> Floats | None:
+        """Depths (n,) m as the theory has them now; None where there is none, or no longer."""
+        theory, time = self.theory, self.water.time
+        if theory is None or not self.undisturbed:
             return None
-        return np.asarray(float(np.mean(self.water.depth)) + self.airy.at(self.water.time))
+        if isinstance(theory, AiryTank):
+            return np.asarray(self.volume[0] / float(self.parameters.length) + theory.at(time))
+        if isinstance(theory, DamBreak) and time == 0.0:
+            return np.where(self.x < 0.0, theory.left, theory.right)
+        return theory.at(self.x, time)[0]
 
     def front(self) -> float:
         """Where water is foremost to the right, m; of a bore, where it is half as high as behind it."""

@@ -286,6 +286,21 @@ def test_green_says_how_high_a_swell_grows():
     assert most / 1e-4 == pytest.approx(1.681792830507429, rel=0.03)
 
 
+@pytest.mark.parametrize("rows", [1, 5])
+def test_what_comes_through_the_ends_and_as_rain_is_counted(rows):
+    """Against the change of the volume, in a river that fills, drains and is rained on."""
+    bed = np.tile(np.linspace(0.5, 0.0, 50), (rows, 1))
+    ends, values = ("flow", "open", "open", "wall"), (0.2, 0.0, 0.0, 0.0)
+    water = ShallowWater(np.full((rows, 50), 0.1), bed, 0.1, ShallowSettings(rain=1e-3), ends, values)
+    start = water.volume()
+    for _ in range(200):
+        water.advance(0.02)
+    assert abs(water.came[0]) > 0.02 and water.came[1] == pytest.approx(
+        4.0 * 1e-3 * 5.0 * (1 if rows == 1 else 0.5)
+    )
+    assert water.volume() - start == pytest.approx(water.came.sum(), rel=1e-10)
+
+
 def test_rain_fills_a_valley():
     """1e-4 m/s on a V of slopes 0.05 and 10 m: sqrt(i L t s) deep in the middle after 100 s."""
     x = (np.arange(400) + 0.5) * 0.025 - 5.0

@@ -77,7 +77,7 @@ def test_a_hump_comes_apart_where_waves_of_any_length_are_drawn():
     assert measured(stage, "beside Airy") < 1e-9
     stage.run(480)
     model = stage.scene.model
-    airy = model.with_dispersion()
+    airy = model.expected()
     assert stage.scene.legend()[0][1].startswith("waves")
     assert 1e-4 < measured(stage, "beside Airy") < 0.02
     assert airy.mean() == pytest.approx(model.water.depth.mean(), rel=1e-12)
@@ -102,6 +102,40 @@ def test_the_hand_pours_as_much_as_it_says_and_takes_the_theory_away():
     dam = opened()
     drag(dam, (0.0, 5.0), (1.0, 5.0))
     assert math.isnan(measured(dam, "depth error"))
+
+
+def test_water_that_vanishes_is_noticed():
+    """What is lost is measured against what came through the ends, as rain and from the hand."""
+    stage = opened("beach", rain=1000.0)
+    stage.run(240)
+    assert abs(measured(stage, "let in")) > 0.01 and measured(stage, "volume lost") < 1e-13
+    stage.scene.model.water.depth[0, 100] -= 0.01
+    stage.run(1)
+    assert measured(stage, "volume lost") * measured(stage, "volume") == pytest.approx(0.01 * 0.05, rel=0.01)
+
+
+def test_what_was_disturbed_once_has_no_theory_any_more():
+    for name, value in (("gravity", 1.62), ("rain", 1000.0), ("roughness", 0.02)):
+        stage = opened()
+        before = stage.scene.values[name]
+        stage.run(10)
+        stage.post(SetParameter(name, value))
+        stage.run(2)
+        stage.post(SetParameter(name, before))
+        stage.run(2)
+        assert stage.scene.model.expected() is None and not stage.scene.legend()
+    stage = opened()
+    stage.post(SetParameter("courant", 0.9))
+    stage.post(SetEffect("bed-friction", False))
+    stage.run(2)
+    assert stage.scene.model.expected() is not None
+
+
+def test_on_the_moon_a_dam_has_the_theory_of_the_moon():
+    stage = opened(gravity=1.62)
+    stage.run(480)
+    assert measured(stage, "front") == pytest.approx(measured(stage, "exact front"), abs=0.2)
+    assert measured(stage, "depth error") < 1e-3
 
 
 def test_the_hand_pushes():
