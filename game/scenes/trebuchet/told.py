@@ -41,6 +41,8 @@ def readouts(model: TrebuchetWorld) -> list[Readout]:
         Readout("energy error", 100.0 * abs(kept / drop) if drop else nan, "%"),
         Readout("momentum before", model.before, "kg m/s"), Readout("momentum after", model.after, "kg m/s"),
         Readout("out of place", model.out_of_place()), Readout("blocks", len(model.blocks)),
+        Readout("struck at", model.landing[1] if model.landing and math.isfinite(model.before) else nan, "m"),
+        Readout("wall's height", model.parameters.rows * world.TALL, "m"),
         Readout("stone's speed", elementary.length(*rows.velocities[stone].tolist()), "m/s"),
         Readout("stone's height", here[1], "m"), Readout("stone's way", here[0], "m"),
         Readout("parabola", y + late * (vy - 0.5 * gravity * late), "m"),
