@@ -1,6 +1,7 @@
 """A film on a full disk: said in one line, never said to be done, and nothing of it is left."""
 
 import contextlib
+import importlib
 import subprocess
 import sys
 
@@ -51,11 +52,24 @@ def files_of_at_most(size):
     """No file of this process grows beyond so many bytes."""
     resource = pytest.importorskip("resource")
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    # Python keeps as much as it could write of a module that is imported meanwhile, and fails on it later.
+    kept, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
     try:
         yield
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        sys.dont_write_bytecode = kept
+
+
+def test_a_module_imported_while_the_disk_is_full_is_whole_for_the_next_process(tmp_path, monkeypatch):
+    (tmp_path / "much_of_it.py").write_text("TEXT = " + repr("many words " * 500))
+    monkeypatch.syspath_prepend(tmp_path)
+    with files_of_at_most(3000):
+        importlib.import_module("much_of_it")
+    del sys.modules["much_of_it"]
+    assert len(importlib.import_module("much_of_it").TEXT) == 5500
+    del sys.modules["much_of_it"]
 
 
 def noisy_film(path):
