@@ -60,6 +60,10 @@ REGISTER: dict[str, Registered] = {
     for entry in (
         Registered("eight-ball", "8-ball", "billiards", "called-pockets", "rack", "the 8 after one's group"),
         Registered("nine-ball", "9-ball", "billiards", "nine-ball", "rack", "the 9, the lowest hit first"),
+        Registered(
+            "ten-ball", "10-ball", "billiards", "ten-ball", "rack", "the 10 as called, the lowest hit first"
+        ),
+        Registered("straight-pool", "Straight pool", "billiards", "straight-pool", "game", "points"),
         Registered("straight-rail", "Straight rail", "carom", "straight-rail", "game", "points"),
         Registered("one-cushion", "One-cushion", "carom", "one-cushion", "game", "points"),
         Registered("three-cushion", "Three-cushion", "carom", "default", "game", "points"),
