@@ -92,11 +92,6 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         return (self.turn + 1) % len(self.players)
 
     @property
-    def over(self) -> bool:
-        """True if the game has ended, as at every other table."""
-        return self.ended
-
-    @property
     def cushions(self) -> int:
         """Cushions that the cue ball needs before the second object ball."""
         return CUSHIONS[self.kind]
