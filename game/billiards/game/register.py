@@ -67,6 +67,9 @@ REGISTER: dict[str, Registered] = {
         Registered("straight-rail", "Straight rail", "carom", "straight-rail", "game", "points"),
         Registered("one-cushion", "One-cushion", "carom", "one-cushion", "game", "points"),
         Registered("three-cushion", "Three-cushion", "carom", "default", "game", "points"),
+        Registered("balkline-47-2", "Balkline 47/2", "carom", "balkline-47-2", "game", "points"),
+        Registered("balkline-47-1", "Balkline 47/1", "carom", "balkline-47-1", "game", "points"),
+        Registered("balkline-71-2", "Balkline 71/2", "carom", "balkline-71-2", "game", "points"),
         Registered("snooker", "Snooker", "snooker", "default", "frame", "more points"),
         Registered("six-red", "Six-red snooker", "snooker", "six-red", "frame", "more points"),
     )

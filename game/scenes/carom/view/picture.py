@@ -16,6 +16,7 @@ from game.scenes.carom.course import Course
 from game.scenes.carom.view.map_list import draw_list, draw_tip
 from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_sight
 from game.scenes.carom.view.score_board import draw_board, draw_foot
+from game.scenes.carom.view.zones import draw_zones
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
 from game.scenes.shared.tables.grip import Held
@@ -52,6 +53,7 @@ class CaromView:
         course, frame, dress = self.course, self.course.model.frame, self.dress
         draw_table(canvas, frame.table, dress=dress)
         canvas.halo = dress.felt
+        draw_zones(canvas, course)
         drawn = self.advisor.drawn()
         if course.phase == AIMING:
             self._draw_paths(canvas, drawn)
