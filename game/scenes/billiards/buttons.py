@@ -61,7 +61,8 @@ class Buttons(Part):
             again = "Again" if len(game.players) == 1 else "New match"
             rows.append(("rack", again if own or play.match_over else "Next rack", True))
         elif game.may_push_out():
-            rows.append(("safety", "Push out", play.aiming.call.push_out))
+            call = play.aiming.call
+            rows.append(("safety", "Safety" if call.safety else "Push out", call.safety or call.push_out))
         elif game.needs_call():
             rows.append(("safety", "Safety", play.aiming.call.safety))
         if play.may_aim:

@@ -21,12 +21,12 @@ class BilliardsParameters(Parameters):
     game = Choice(
         "level",
         (
-            "level", "eight-ball", "nine-ball", "combination", "practice",
+            "level", "eight-ball", "nine-ball", "ten-ball", "straight-pool", "combination", "practice",
             "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
         ),
         labels=(
-            "As the level says", "8-ball", "9-ball", "Combination match", "Practice", "9-ball ghost",
-            "10-ball ghost", "8-ball ghost",
+            "As the level says", "8-ball", "9-ball", "10-ball", "Straight pool", "Combination match",
+            "Practice", "9-ball ghost", "10-ball ghost", "8-ball ghost",
         ),
         group="Game", rebuild=True,
     )  # fmt: skip

@@ -172,8 +172,10 @@ def free_place(places: Floats, ball: int, x: float, y: float) -> tuple[float, fl
 
 def _said(frame: CaromFrame) -> object:
     """What a frame says, but for the frames before it."""
-    last = frame.last
+    last, game = frame.last, msgspec.to_builtins(frame.game)
+    if not frame.game.anchored:  # the word of a game without anchors stays what it was before these
+        del game["anchored"]
     return (
-        msgspec.to_builtins(frame.game), frame.places, frame.physics, frame.strokes,
+        game, frame.places, frame.physics, frame.strokes,
         None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),
     )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.billiards.game.games.carom_kinds import TITLES, Kind
 from game.billiards.shot.cloths import CLOTH_LABELS, CLOTHS, HEATED
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
@@ -9,8 +10,10 @@ from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
-KINDS = ("three-cushion", "one-cushion", "straight-rail")
-KIND_LABELS = ("Three-cushion", "One-cushion", "Straight rail")
+KINDS: tuple[Kind, ...] = (
+    "three-cushion", "one-cushion", "straight-rail", "balkline-47-2", "balkline-47-1", "balkline-71-2",
+)  # fmt: skip
+KIND_LABELS = tuple(TITLES[kind] for kind in KINDS)
 
 
 class CaromParameters(Parameters):

@@ -52,7 +52,7 @@ def _foresee(frame: CaromFrame, stroke: Stroke) -> Sight | None:
     except ValueError:
         return None
     paths = Paths(trajectory)
-    summary = summarize_carom(trajectory, frame.game.cue)
+    summary = summarize_carom(trajectory, frame.game.cue, frame.game.rule.barred)
     scores = frame.playable and frame.game.judge(summary).scored
     end = trajectory.end_time
     flights = tuple(paths.in_air(0, 0.0, end, frame.physics.gravity))

@@ -18,6 +18,7 @@ from game.scenes.carom.hand import CaromHand
 from game.scenes.carom.view.map_list import draw_list, draw_tip
 from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_sight, lines_seen
 from game.scenes.carom.view.score_board import draw_board, draw_foot
+from game.scenes.carom.view.zones import draw_zones
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.tables.eye.course_view import CourseEye
@@ -58,6 +59,7 @@ class CaromView:
         course, frame, dress = self.course, self.course.model.frame, self.dress
         draw_table(canvas, frame.table, dress=dress)
         canvas.halo = dress.felt
+        draw_zones(canvas, course)
         drawn = self.advisor.drawn()
         furniture, balls = Furniture(frame.table, dress), self._balls(alpha, clock_before)
         if self._eye.from_side:
