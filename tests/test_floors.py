@@ -60,7 +60,7 @@ FOLDERS = {
         "surfaces cloth waves particle_fluids",
         "grid",
         "multigrid",
-        "gas",
+        "gas liquid",
         "combustion stable_fluids",
         "plates",
         "tunnel",

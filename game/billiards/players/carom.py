@@ -73,7 +73,11 @@ def position_of(frame: CaromFrame) -> Position:
     """The position that a frame's player is at."""
     game = frame.game
     return Position(
-        frame.positions, game.cue, frame.table, frame.physics, Wanted(game.cushions, game.opening)
+        frame.positions,
+        game.cue,
+        frame.table,
+        frame.physics,
+        Wanted(game.cushions, game.opening, game.must_leave(frame.positions)),
     )
 
 

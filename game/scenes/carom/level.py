@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
 
 from game.billiards.game.carom_frame import Points, points_of
 from game.billiards.game.games.carom import Carom
+from game.billiards.game.games.carom_kinds import Kind
 from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
@@ -25,7 +26,7 @@ class CaromContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_o
     player, without an end. saved: a game under way, as msgspec writes it.
     """
 
-    game: Literal["three-cushion", "one-cushion", "straight-rail"] = "three-cushion"
+    game: Kind = "three-cushion"
     players: tuple[Name, Name] = ("Ada", "Ben")
     white: Place | None = None
     yellow: Place | None = None
@@ -91,4 +92,6 @@ def begun(content: CaromContent, target: int, innings: int) -> tuple[Carom, Poin
     """Game and places that a level begins with; who plays may have to choose first. ValueError as above."""
     game = game_of(content, target, innings)
     places = places_of(content, game)
-    return (game if content.saved else game.facing(np.array(places))), places
+    if content.saved:
+        return game, places
+    return game.coming_to(np.array(places)).facing(np.array(places)), places

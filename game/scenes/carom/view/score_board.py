@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pygame
 
-from game.billiards.game.games.carom import TITLES
+from game.billiards.game.games.carom_kinds import TITLES
 from game.billiards.map.words import explain
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Drawn
