@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from game.arrays import Floats
+from game.billiards.game.games.artistic import Artistic
 from game.billiards.laws.state import OFF_TABLE
 from game.billiards.table.carom import BALL_RADIUS, SPOTS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
@@ -14,7 +15,7 @@ from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor, Drawn
 from game.scenes.carom.course import Course
 from game.scenes.carom.view.map_list import draw_list, draw_tip
-from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_sight
+from game.scenes.carom.view.paths import Foresight, draw_declared, draw_ends, draw_faint, draw_sight
 from game.scenes.carom.view.score_board import draw_board, draw_foot
 from game.scenes.carom.view.zones import draw_zones
 from game.scenes.shared.tables.boxes import look_of
@@ -42,6 +43,7 @@ class CaromView:
         self.advisor = advisor
         self._aimed = Foresight()
         self._faint = tuple(Foresight() for _ in range(FAINT))
+        self._declared = Foresight()
 
     @property
     def dress(self) -> Dress:
@@ -96,6 +98,8 @@ class CaromView:
     def _draw_paths(self, canvas: Canvas, drawn: Drawn | None) -> None:
         """Of the chosen stroke, or the one that is aimed; faintly those of the first choices."""
         course, frame = self.course, self.course.model.frame
+        if isinstance(frame.game, Artistic) and not frame.game.over:
+            draw_declared(canvas, self._declared.of(frame, frame.game.now.stroke))
         if not course.may_aim:
             return
         chosen = course.chosen
