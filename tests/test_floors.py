@@ -57,7 +57,7 @@ FOLDERS = {
         "fields proximity_effects dominoes accretion",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables heat",
-        "surfaces cloth waves",
+        "surfaces cloth waves particle_fluids",
         "grid",
         "multigrid",
         "gas liquid",

@@ -6,6 +6,7 @@ from game.scenes.billiards.beside import BESIDE, BESIDE_LABELS
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
+from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
@@ -64,6 +65,11 @@ class BilliardsParameters(Parameters):
         "club", (*GRADES, OWN), labels=(*GRADE_LABELS, "Your own, measured"), group="Stroke",
         label="Hand of map and cloud", help="your own is measured from your strokes with a noise of the hand",
     )  # fmt: skip
+    eye = eyes.shown()
+    eye_size = eyes.size()
+    eye_height = eyes.height()
+    eye_tilt = eyes.tilt()
+    eye_follows = eyes.follow()
     sliding = choices.sliding(0.2)
     rolling = choices.rolling(0.01)
     ball_restitution = choices.ball_restitution(0.95)

@@ -18,6 +18,7 @@ from game.physics.kernels import elementary
 from game.scenes.carom.level import CaromContent, begun
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.moments import Moments
 from game.scenes.shared.tables.outcome import Outcome
 from game.stage import Part
 
@@ -58,6 +59,11 @@ class CaromModel(Part):
     def played(self) -> CaromPlayed | None:
         """What comes, or came, of the last stroke; None before the first."""
         return self._outcome.played(self.frame)
+
+    @property
+    def moments(self) -> Moments | None:
+        """What of the last stroke is worth a second look; None before the first."""
+        return self._outcome.moments(self.frame, 0)
 
     @property
     def word(self) -> str:

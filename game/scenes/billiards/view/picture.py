@@ -21,6 +21,7 @@ from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
 from game.scenes.billiards.view.marks import draw_marks
+from game.scenes.billiards.view.over_cue import OverCue
 from game.scenes.billiards.view.score_board import draw_board, draw_line, key_rows
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
@@ -63,6 +64,7 @@ class BilliardsView:
         self._hint_foresight = Foresight()
         self._odds = OddsMeter()
         self._close_up = CloseUpView()
+        self._over_cue = OverCue(play, replay)
         self._end_card = EndCard()
 
     def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
@@ -73,10 +75,13 @@ class BilliardsView:
         time = self._moment(alpha, clock_before)
         near = self._close_up.part(play, time, canvas.look.less_motion)
         sight = None
-        if near is not None:
+        if self._over_cue.from_side:
+            self._over_cue.draw_side(canvas, self.balls_at(time), time)
+        elif near is not None:
             self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
         else:
             sight = self._draw_play(canvas, time)
+            self._over_cue.draw_inset(canvas, self.balls_at(time), sight, time)
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS and self._in_view(canvas):
             self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
         last = frame.last

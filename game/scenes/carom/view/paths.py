@@ -12,6 +12,8 @@ from game.billiards.game.carom_frame import CaromFrame, carom_trajectory, rows_o
 from game.billiards.game.carom_summary import summarize_carom
 from game.billiards.shot.paths import Paths
 from game.billiards.table.carom import BALL_RADIUS
+from game.scenes.shared.tables.eye.lines import Line
+from game.scenes.shared.tables.sight import FLIGHT_DASH
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
@@ -73,6 +75,16 @@ def draw_declared(canvas: Canvas, sight: Sight | None) -> None:
     """The way that a figure of artistic billiards asks for, as its known stroke goes."""
     if sight is not None and len(sight.paths[0]) > 1:
         canvas.polyline(sight.paths[0], FELT_WARM, 1.6, dash=(7.0, 5.0), alpha=0.7)
+
+
+def lines_seen(sight: Sight, chosen: bool) -> list[Line]:
+    """The same paths as an eye sees them."""
+    moving = [
+        (row, points) for row, points in enumerate(sight.paths)
+        if len(points) > 1 and float(np.ptp(points, axis=0).max()) >= LEAST_PATH
+    ]  # fmt: skip
+    found = [Line(points, FELT_COOL if row else FELT_WARM if chosen else FELT_LINE) for row, points in moving]
+    return found + [Line(flight, FELT_WARM, 1.75, FLIGHT_DASH) for flight in sight.flights]
 
 
 def draw_faint(canvas: Canvas, sight: Sight) -> None:

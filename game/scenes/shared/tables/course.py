@@ -12,13 +12,14 @@ from game.billiards.shot.cue import speed_ratio
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.moments import pace_at
 from game.scenes.shared.tables.through.measured import news_of_hand
 from game.scenes.shared.tables.through.push import MISCUE, Push
 from game.scenes.shared.tables.unsteady import shaken
 from game.stage import Part
 from game.stage.messages import Messages
 
-AIMING, STRIKING, ROLLING = "aiming", "striking", "rolling"
+AIMING, STRIKING, ROLLING, REPLAY = "aiming", "striking", "rolling", "replay"
 MOST_OWN = 200  # pushed strokes from which a hand is measured
 AFTER_S = 0.25  # s that a shot is shown beyond its end
 
@@ -31,6 +32,7 @@ class CueCourse(Part):
     subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long nothing
     has been done, s. by_hand: strokes that a hand has played. push: the cue of a stroke that is pushed;
     thrust: the next one was; made: the last stroke of a person; strayed: the last of those, meant and made.
+    from_side: a replay is seen from its side, slowly about the moments that decide.
     """
 
     model: Any
@@ -52,6 +54,7 @@ class CueCourse(Part):
         self.made: Stroke | None = None
         self.strayed: tuple[tuple[Stroke, Stroke], ...] = ()
         self.plays_itself = False
+        self.from_side = False
         self.by_hand = 0
         self._seed = seed
         self.messages = Messages()
@@ -108,7 +111,7 @@ class CueCourse(Part):
 
     def advance(self, dt: float) -> None:
         """One step of what goes on by itself."""
-        self.clock[0] += dt
+        self.clock[0] += dt * self.pace
         self.push.advance(dt)
         if self.phase == AIMING:
             self.rest_s += dt
@@ -119,6 +122,12 @@ class CueCourse(Part):
             self._roll()
         elif float(self.clock[0]) >= self.shown_s:
             self.start_phase(AIMING)
+
+    @property
+    def pace(self) -> float:
+        """How fast what is shown goes on: a replay from the side slowly where balls meet, drop or hang."""
+        moments = self.model.moments if self.phase == REPLAY and self.from_side else None
+        return pace_at(float(self.clock[0]), moments) if moments is not None else 1.0
 
     def by_the_hand(self, meant: Stroke, radius: float) -> Stroke:
         """A stroke as a person's hand does it: as it was pushed, or as it shakes. radius of the ball, m."""
@@ -179,10 +188,27 @@ class CueCourse(Part):
             self.start_phase(AIMING)
 
     def skip(self) -> None:
-        """On to the end of the shot."""
+        """On to the end of the shot, or of its replay."""
         if self.phase == ROLLING:
             self.clock[0] = self.shown_s
             self._roll()
+        elif self.phase == REPLAY:
+            self.start_phase(AIMING)
+
+    def replay(self, from_side: bool = False) -> None:
+        """Show the last stroke once more; again ends it. From the side: in a replay, from there or above."""
+        if self.phase == REPLAY and from_side:
+            self.from_side = not self.from_side
+        elif self.phase == REPLAY:
+            self.start_phase(AIMING)
+        elif self.phase == AIMING and self.model.frame.last is not None:
+            self.from_side = from_side
+            self.cue.let_go()
+            self.push.let_go()
+            self.grip = NOTHING
+            self.start_phase(REPLAY)
+        elif self.phase == AIMING:
+            self.messages.say("Nothing to show. No stroke has been played.")
 
     # -- back, and on -------------------------------------------------------------------------------
 

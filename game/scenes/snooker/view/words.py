@@ -10,9 +10,9 @@ from game.billiards.game.snooker.stroke import Seen, contact_penalties, on_words
 from game.billiards.search.legality import Legality
 from game.billiards.table.snooker import name_of
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, PERSON
-from game.scenes.shared.tables.course import AIMING, ROLLING, STRIKING
+from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.thinker import Thinker
-from game.scenes.snooker.course import REPLAY, Course
+from game.scenes.snooker.course import Course
 
 
 class Card(NamedTuple):
