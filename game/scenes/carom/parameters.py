@@ -12,6 +12,7 @@ from game.stage import Choice, Param, Parameters, Toggle
 
 KINDS: tuple[Kind, ...] = (
     "three-cushion", "one-cushion", "straight-rail", "balkline-47-2", "balkline-47-1", "balkline-71-2",
+    "artistic",
 )  # fmt: skip
 KIND_LABELS = tuple(TITLES[kind] for kind in KINDS)
 

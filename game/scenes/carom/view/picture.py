@@ -8,6 +8,7 @@ import numpy as np
 
 from game.arrays import Floats
 from game.billiards.game.carom_frame import CaromFrame
+from game.billiards.game.games.artistic import Artistic
 from game.billiards.laws.state import OFF_TABLE
 from game.billiards.table.carom import BALL_RADIUS, SPOTS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
@@ -16,7 +17,14 @@ from game.scenes.carom.advisor import Advisor, Drawn
 from game.scenes.carom.course import Course
 from game.scenes.carom.hand import CaromHand
 from game.scenes.carom.view.map_list import draw_list, draw_tip
-from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_sight, lines_seen
+from game.scenes.carom.view.paths import (
+    Foresight,
+    draw_declared,
+    draw_ends,
+    draw_faint,
+    draw_sight,
+    lines_seen,
+)
 from game.scenes.carom.view.score_board import counted_of, draw_board, draw_foot
 from game.scenes.carom.view.zones import draw_zones
 from game.scenes.shared.tables.boxes import look_of
@@ -52,6 +60,7 @@ class CaromView:
         self._aimed = Foresight()
         self._eye = CourseEye(course, hand.inset, layout.TABLE, _cue_ball_of, _row_of, BALL_RADIUS)
         self._faint = tuple(Foresight() for _ in range(FAINT))
+        self._declared = Foresight()
 
     @property
     def dress(self) -> Dress:
@@ -63,7 +72,6 @@ class CaromView:
         course, frame, dress = self.course, self.course.model.frame, self.dress
         draw_table(canvas, frame.table, dress=dress)
         canvas.halo = dress.felt
-        draw_zones(canvas, course)
         drawn = self.advisor.drawn()
         furniture, balls = Furniture(frame.table, dress), self._balls(alpha, clock_before)
         if self._eye.from_side:
@@ -93,6 +101,7 @@ class CaromView:
     def _draw_play(self, canvas: Canvas, drawn: Drawn | None, furniture: Furniture, balls: Balls) -> None:
         """What lies and moves on the table, from above; the view from the cue."""
         course = self.course
+        draw_zones(canvas, course)
         lines = self._draw_paths(canvas, drawn) if course.phase == AIMING else []
         draw_balls(canvas, balls, furniture.table, felt=furniture.dress.felt)
         if course.may_aim or course.phase == STRIKING:
@@ -129,6 +138,8 @@ class CaromView:
         the first two as lines.
         """
         course, frame = self.course, self.course.model.frame
+        if isinstance(frame.game, Artistic) and not frame.game.over:
+            draw_declared(canvas, self._declared.of(frame, frame.game.now.stroke))
         lines: list[Line] = []
         if not course.may_aim:
             return lines
