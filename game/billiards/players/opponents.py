@@ -11,11 +11,12 @@ import numpy as np
 
 from game.billiards.game.arrangement import Arrangement, Stroke
 from game.billiards.game.frame import Frame
-from game.billiards.game.games.eight_ball import IN_HAND, RACK_AND_BREAK, SPOT_EIGHT
-from game.billiards.game.games.nine_ball import PASS_BACK, PLAY
+from game.billiards.game.games.eight_ball import IN_HAND, SPOT_EIGHT
+from game.billiards.game.games.rotation import PASS_BACK, PLAY
+from game.billiards.game.games.straight_pool import StraightPool
 from game.billiards.game.rules import CUE_BALL, Call, Game
 from game.billiards.search.aims import aims_of
-from game.billiards.search.breaking import best_break
+from game.billiards.search.breaking import best_break, safe_break
 from game.billiards.search.candidates import BALL
 from game.billiards.search.finding import DRAWS, FoundShot, named_shots, processors, search, thread_pool
 from game.billiards.search.legality import board_of, legality_of
@@ -32,6 +33,8 @@ FULLY = 2  # places of a cue ball in hand that are looked at in full
 SHOWN = 6  # shots that a decision shows as considered
 PUSH_OUT_BELOW = 0.45  # worth of the best stroke, below which a player pushes out
 SAFE_BELOW = 0.9  # chance of the best pot, below which a player looks for safety too
+POINT_FROM = 0.6  # chance from which a pot is played where each ball is a point
+AS_SURE = 0.85  # share of the best chance that a pot for a point must have to be weighed by what it leaves
 
 
 class Grade(NamedTuple):
@@ -172,7 +175,7 @@ class _Mind:
         here = self.stroke(frame.replace(game=_without_options(frame.game))).worth
         if PLAY.name in names:
             return PLAY.name if here >= 0.5 else PASS_BACK.name
-        return names[0] if here >= 0.5 else RACK_AND_BREAK.name
+        return names[0] if here >= 0.5 else names[1]
 
     def break_off(self, frame: Frame) -> Decision:
         """The break."""
@@ -182,6 +185,12 @@ class _Mind:
         every = sum(1 << row for row, number in enumerate(numbers) if number in frame.game.on_table)
         first = sum(1 << row for row, number in enumerate(numbers) if number in some)
         aims = aims._replace(first=first, score=every, called=False, lose=0)
+        if isinstance(frame.game, StraightPool):
+            safe = safe_break(
+                frame.layout, frame.table, frame.physics, aims, self.grade.noise,
+                self.draws[: self.grade.safe], self.pool,
+            )  # fmt: skip
+            return Decision(place=safe.place, stroke=safe.stroke, call=Call(safety=True), worth=safe.merit)
         found = best_break(
             frame.layout, frame.table, frame.physics, aims, self.grade.noise, self.grade.break_speed,
             self.draws[: self.grade.breaks], self.pool,
@@ -251,6 +260,8 @@ class _Mind:
             finalists = max(grade.safe, 1)
             draws = self.draws[: effort.samples]
             found.append((look_for_safety(view, every_aim[0], finalists, draws, self.pool), every_aim[0]))
+        if isinstance(frame.game, StraightPool) and chance >= POINT_FROM:
+            return self._for_a_point(frame, view, found[0][0])
         looked, aims = max(found, key=lambda pair: self._score(pair[0]))
         shots = [shot for some, _ in found for shot in named_shots(view, some, SHOWN)]
         considered = tuple(sorted(shots, key=lambda shot: -shot.worth)[:SHOWN])
@@ -261,6 +272,15 @@ class _Mind:
             return Decision("", None, Stroke(*stroke.tolist()), Call(push_out=True), considered, 0.5)
         call = self._call(frame, looked, best)
         return Decision("", None, Stroke(*looked.strokes[best].tolist()), call, considered, worth)
+
+    def _for_a_point(self, frame: Frame, view: View, looked: Looked) -> Decision:
+        """Where each ball is a point, no table need be cleared: the sure pot that leaves most."""
+        sure = looked.chance >= AS_SURE * float(looked.chance.max())
+        worth = looked.worth if self.grade.careful else looked.chance
+        best = int(np.argmax(np.where(sure, worth, -1.0)))
+        shots = tuple(named_shots(view, looked, SHOWN))
+        stroke = Stroke(*looked.strokes[best].tolist())
+        return Decision("", None, stroke, self._call(frame, looked, best), shots, float(looked.chance[best]))
 
     def _score(self, looked: Looked) -> float:
         """What a player weighs."""

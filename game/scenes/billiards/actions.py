@@ -17,6 +17,8 @@ HINTS = (
     keys.DEMO,
     keys.UNDO,  # from here on there are buttons too; a narrow bar drops them
     keys.REPLAY,
+    keys.EYE,
+    keys.FROM_SIDE,
     Hint(("E",), "set up"),
     keys.GUIDE,
     Hint(("M",), "every pot"),
@@ -29,6 +31,8 @@ ACTIONS = (
     keys.STRIKE,
     SceneAction("undo", "undo the last stroke, aim as before", "U"),
     keys.WATCH,
+    keys.SIDE,
+    keys.SEE,
     keys.CHANGE_GUIDE,
     SceneAction("set-up", "place the balls freely", "E"),
     SceneAction("rack", "next rack, or the same again", "N"),

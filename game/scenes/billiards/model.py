@@ -22,6 +22,7 @@ from game.scenes.billiards.level import BilliardsContent, ball_set, best_of, gam
 from game.scenes.billiards.outcome import Decided, PoolOutcome
 from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.moments import Moments
 from game.stage import Part
 
 NO_TALLIES = (Tally(), Tally())
@@ -83,6 +84,13 @@ class BilliardsModel(Part):
     def decided(self) -> Decided | None:
         """The pot that decided the rack, if the last stroke did."""
         return self._outcome.decided(self.frame)
+
+    @property
+    def moments(self) -> Moments | None:
+        """What of the last stroke is worth a second look; None before the first."""
+        last = self.frame.last
+        cue = last.frame.layout.numbers.index(CUE_BALL) if last is not None else 0
+        return self._outcome.moments(self.frame, cue)
 
     @property
     def word(self) -> str:

@@ -18,6 +18,7 @@ from game.physics.kernels import elementary
 from game.scenes.carom.level import CaromContent, begun
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.moments import Moments
 from game.scenes.shared.tables.outcome import Outcome
 from game.stage import Part
 
@@ -58,6 +59,11 @@ class CaromModel(Part):
     def played(self) -> CaromPlayed | None:
         """What comes, or came, of the last stroke; None before the first."""
         return self._outcome.played(self.frame)
+
+    @property
+    def moments(self) -> Moments | None:
+        """What of the last stroke is worth a second look; None before the first."""
+        return self._outcome.moments(self.frame, 0)
 
     @property
     def word(self) -> str:
@@ -166,8 +172,10 @@ def free_place(places: Floats, ball: int, x: float, y: float) -> tuple[float, fl
 
 def _said(frame: CaromFrame) -> object:
     """What a frame says, but for the frames before it."""
-    last = frame.last
+    last, game = frame.last, msgspec.to_builtins(frame.game)
+    if not frame.game.anchored:  # the word of a game without anchors stays what it was before these
+        del game["anchored"]
     return (
-        msgspec.to_builtins(frame.game), frame.places, frame.physics, frame.strokes,
+        game, frame.places, frame.physics, frame.strokes,
         None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),
     )  # fmt: skip

@@ -30,11 +30,6 @@ class CaromOpponents(TableOpponents):
     def __init__(self, course: Course) -> None:
         super().__init__(course, think)
 
-    @property
-    def is_over(self) -> bool:
-        """Whether the game is."""
-        return bool(self.course.model.frame.game.ended)
-
     def begin_again(self) -> None:
         """The next game."""
         self.course.next_game()

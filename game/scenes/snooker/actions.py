@@ -19,12 +19,16 @@ HINTS = (
     keys.DEMO,
     keys.UNDO,
     keys.REPLAY,
+    keys.EYE,
+    keys.FROM_SIDE,
     keys.GUIDE,
 )
 ACTIONS = (
     keys.STRIKE,
     SceneAction("undo", "undo the last stroke", "U"),
     keys.WATCH,
+    keys.SIDE,
+    keys.SEE,
     keys.CHANGE_GUIDE,
     SceneAction("rack", "next frame, or the same again", "N"),
     keys.PLAY_ITSELF,

@@ -7,7 +7,7 @@ import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame, Played
-from game.billiards.game.rules import Call, Verdict
+from game.billiards.game.rules import CUE_BALL, Call, Verdict
 from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame, snooker_layout
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.shot.cloths import SNOOKER_CLOTH
@@ -18,6 +18,7 @@ from game.billiards.table.snooker import BALLS
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.moments import Moments
 from game.scenes.shared.tables.outcome import Outcome
 from game.scenes.snooker.level import SnookerContent, begun
 from game.scenes.snooker.parameters import SnookerParameters
@@ -84,6 +85,11 @@ class SnookerModel(Part):
     def played(self) -> Played | None:
         """What comes, or came, of the last stroke; None before the first."""
         return self._outcome.played(self.frame)
+
+    @property
+    def moments(self) -> Moments | None:
+        """What of the last stroke is worth a second look; None before the first."""
+        return self._outcome.moments(self.frame, self.numbers.index(CUE_BALL) if self.numbers else 0)
 
     @property
     def word(self) -> str:

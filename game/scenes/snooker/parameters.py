@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.scenes.shared.tables import choices
+from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Parameters, Toggle
 
@@ -48,6 +49,11 @@ class SnookerParameters(Parameters):
     miscues = through.miscues()
     chalk = through.chalk()
     recoil = through.recoil()
+    eye = eyes.shown()
+    eye_size = eyes.size()
+    eye_height = eyes.height()
+    eye_tilt = eyes.tilt()
+    eye_follows = eyes.follow()
     sliding = choices.sliding(SNOOKER_CLOTH.sliding)
     rolling = choices.rolling(SNOOKER_CLOTH.rolling)
     ball_restitution = choices.ball_restitution(SNOOKER_CLOTH.ball_restitution)

@@ -21,6 +21,7 @@ from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
 from game.scenes.billiards.view.marks import draw_marks
+from game.scenes.billiards.view.over_cue import OverCue
 from game.scenes.billiards.view.score_board import draw_board, draw_line, key_rows
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
@@ -28,6 +29,8 @@ from game.scenes.shared.tables import boxes, grip
 from game.scenes.shared.tables.choices import FIRST, NONE
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
+from game.scenes.shared.tables.referee.banner import draw_call
+from game.scenes.shared.tables.referee.calls import pool_call
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.shared.tables.through.recoil import draw_recoil
@@ -63,6 +66,7 @@ class BilliardsView:
         self._hint_foresight = Foresight()
         self._odds = OddsMeter()
         self._close_up = CloseUpView()
+        self._over_cue = OverCue(play, replay)
         self._end_card = EndCard()
 
     def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
@@ -73,10 +77,13 @@ class BilliardsView:
         time = self._moment(alpha, clock_before)
         near = self._close_up.part(play, time, canvas.look.less_motion)
         sight = None
-        if near is not None:
+        if self._over_cue.from_side:
+            self._over_cue.draw_side(canvas, self.balls_at(time), time)
+        elif near is not None:
             self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
         else:
             sight = self._draw_play(canvas, time)
+            self._over_cue.draw_inset(canvas, self.balls_at(time), sight, time)
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS and self._in_view(canvas):
             self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
         last = frame.last
@@ -178,6 +185,15 @@ class BilliardsView:
             if len(points) > 1:
                 canvas.polyline(points, FELT_WARM, 2.0, alpha=0.75)
 
+    def _draw_call(self, canvas: Canvas, look: Look) -> None:
+        """What the referee calls after a stroke."""
+        play, played = self.play, self.play.model.played
+        if play.phase != AIMING or played is None:
+            return
+        run = played.frame.tallies[played.frame.game.turn].run
+        spoken = pool_call(played.verdict, run, play.match_over)
+        draw_call(canvas, look, layout.TABLE, spoken, play.called_s)
+
     def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""
         play = self.play
@@ -189,6 +205,7 @@ class BilliardsView:
             if not play.asked:  # the options stand there then
                 draw_line(canvas, look, line, key_rows(play.guide, shaky) if play.may_aim else ())
         self.instruments.draw(canvas, look, odds)
+        self._draw_call(canvas, look)
         if is_shown(play):
             self._end_card.draw(canvas, look, play)
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from game.arrays import Floats
 from game.scenes.shared.tables import actions as keys
+from game.scenes.shared.tables.course import REPLAY
 from game.stage import Action, Decision, Equation, Hearing, Hint, Pointer, Scene, Stamped, Strip
 
 ENERGY, CUE_BALL = Strip("Energy", "J", ("energy",)), Strip("Cue ball", "m/s", ("cue ball",))
@@ -83,6 +84,10 @@ class CueGameScene(Scene):
     def hearing(self) -> Hearing | None:
         heard: Hearing | None = self.sounds.hearing()
         return heard
+
+    @property
+    def way_out(self) -> str:
+        return "replay" if self.course.phase == REPLAY else ""
 
     def hints_now(self) -> Sequence[Hint]:
         if not self.course.push.chosen:
