@@ -60,9 +60,17 @@ REGISTER: dict[str, Registered] = {
     for entry in (
         Registered("eight-ball", "8-ball", "billiards", "called-pockets", "rack", "the 8 after one's group"),
         Registered("nine-ball", "9-ball", "billiards", "nine-ball", "rack", "the 9, the lowest hit first"),
+        Registered(
+            "ten-ball", "10-ball", "billiards", "ten-ball", "rack", "the 10 as called, the lowest hit first"
+        ),
+        Registered("straight-pool", "Straight pool", "billiards", "straight-pool", "game", "points"),
         Registered("straight-rail", "Straight rail", "carom", "straight-rail", "game", "points"),
         Registered("one-cushion", "One-cushion", "carom", "one-cushion", "game", "points"),
         Registered("three-cushion", "Three-cushion", "carom", "default", "game", "points"),
+        Registered("balkline-47-2", "Balkline 47/2", "carom", "balkline-47-2", "game", "points"),
+        Registered("balkline-47-1", "Balkline 47/1", "carom", "balkline-47-1", "game", "points"),
+        Registered("balkline-71-2", "Balkline 71/2", "carom", "balkline-71-2", "game", "points"),
+        Registered("artistic", "Artistic billiards", "carom", "artistic", "game", "points of figures"),
         Registered("snooker", "Snooker", "snooker", "default", "frame", "more points"),
         Registered("six-red", "Six-red snooker", "snooker", "six-red", "frame", "more points"),
     )
