@@ -111,6 +111,11 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
         )
     if game.fouls_in_row[player] and isinstance(game, Rotation | StraightPool):
         parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
+    run, longest = play.model.frame.tallies[player].run, play.model.frame.tallies[player].longest
+    if active and run > 1:
+        parts.append(f"run {run}")
+    elif longest > 1 and not won:
+        parts.append(f"high run {longest}")
     if doing:
         parts.insert(0, doing)  # first, since what is too long is cut at its end
     grade = play.grade_of(player)

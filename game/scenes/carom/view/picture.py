@@ -25,7 +25,7 @@ from game.scenes.carom.view.paths import (
     draw_sight,
     lines_seen,
 )
-from game.scenes.carom.view.score_board import draw_board, draw_foot
+from game.scenes.carom.view.score_board import counted_of, draw_board, draw_foot
 from game.scenes.carom.view.zones import draw_zones
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
@@ -33,9 +33,13 @@ from game.scenes.shared.tables.eye.course_view import CourseEye
 from game.scenes.shared.tables.eye.lines import Line
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.grip import Held
+from game.scenes.shared.tables.referee.banner import draw_call
+from game.scenes.shared.tables.referee.calls import carom_call
+from game.scenes.shared.tables.referee.card import draw_card
 from game.scenes.shared.tables.through.recoil import draw_recoil
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
 from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM
 from game.ui.painters.ball_look import CAROM_WHITE
 from game.ui.painters.table import Dress, carom_dress
@@ -80,9 +84,19 @@ class CaromView:
             draw_list(canvas, look, course, self.advisor, drawn)
             draw_tip(canvas, look, course, self.advisor.study())
             draw_foot(canvas, look, course, drawn)
+            self._draw_calls(canvas, look)
         last = frame.last
         if course.phase == ROLLING and last is not None and last.stroke == course.made:
             draw_recoil(canvas, course.parameters, last.stroke, float(course.clock[0]))
+
+    def _draw_calls(self, canvas: Canvas, look: Look) -> None:
+        """What the referee calls; at the end of a game the card."""
+        course, game, played = self.course, self.course.model.frame.game, self.course.model.played
+        if course.phase != AIMING or played is None:
+            return
+        draw_call(canvas, look, layout.TABLE, carom_call(played.verdict), course.called_s)
+        if game.ended and len(game.players) == 2:
+            draw_card(canvas, look, layout.TABLE, counted_of(game, course.frame_s))
 
     def _draw_play(self, canvas: Canvas, drawn: Drawn | None, furniture: Furniture, balls: Balls) -> None:
         """What lies and moves on the table, from above; the view from the cue."""

@@ -15,6 +15,7 @@ from game.scenes.carom.course import Course
 from game.scenes.shared.tables.boxes import rect_of
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES
 from game.scenes.shared.tables.course import PERSON
+from game.scenes.shared.tables.referee.card import Counted, time_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -155,3 +156,15 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
     words = "To the end" if name == "strike" and course.phase == "rolling" else BUTTON_WORDS[name]
     color = "on_accent" if main else "text1" if usable else "text3"
     look.text(canvas.surface, words, box.center, 12, "semibold", color, "center")
+
+
+def counted_of(game: Carom, seconds: float) -> Counted:
+    """What the card at the end of a game of so many s says."""
+    title = "Drawn" if game.winner is None else f"{game.players[game.winner]} wins"
+    first, second = (
+        (str(game.points[k]), str(game.innings[k]), f"{game.average(k):.2f}", str(game.high_runs[k]))
+        for k in range(2)
+    )
+    heads = ("Points", "Innings", "Average", "High run")
+    rows = (*zip(heads, first, second, strict=True), ("Time", "", time_words(seconds)))
+    return Counted(title, (game.players[0], game.players[1]), rows, "N: next game     U: undo")
