@@ -13,7 +13,9 @@ from game.billiards.game.games.artistic_figures import LETTERS
 from game.billiards.game.games.carom import ACCEPT, PLAY_AWAY, RESPOT
 from game.billiards.map.carom import SEED, THOROUGH, CaromMap, Group, Position, Search, whole_map
 from game.billiards.map.leaving import leaving
-from game.billiards.map.routes import Wanted
+from game.billiards.map.routes import RAILS, Wanted, touches
+from game.billiards.players.taste import PLAIN, Hand, Taste
+from game.billiards.players.weighing import noise_of
 from game.billiards.search.strokes import Noise, draw_noise, with_noise
 from game.billiards.table.carom import BALL_RADIUS, RED
 from game.physics.kernels import elementwise
@@ -32,11 +34,18 @@ class CaromGrade(NamedTuple):
     looks: Search
     planned: int = 0
     ahead: float = 0.0
+    taste: Taste = PLAIN
+    hand: Hand = Hand()
 
     @property
     def noise(self) -> Noise:
         """How unsteady the hand is."""
-        return Noise().scaled(self.unsteady)
+        return noise_of(self.hand, self.unsteady)
+
+    @property
+    def supposed(self) -> Noise:
+        """How unsteady the player takes its hand to be."""
+        return noise_of(self.hand, self.unsteady / self.taste.confidence)
 
 
 NEAR = 48  # strokes near a figure's known one that are tried
@@ -73,6 +82,11 @@ class CaromDecision(NamedTuple):
     choices: tuple[Choice, ...] = ()
 
 
+def cushions_of(code: int) -> int:
+    """How many cushions the cue ball touches before the last thing of its way. code: see `map.routes`."""
+    return sum(1 for touched in touches(code) if 1 <= touched <= RAILS)
+
+
 def wanted_of(frame: CaromFrame) -> Wanted:
     """What scores for a frame's player."""
     game = frame.game
@@ -92,8 +106,11 @@ def weigh(position: Position, drawn: CaromMap, grade: CaromGrade, seed: int = SE
     """What a player makes of a map: the surest strokes, weighed by what they leave; the best first."""
     choices = []
     for place, group in enumerate(drawn.groups):
-        left = leaving(position, group, grade.noise, seed=seed) if place < grade.planned else 0.0
-        choices.append(Choice(group, left, group.chance * (1.0 + grade.ahead * left)))
+        left = leaving(position, group, grade.supposed, seed=seed) if place < grade.planned else 0.0
+        worth = group.chance * (1.0 + grade.ahead * left)
+        if grade.taste.bank:
+            worth += grade.taste.bank * group.chance * cushions_of(group.code)
+        choices.append(Choice(group, left, worth))
     return tuple(sorted(choices, key=lambda choice: -choice.worth))
 
 
@@ -116,7 +133,7 @@ def decide_carom(frame: CaromFrame, grade: CaromGrade, seed: int = SEED) -> Caro
     position = position_of(frame)
     if isinstance(game, Artistic):
         return CaromDecision("", _figure_stroke(position, game.now.stroke, grade, seed))
-    choices = weigh(position, whole_map(position, grade.noise, grade.looks, seed), grade, seed)
+    choices = weigh(position, whole_map(position, grade.supposed, grade.looks, seed), grade, seed)
     stroke = choices[0].group.stroke if choices else _straight_at_red(position)
     return CaromDecision("", stroke, choices)
 

@@ -88,7 +88,7 @@ class CaromScene(CueGameScene):
         self.opponents = CaromOpponents(self.course)
         self.hand = CaromHand(self.course, self.advisor)
         self.sounds = StrokeSounds(self.course, (ROLLING, REPLAY), _cue_of)
-        self.view = CaromView(self.course, self.hand, self.advisor)
+        self.view = CaromView(self.course, self.hand, self.advisor, self.opponents)
 
     def parameter_changed(self, name: str) -> None:
         if name in ("cloth", "target", "innings"):

@@ -27,6 +27,7 @@ from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables import boxes, grip
 from game.scenes.shared.tables.choices import FIRST, NONE
+from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.referee.banner import draw_call
@@ -119,6 +120,8 @@ class BilliardsView:
             shots = self.opponents.considered
             draw_considered(canvas, shots, frame.layout.places, frame.table, played=False)
         draw_players_cue(canvas, play, time)
+        if self.opponents.walks:
+            draw_walk(canvas, frame.table, self.opponents.walk)
         return sight
 
     def _odds_of(self, sight: Sight | None) -> Odds | None:
@@ -200,7 +203,7 @@ class BilliardsView:
         title = drill_title(play.model.frame.game, self.level)
         draw_board(canvas, look, standing_of(play, self.opponents.thinker, title))
         if play.phase not in (SET_UP, REPLAY):
-            line = line_of(play, self.hint)
+            line = self.opponents.words_of_thoughts.beside(line_of(play, self.hint))
             shaky = play.parameters.hand != "none"
             if not play.asked:  # the options stand there then
                 draw_line(canvas, look, line, key_rows(play.guide, shaky) if play.may_aim else ())

@@ -18,6 +18,7 @@ from game.billiards.game.games import (
 from game.billiards.game.games.eight_ball import GROUPS
 from game.billiards.game.games.rotation import Rotation
 from game.billiards.game.rules import Game, listed
+from game.billiards.players.ladder import BY_NAME
 from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
 from game.scenes.billiards.practice.sets import GHOST_TITLES
 from game.scenes.shared.thinker import Thinker
@@ -119,7 +120,11 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
     if doing:
         parts.insert(0, doing)  # first, since what is too long is cut at its end
     grade = play.grade_of(player)
-    name = game.players[player] if grade == "person" else f"{game.players[player]} ({grade})"
+    name = game.players[player]
+    if grade in BY_NAME:
+        name = BY_NAME[grade].title
+    elif grade != "person":
+        name = f"{name} ({grade})"
     return Card(name, " · ".join(parts), active or won, chips)
 
 

@@ -16,6 +16,7 @@ from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor, Drawn
 from game.scenes.carom.course import Course
 from game.scenes.carom.hand import CaromHand
+from game.scenes.carom.opponents import CaromOpponents
 from game.scenes.carom.view.map_list import draw_list, draw_tip
 from game.scenes.carom.view.paths import (
     Foresight,
@@ -33,6 +34,7 @@ from game.scenes.shared.tables.eye.course_view import CourseEye
 from game.scenes.shared.tables.eye.lines import Line
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.grip import Held
+from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.referee.banner import draw_call
 from game.scenes.shared.tables.referee.calls import carom_call
 from game.scenes.shared.tables.referee.card import draw_card
@@ -54,9 +56,12 @@ CUE_WORDS = 22.0  # design px below the ball
 class CaromView:
     """The picture of the game."""
 
-    def __init__(self, course: Course, hand: CaromHand, advisor: Advisor) -> None:
+    def __init__(
+        self, course: Course, hand: CaromHand, advisor: Advisor, opponents: CaromOpponents
+    ) -> None:
         self.course = course
         self.advisor = advisor
+        self.opponents = opponents
         self._aimed = Foresight()
         self._eye = CourseEye(course, hand.inset, layout.TABLE, _cue_ball_of, _row_of, BALL_RADIUS)
         self._faint = tuple(Foresight() for _ in range(FAINT))
@@ -83,7 +88,7 @@ class CaromView:
             draw_board(canvas, look, course)
             draw_list(canvas, look, course, self.advisor, drawn)
             draw_tip(canvas, look, course, self.advisor.study())
-            draw_foot(canvas, look, course, drawn)
+            draw_foot(canvas, look, course, drawn, self.opponents.words_of_thoughts)
             self._draw_calls(canvas, look)
         last = frame.last
         if course.phase == ROLLING and last is not None and last.stroke == course.made:
@@ -111,6 +116,8 @@ class CaromView:
                     canvas, furniture.table, ball, BALL_RADIUS, course.cue, CUE_WORDS, course.push
                 )
             canvas.circle(ball, 1.25 * BALL_RADIUS, outline=FELT_WARM, width=1.4, alpha=0.8)
+        if self.opponents.walks:
+            draw_walk(canvas, furniture.table, self.opponents.walk)
         self._eye.draw_inset(canvas, furniture, Seen(balls, lines))
 
     def _balls(self, alpha: float, clock_before: Floats | None) -> Balls:

@@ -9,12 +9,14 @@ from game.billiards.game.games.artistic_figures import FIGURES, LETTERS
 from game.billiards.game.games.carom import Carom
 from game.billiards.game.games.carom_kinds import TITLES
 from game.billiards.map.words import explain
+from game.billiards.players.ladder import BY_NAME
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Drawn
 from game.scenes.carom.course import Course
 from game.scenes.shared.tables.boxes import rect_of
-from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES
+from game.scenes.shared.tables.choices import player_words
 from game.scenes.shared.tables.course import PERSON
+from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.referee.card import Counted, time_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
@@ -88,11 +90,15 @@ def _name(course: Course, player: int) -> str:
     """A player's name, and of which grade it is."""
     grade = course.grade_of(player)
     name = course.model.frame.game.players[player]
-    return name if grade == PERSON else f"{name}, {GRADE_LABELS[GRADES.index(grade)].lower()}"
+    if grade in BY_NAME:
+        return BY_NAME[grade].title
+    return name if grade == PERSON else f"{name}, {player_words(grade)}"
 
 
-def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -> None:
-    """What was said last; options to choose; else the first choices in words. And the buttons."""
+def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None, told: Told) -> None:
+    """What was said last; options to choose; else what the computer player thought, or the first choices in
+    words. And the buttons.
+    """
     rect = rect_of(canvas, layout.FOOT)
     frame = course.model.frame
     y = rect.y + look.px(10)
@@ -104,6 +110,11 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -
         y += look.px(20)
     if frame.game.options and course.person_plays:
         _draw_options(canvas, look, course)
+    elif told.chosen:
+        area = pygame.Rect(rect.x + look.px(4), y, rect.right - rect.x, rect.bottom - y)
+        for k, words in enumerate((told.chosen, told.instead)):
+            fitted = look.fonts.fit(words, 12, "medium", area.w)
+            look.text(canvas.surface, fitted, (area.x, y + k * look.px(16)), 12, "medium", "text2")
     elif course.parameters.explain and drawn is not None and drawn.map.fine:
         _draw_choices(canvas, look, drawn, (rect.x + look.px(4), y, rect.right, rect.bottom))
     for row, name in enumerate(layout.BUTTONS):

@@ -18,6 +18,7 @@ from game.scenes.shared.tables.eye.course_view import CourseEye
 from game.scenes.shared.tables.eye.lines import lines_of
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.eye.view import ghost_of
+from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.referee.banner import draw_call
@@ -93,6 +94,8 @@ class SnookerView:
             draw_cue_behind(
                 canvas, frame.table, np.array(place), BALL_RADIUS, course.cue, CUE_WORDS, course.push
             )
+        if self.opponents.walks:
+            draw_walk(canvas, frame.table, self.opponents.walk)
         if sight is not None and place is not None:
             self._magnify(canvas, sight, balls, place, bool(foul))
         lines = lines_of(sight) if sight is not None else []
@@ -118,7 +121,7 @@ class SnookerView:
             return
         look = look_of(canvas, layout.PIXELS)
         draw_board(canvas, look, standing_of(course, self.opponents.thinker, self.title))
-        draw_foot(canvas, look, course, line_of(course))
+        draw_foot(canvas, look, course, self.opponents.words_of_thoughts.beside(line_of(course)))
         draw_instruments(canvas, look, course, self.hand, self._odds_of(sight))
         self._draw_calls(canvas, look)
 

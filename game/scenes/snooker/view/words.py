@@ -8,9 +8,10 @@ from game.billiards.game.rules import ShotSummary
 from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.game.snooker.stroke import Seen, contact_penalties, on_words
+from game.billiards.players.ladder import BY_NAME
 from game.billiards.search.legality import Legality
 from game.billiards.table.snooker import name_of
-from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, PERSON
+from game.scenes.shared.tables.choices import PERSON, player_words
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.tables.referee.card import Counted, share_words, time_words
 from game.scenes.shared.thinker import Thinker
@@ -110,8 +111,10 @@ def _card(course: Course, thinker: Thinker, player: int, title: str) -> Card:
     name = game.players[player]
     if title and len(game.players) == 1:
         name = title
+    elif grade in BY_NAME:
+        name = BY_NAME[grade].title
     elif grade != PERSON:
-        name = f"{name} ({GRADE_LABELS[GRADES.index(grade)].lower()})"
+        name = f"{name} ({player_words(grade)})"
     return Card(name, " · ".join(part for part in parts if part), str(game.points[player]), active or won)
 
 
