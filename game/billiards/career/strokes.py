@@ -40,10 +40,10 @@ class StrokeFact(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Share(NamedTuple):
-    """A class of pots: its middle, how many, the share made, and the mean of the map's chances."""
+    """A class of pots: its middle, how many pots, the share made, and the mean of the map's chances."""
 
     middle: float
-    count: int
+    pots: int
     made: float
     expected: float
 

@@ -38,9 +38,9 @@ def test_shares_are_of_their_classes():
         fact(kind=BREAK, distance=0.1),
     ]
     near, far = shares(facts, DISTANCES, by_cut=False)
-    assert (near.count, near.made, near.expected) == (2, 0.5, pytest.approx(0.6))
-    assert (far.middle, far.count, far.made) == (pytest.approx(1.0), 1, 1.0)
-    assert [one.count for one in shares(facts, CUTS, by_cut=True)] == [2, 1]
+    assert (near.pots, near.made, near.expected) == (2, 0.5, pytest.approx(0.6))
+    assert (far.middle, far.pots, far.made) == (pytest.approx(1.0), 1, 1.0)
+    assert [one.pots for one in shares(facts, CUTS, by_cut=True)] == [2, 1]
 
 
 def test_a_summary_leaves_out_what_was_not_measured():
