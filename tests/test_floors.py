@@ -57,7 +57,7 @@ FOLDERS = {
         "fields proximity_effects dominoes accretion",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables heat",
-        "surfaces cloth waves",
+        "surfaces cloth waves particle_fluids",
         "grid",
         "multigrid",
         "gas liquid",
@@ -79,6 +79,7 @@ FOLDERS = {
         "search",
         "map rhythm",
         "players",
+        "career",
     ),
     "ui": ("look raster steady", "sound", "text", "canvas", "painters widgets", "charts panel"),
     "worlds": (
