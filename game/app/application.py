@@ -156,7 +156,7 @@ class App:
             "settings": self.open_settings,
             "papers": self.open_papers,
             "career": self.open_career,
-            "paste": self.open_clipboard,
+            "paste": self.paste,
             "quit": self.quit,
         }
 
@@ -216,6 +216,14 @@ class App:
         """Let a scene go on loading under a card, and show it when it is there."""
         if screen.load(elapsed_s):
             self._composition.forget()
+
+    def paste(self) -> None:
+        """What lies in the clipboard: a stroke is played by the scene on top, a run is watched."""
+        top = self.screens.top
+        if isinstance(top, SceneScreen) and top.play is not None:
+            top.play.passing.take()
+        else:
+            self.open_clipboard()
 
     def open_clipboard(self) -> None:
         """Watch the run whose text lies in the clipboard; a message says why not, if it cannot be."""

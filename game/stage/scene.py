@@ -183,6 +183,17 @@ class Scene(SceneDeclaration):
     def action(self, name: str) -> None:
         """One of ``actions``."""
 
+    def given_text(self) -> str:
+        """What was done last as a text that another player goes on with; ValueError if there is none."""
+        raise ValueError("stroke: this scene has none that travels as a text")
+
+    def take_text(self, text: str) -> tuple[Decision, ...] | None:
+        """The decisions that a pasted text of another player stands for, each of which may then be posted.
+
+        None if it is no such text. ValueError in one line for one that does not fit. Nothing changes.
+        """
+        return None
+
     @property
     def way_out(self) -> str:
         """The action that leads out of a part of the scene, such as a replay, before one leaves it; or ""."""
