@@ -25,7 +25,7 @@ PLAY_ITSELF = SceneAction("demo", "plays itself", "D")
 CENTRE = SceneAction("centre", "strike the middle of the ball", "C")
 HOLD_BREATH = SceneAction("breath", "hold your breath: the aim sways less", "F")
 THOUGHTS = SceneAction("thoughts", "what the computer player thought", "I")
-CHALK = SceneAction("chalk", "chalk the tip", "L")
+CHALK = SceneAction("chalk", "chalk the tip", "slash")
 LOCK = SceneAction("lock", "lock or free the aim", "K")
 TURNS = (
     SceneAction("left", "turn the cue left", "left"),

@@ -54,7 +54,7 @@ def wear() -> Toggle:
     """Whether the friction of the tip falls from stroke to stroke, until it is chalked again."""
     return Toggle(
         False, group="Stroke", label="Chalk wears off",
-        help="the tip holds less far out with each stroke, until you chalk it (L)",
+        help="the tip holds less far out with each stroke, until you chalk it (key slash)",
     )  # fmt: skip
 
 
