@@ -138,6 +138,17 @@ class TestStepLength:
         stage.advance(0.1)
         assert stage.step_number - before in (2, 3)
 
+    def test_the_clock_begins_with_each_session(self) -> None:
+        stage = Stage(Cloud)
+        stage.post(SetParameter("step_length", 0.05))
+        for begin in (stage.reset, lambda: stage.load_level(Level(scene="cloud"))):
+            stage.run(50)
+            assert (stage.clock.steps, stage.clock.dt) == (stage.step_number, stage.dt)
+            begin()
+            assert stage.step_number == 0
+            assert (stage.clock.steps, stage.clock.dt) == (0, stage.dt)
+        assert stage.dt == 0.01  # as the level has it
+
     @pytest.mark.parametrize("speed", [0.25, 1.0, 4.0])
     def test_so_many_seconds_go_by_for_one_that_passes(self, speed: float) -> None:
         stage = Stage(BouncingBall)
