@@ -218,6 +218,15 @@ class TestCharts:
         assert np.diff(stage.series.times).max() < 0.03
         assert len(stage.series.values("energy")) == len(stage.series)
 
+    @pytest.mark.parametrize("dt", [1.0 / 120.0, 1.0 / 60.0, 0.02, 0.05])
+    def test_a_run_leaves_out_nothing_that_the_charts_can_show(self, dt: float) -> None:
+        """The oldest sample is at the window's beginning or before, as where every step was sampled."""
+        stage = Stage(BouncingBall, dt=dt)
+        stage.run(round(60.0 / dt))
+        series = stage.series
+        assert series.times[0] <= stage.time_s - series.window_s + 1e-9
+        assert series.times[-1] == pytest.approx(stage.time_s, abs=1.0 / series.rate_hz)
+
     def test_stepping_back_takes_samples_back(self) -> None:
         stage = Stage(BouncingBall)
         stage.run(100)
