@@ -124,6 +124,8 @@ class Buttons(Part):
                 aiming.nudge(name)
         elif name in BESIDE:
             self.side.turn(name)
+        elif name == "thoughts":
+            play.parameters.considered = not play.parameters.considered
         elif name == "cloud":
             play.parameters.cloud = not play.parameters.cloud
         elif name.startswith("spin-"):

@@ -185,6 +185,8 @@ class CaromHand(Part):
             course.replay(from_side=name == "side")
         elif name in ("map", "explain", "ends", "eye"):
             setattr(parameters, name, not getattr(parameters, name))
+        elif name == "thoughts":
+            parameters.considered = not parameters.considered
         elif name == "breath":
             course.push.breathe()
         elif name == "demo":
