@@ -155,6 +155,7 @@ class App:
             "screenshot": self.screenshot,
             "settings": self.open_settings,
             "papers": self.open_papers,
+            "career": self.open_career,
             "paste": self.open_clipboard,
             "quit": self.quit,
         }
@@ -252,6 +253,13 @@ class App:
         """The list of the course's papers; not over itself."""
         if not isinstance(self.screens.top, PapersCard):
             self._open_card(PapersCard.called, lambda: PapersCard(self))
+
+    def open_career(self) -> None:
+        """The card of the career; not over itself."""
+        from game.app.screens.career_card import CareerCard
+
+        if not isinstance(self.screens.top, CareerCard):
+            self._open_card(CareerCard.called, lambda: CareerCard(self))
 
     def open_paper(self, row: PaperRow) -> None:
         """The page of a paper, which is measured while it is open."""

@@ -41,6 +41,7 @@ from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
+    from game.stage.records.contested import Contested
     from game.stage.records.excerpt import Excerpt
     from game.stage.records.history import Practised
 
@@ -338,6 +339,11 @@ class Scene(SceneDeclaration):
         """How the set stands that a person practises, to be kept with its history; None: it is no
         practice.
         """
+        return None
+
+    @property
+    def contest(self) -> Contested | None:
+        """How a match stands between a person and a computer player, for a career; None: there is none."""
         return None
 
     @property

@@ -125,6 +125,10 @@ class Host(Protocol):
         """The list of the course's papers."""
         ...
 
+    def open_career(self) -> None:
+        """The card of the career."""
+        ...
+
     def open_paper(self, row: PaperRow) -> None:
         """The page of a paper."""
         ...

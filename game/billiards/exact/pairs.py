@@ -16,20 +16,16 @@ from game.billiards.laws.contacts.ball_ball_normal import reach_of
 from game.billiards.laws.lean import inner_kernel
 
 BLOCK = 32  # balls whose bits stand in one number
+NEAR = 1.2  # of the square of two balls' reach; two that lie still and are no nearer are not in contact
+RENEWED = 4  # mark of a ball whose contact times were renewed at this very moment
 
 
-@inner_kernel(forceinline=True)
-def may_meet(state, modes, pairs, i, start, count):
-    """Bits of `count` balls from number start on: for which a contact with ball i is not ruled out, and
-    with which one was foreseen so far.
+@inner_kernel(inline="always")
+def _look_at(state, modes, pairs, i, first, width):
+    """Bits of `width` balls from number `first` on: see `may_meet`.
 
-    With x + v t + a t^2 the position of ball j seen from i, and a horizon of h s in which both keep their
-    phases. There is no contact if
-    - the distance only grows, or the parabola that lies under its square (see `detection`) stays above; or
-    - the path keeps off: along and across v, both times |v|, it stays in a box that ends before the ball; or
-    - both lie still, apart.
-    One expression without branches, and an index that cannot be negative, so that the compiler takes several
-    balls at a time.
+    One expression without branches, a width written out, an index that cannot be negative: so the compiler
+    takes all balls at a time.
     """
     now = state[s.TIME, i]
     xi = state[s.X, i]
@@ -42,8 +38,8 @@ def may_meet(state, modes, pairs, i, start, count):
     four_radius = 4.0 * state[s.RADIUS, i]
     bits = 0
     foreseen = 0
-    for k in range(count):
-        j = np.uintp(start + k)
+    for k in range(width):
+        j = np.uintp(first + k)
         elapsed = now - state[s.TIME, j]
         ax = state[s.AX, j]
         ay = state[s.AY, j]
@@ -83,6 +79,42 @@ def may_meet(state, modes, pairs, i, start, count):
     return bits, foreseen
 
 
+@inner_kernel(forceinline=True)
+def may_meet(state, modes, pairs, i, start, count):
+    """Bits of `count` balls from number start on: for which a contact with ball i is not ruled out, and
+    with which one was foreseen so far. At most BLOCK of them, from a multiple of it on.
+
+    With x + v t + a t^2 the position of ball j seen from i, and a horizon of h s in which both keep their
+    phases. There is no contact if
+    - the distance only grows, or the parabola that lies under its square (see `detection`) stays above; or
+    - the path keeps off: along and across v, both times |v|, it stays in a box that ends before the ball; or
+    - both lie still, apart.
+    Balls are looked at in whole vectors, the last of which takes some a second time: one by one each ball of
+    a rest would cost a third of a vector.
+    """
+    bits = 0
+    foreseen = 0
+    end = start + count
+    if end >= 8:
+        for number in range(start, end, 8):
+            first = min(number, end - 8)
+            found, before = _look_at(state, modes, pairs, i, first, 8)
+            bits |= found >> max(start - first, 0) << max(first - start, 0)
+            foreseen |= before >> max(start - first, 0) << max(first - start, 0)
+    elif end >= 4:
+        bits, foreseen = _look_at(state, modes, pairs, i, 0, 4)
+        found, before = _look_at(state, modes, pairs, i, end - 4, 4)
+        bits |= found << (end - 4)
+        foreseen |= before << (end - 4)
+    else:
+        for j in range(end):
+            if j != i:
+                found, before = _look_at(state, modes, pairs, i, j, 1)
+                bits |= found << j
+                foreseen |= before << j
+    return bits, foreseen
+
+
 @inner_kernel(inline="always")
 def contact_time(state, i, j, now):
     """Time of the next contact of balls i and j, where i stands at `now`, s."""
@@ -117,9 +149,25 @@ def rescan(state, modes, pairs, j):
     state[s.NEXT_TIME, j] = min(best, state[s.OWN_TIME, j])
 
 
+@inner_kernel(inline="always")
+def lies_apart(state, modes, i):
+    """True if ball i lies still, and no ball is so near that they may be in contact; or if it is pocketed."""
+    motion = modes[s.MOTION, i]
+    reach = NEAR * 4.0 * state[s.RADIUS, i]
+    near = 0
+    for j in range(state.shape[1]):
+        x = state[s.X, j] - state[s.X, i]
+        y = state[s.Y, j] - state[s.Y, i]
+        near += 1 if x * x + y * y <= reach * state[s.RADIUS, j] else 0
+    return motion == s.POCKETED or (motion == s.STATIONARY and near == 1)
+
+
 @inner_kernel(forceinline=True)
 def refresh_pairs(state, modes, pairs, i):
-    """Renew all contact times of ball i, which has just changed and whose plan is made."""
+    """Renew all contact times of ball i, which has just changed and whose plan is made.
+
+    Those with balls that are marked RENEWED are right already.
+    """
     n = state.shape[1]
     now = state[s.TIME, i]
     gone = modes[s.MOTION, i] == s.POCKETED
@@ -134,13 +182,17 @@ def refresh_pairs(state, modes, pairs, i):
             if j == i or not ((bits | foreseen) >> (j - start)) & 1:
                 continue
             t = s.NEVER
-            if (bits >> (j - start)) & 1:
+            if modes[s.MARK, j] == RENEWED:
+                t = pairs[s.MEET, i, j]
+            elif (bits >> (j - start)) & 1:
                 t = contact_time(state, i, j, now)
-            pairs[s.MEET, i, j] = t
-            pairs[s.MEET, j, i] = t
             if t < best:
                 best = t
                 partner = j
+            if modes[s.MARK, j] == RENEWED:
+                continue
+            pairs[s.MEET, i, j] = t
+            pairs[s.MEET, j, i] = t
             if t < state[s.PAIR_TIME, j]:
                 state[s.PAIR_TIME, j] = t
                 modes[s.PARTNER, j] = i

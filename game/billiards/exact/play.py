@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from game.billiards.exact.elements import plan_ball
 from game.billiards.exact.meeting import meet
-from game.billiards.exact.pairs import refresh_pairs
+from game.billiards.exact.pairs import RENEWED, lies_apart, refresh_pairs
 from game.billiards.exact.settling import settle_group
 from game.billiards.laws import state as col
 from game.billiards.laws.batch import Elements, view_workspace
@@ -95,8 +95,11 @@ def happen_to_ball(state, modes, i, elements, physics):
 
 
 @inner_kernel(inline="always")
-def plan_changed(arrays, changed, elements, physics, segments, segment):
-    """Plan the first balls of row MEMBER again, each of which begins a segment. Returns their end."""
+def plan_changed(arrays, changed, starts, elements, physics, segments, segment):
+    """Plan the first balls of row MEMBER again, each of which begins a segment. Returns their end.
+
+    starts: the shot does, so all balls are planned for the first time.
+    """
     state, modes, pairs = arrays.state, arrays.modes, arrays.pairs
     cushions, jaws, pockets = elements
     for q in range(changed):
@@ -106,7 +109,15 @@ def plan_changed(arrays, changed, elements, physics, segments, segment):
             segment += 1
         plan_ball(state, modes, i, cushions, jaws, pockets, physics)
     for q in range(changed):
-        refresh_pairs(state, modes, pairs, modes[col.MEMBER, q])
+        i = modes[col.MEMBER, q]
+        if starts and lies_apart(state, modes, i):
+            # what moves looks at this ball, and nothing that lies still need do so
+            state[col.NEXT_TIME, i] = min(state[col.PAIR_TIME, i], state[col.OWN_TIME, i])
+            continue
+        refresh_pairs(state, modes, pairs, i)
+        modes[col.MARK, i] = RENEWED
+    for q in range(changed):
+        modes[col.MARK, modes[col.MEMBER, q]] = 0
     return segment
 
 
@@ -119,6 +130,7 @@ def play_shot(arrays, elements, physics, until, max_events, events, segments, ro
     last_row = row + max_events
     end_time = 0.0
     changed = n
+    starts = True
     status = col.FINISHED
     for i in range(n):
         modes[col.MEMBER, i] = i
@@ -128,7 +140,8 @@ def play_shot(arrays, elements, physics, until, max_events, events, segments, ro
         ):
             status = col.BUFFER_FULL
             break
-        segment = plan_changed(arrays, changed, elements, physics, segments, segment)
+        segment = plan_changed(arrays, changed, starts, elements, physics, segments, segment)
+        starts = False
         i = soonest_ball(state)
         now = state[col.NEXT_TIME, i]
         if not (now < col.AT_REST and now <= until):

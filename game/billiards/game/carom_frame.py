@@ -95,7 +95,7 @@ class CaromFrame(msgspec.Struct, frozen=True, eq=False):
             raise ValueError("frame: no stroke has been played")
         before = self.last.frame
         trajectory = carom_trajectory(before, self.last.stroke)
-        summary = summarize_carom(trajectory, before.game.cue)
+        summary = summarize_carom(trajectory, before.game.cue, before.game.rule.barred)
         verdict = before.game.judge(summary, self.last.safety)
         after = self.replace(
             game=verdict.game, places=points_of(verdict.places), words=verdict.words,

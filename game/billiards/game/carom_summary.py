@@ -10,7 +10,8 @@ import numpy as np
 from game.arrays import Floats
 from game.billiards.laws import state as s
 from game.billiards.shot.trajectory import Trajectory
-from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions, touching
+from game.billiards.table.balk import FREE, Barred, Zone, zone_at
+from game.billiards.table.carom import BALL_NAMES, RED, frozen_cushions, touching
 
 BALL, CUSHION = "ball", "cushion"
 LOOKS = 8  # at each stretch of a path, for whether it leaves a corner
@@ -21,7 +22,8 @@ class CaromSummary(NamedTuple):
 
     path: what the cue ball touched, in order, without the cushion that it lay against and was played into.
     into: balls that it lay against and was played into. rest (3, 2) m. off_table: balls that left the table.
-    left_corner: object balls that were outside the barred corner they began in, if only for a moment.
+    left_corner, left_anchor: object balls that were outside the barred corner or box they began in, or
+    outside the anchor, if only for a moment.
     """
 
     path: tuple[tuple[str, int], ...]
@@ -29,6 +31,7 @@ class CaromSummary(NamedTuple):
     into: tuple[int, ...] = ()
     off_table: tuple[int, ...] = ()
     left_corner: tuple[int, ...] = ()
+    left_anchor: tuple[int, ...] = ()
 
     def scoring(self, cue: int) -> Scoring | None:
         """Order of touches up to the second object ball; None if the cue ball did not touch both."""
@@ -49,8 +52,11 @@ class Scoring(NamedTuple):
     cushions: int
 
 
-def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
-    """Summary of a played stroke with ball `cue`, balls named as BALL_NAMES are. ValueError for others."""
+def summarize_carom(trajectory: Trajectory, cue: int, barred: Barred = FREE) -> CaromSummary:
+    """Summary of a played stroke with ball `cue`, balls named as BALL_NAMES are. ValueError for others.
+
+    barred: the zones of the game.
+    """
     numbers = [_number(name) for name in trajectory.shot.ids]
     row = numbers.index(cue)
     start = trajectory.shot.positions
@@ -72,9 +78,12 @@ def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
             against = ()  # it has left that cushion; from now on it counts
     rest = np.empty((3, 2))
     rest[numbers] = trajectory.end[:, [s.IN_X, s.IN_Y]]
-    left = tuple(ball for ball in (1 - cue, RED) if _leaves_corner(trajectory, numbers.index(ball)))
+    left, away = (
+        tuple(ball for ball in (1 - cue, RED) if _leaves(trajectory, numbers.index(ball), zones))
+        for zones in (barred.boxes, barred.anchors)
+    )
     off = tuple(numbers[int(i)] for _, event, i, _ in trajectory.rows.tolist() if event == s.BALL_OFF)
-    return CaromSummary(tuple(path), rest, into, off, left)
+    return CaromSummary(tuple(path), rest, into, off, left, away)
 
 
 def _number(name: str) -> int:
@@ -83,17 +92,17 @@ def _number(name: str) -> int:
     return BALL_NAMES.index(name)
 
 
-def _leaves_corner(trajectory: Trajectory, row: int) -> bool:
-    """True if a ball that begins in a barred corner is seen outside it."""
+def _leaves(trajectory: Trajectory, row: int, zones: tuple[Zone, ...]) -> bool:
+    """True if a ball that begins in one of the zones is seen outside it."""
     x, y = trajectory.shot.positions[row].tolist()
-    corner = corner_of((x, y))
-    if corner < 0:
+    zone = zone_at(zones, (x, y))
+    if zone < 0:
         return False
     segments = trajectory.segments
     times = [*segments[segments[:, s.SEG_BALL] == row, s.SEG_TIME].tolist(), trajectory.end_time]
     for begin, end in pairwise(times):
         for share in np.linspace(0.0, 1.0, LOOKS).tolist():
             px, py = trajectory.state_at(begin + share * (end - begin)).positions[row].tolist()
-            if corner_of((px, py)) != corner:
+            if zone_at(zones[zone : zone + 1], (px, py)) < 0:
                 return True
     return False

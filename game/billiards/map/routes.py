@@ -16,6 +16,7 @@ from game.arrays import Floats
 from game.billiards.laws import state as col
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.search.strokes import CHUNK, Board, in_threads
+from game.billiards.table.balk import Zone
 
 OTHER, RED = 1, 2  # rows of the object balls
 # a route is written in digits of base 8, the first touch in the highest: 1 to 4 for the rails left, right,
@@ -48,15 +49,25 @@ class Routes(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """What scores: so many cushions before the second ball; opening: the red ball first, directly."""
+    """What scores: so many cushions before the second ball; opening: the red ball first, directly.
+
+    leave: zones in which both object balls lie, and of which one of them must come out to stay. code: of the
+    only route that scores, 0 for any.
+    """
 
     cushions: int
     opening: bool = False
+    leave: tuple[Zone, ...] = ()
+    code: int = 0
 
     def scores(self, routes: Routes) -> NDArray[np.bool_]:
         """Which of m strokes make a point (m,)."""
         facts = routes.facts
         good = (facts[:, CUSHIONS] >= self.cushions) & (facts[:, INTO] == 0)
+        if self.code:
+            good &= routes.codes == self.code
+        for zone in self.leave:
+            good &= ~(zone.holds(routes.ends[:, OTHER]) & zone.holds(routes.ends[:, RED]))
         return good & (facts[:, FIRST] == RED) if self.opening else good
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from game.billiards.game.games.combination import SHORTEST_CHAIN, CombinationMatch
 from game.billiards.game.games.eight_ball import EIGHT, GROUPS, EightBall
 from game.billiards.game.games.ghost import Ghost
-from game.billiards.game.games.nine_ball import NINE, NineBall
+from game.billiards.game.games.rotation import Rotation
+from game.billiards.game.games.straight_pool import StraightPool
 from game.billiards.game.rules import CUE_BALL, Game
 from game.billiards.search.rating import Aims
 
@@ -23,10 +24,12 @@ def aims_of(game: Game, numbers: tuple[int, ...], solo: bool = False) -> list[Ai
     if isinstance(game, EightBall):
         return _eight_ball_aims(game, numbers, solo)
     balls = bits_of(numbers, game.on_table)
-    if isinstance(game, NineBall):
-        nine = bits_of(numbers, (NINE,))
-        lowest = bits_of(numbers, game.legal_first())
-        return [Aims(lowest, balls, balls, win=nine, other=balls, called=False, rotation=True, solo=solo)]
+    if isinstance(game, Rotation):
+        last = bits_of(numbers, (game.winning,))
+        lowest, called = bits_of(numbers, game.legal_first()), game.needs_call()
+        return [Aims(lowest, balls, balls, win=last, other=balls, called=called, rotation=True, solo=solo)]
+    if isinstance(game, StraightPool):
+        return [Aims(balls, balls, balls, other=balls, solo=solo)]
     if isinstance(game, CombinationMatch):
         chain = SHORTEST_CHAIN if len(game.on_table) > 1 else 0
         return [Aims(balls, balls, balls, other=balls, called=False, solo=solo, chain=chain)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from game.arrays import Floats
+from game.billiards.table.balk import CORNERS, zone_at
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
 from game.physics.kernels import elementary, elementwise
 
@@ -29,8 +30,6 @@ SPOTS = (
     TOP_SPOT, CENTRE_SPOT, BOTTOM_SPOT,
     (BOTTOM_SPOT[0] - STARTING_OFFSET, BOTTOM_SPOT[1]), (BOTTOM_SPOT[0] + STARTING_OFFSET, BOTTOM_SPOT[1]),
 )  # fmt: skip
-
-CORNER_LONG, CORNER_SHORT = 0.71, 0.355  # m; legs of a barred corner of straight rail (article 52, paper B)
 
 
 def starting_position(cue: int, side: int = 1) -> Floats:
@@ -63,11 +62,7 @@ def frozen_cushions(place: Point) -> tuple[int, ...]:
 
 def corner_of(place: Point) -> int:
     """The barred corner at (x, y) m: 0 lower left, 1 lower right, 2 upper left, 3 upper right; -1."""
-    x, y = place
-    right, upper = x > 0.5 * CAROM_WIDTH, y > 0.5 * CAROM_LENGTH
-    across = (CAROM_WIDTH - x if right else x) / CORNER_SHORT
-    along = (CAROM_LENGTH - y if upper else y) / CORNER_LONG
-    return 2 * upper + right if across + along < 1.0 else -1
+    return zone_at(CORNERS, place)
 
 
 def respotted(places: Floats, balls: tuple[int, ...], cue: int) -> Floats:

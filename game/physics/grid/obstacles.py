@@ -106,6 +106,12 @@ class GridObstacles:
                 faces.body.reshape(-1)[chosen] = body
         return self._derive()
 
+    @property
+    def distances(self) -> tuple[Floats, Floats, Floats, Floats]:
+        """Distances (m) at nodes, in the middle of faces across x and y, at centres; `NEAR` cells at most."""
+        nodes, mid_x, mid_y, centres = self._distances
+        return nodes, mid_x, mid_y, centres
+
     def clear(self) -> SolidFaces:
         """No solid any more."""
         for old, new in zip(self.faces, all_open(self.grid), strict=True):

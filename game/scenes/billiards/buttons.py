@@ -13,6 +13,7 @@ from game.scenes.billiards.stroke.calling import announced
 from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.actions import OPTIONS
 from game.scenes.shared.tables.choices import GUIDE_BUTTONS, GUIDES, following, next_player
+from game.scenes.shared.tables.eye.choices import SIDES
 from game.scenes.shared.tables.grip import NOTHING, Grip, Held
 from game.stage import Part
 
@@ -42,11 +43,11 @@ class Buttons(Part):
             return [("set-up", "Done", True), ("clear", "Clear", False), ("full", "Rack", False),
                     ("drill", "Drill", False)]  # fmt: skip
         if play.phase == REPLAY:
-            return [("replay", "Back", True)]
+            return [("replay", "Back", True), ("side", SIDES[self.replay.from_side], False)]
         back = play.model.match_behind
         lesson = play.model.content.lesson
         rows = [] if lesson else [("set-up", "Set up", False)]
-        rows += [("replay", "Replay", False),
+        rows += [("replay", "Replay", False), ("eye", "Sight", bool(play.parameters.eye)),
                 ("undo", "To match" if back else "Undo", back),
                 ("view", GUIDE_BUTTONS[play.guide], False)]  # fmt: skip
         game = play.model.frame.game
@@ -60,7 +61,8 @@ class Buttons(Part):
             again = "Again" if len(game.players) == 1 else "New match"
             rows.append(("rack", again if own or play.match_over else "Next rack", True))
         elif game.may_push_out():
-            rows.append(("safety", "Push out", play.aiming.call.push_out))
+            call = play.aiming.call
+            rows.append(("safety", "Safety" if call.safety else "Push out", call.safety or call.push_out))
         elif game.needs_call():
             rows.append(("safety", "Safety", play.aiming.call.safety))
         if play.may_aim:
@@ -122,6 +124,8 @@ class Buttons(Part):
                 aiming.nudge(name)
         elif name in BESIDE:
             self.side.turn(name)
+        elif name == "thoughts":
+            play.parameters.considered = not play.parameters.considered
         elif name == "cloud":
             play.parameters.cloud = not play.parameters.cloud
         elif name.startswith("spin-"):
@@ -134,6 +138,8 @@ class Buttons(Part):
                 "strike": self._strike_or_skip,
                 "undo": play.undo,
                 "replay": self._watch,
+                "side": self._watch_side,
+                "eye": self._show_eye,
                 "set-up": self._lay_out,
                 "rack": play.rack,
                 "view": self._change_guide,
@@ -164,6 +170,16 @@ class Buttons(Part):
             self.replay.end()
         elif self.play.phase == AIMING:
             self.replay.begin()
+
+    def _watch_side(self) -> None:
+        """The last stroke from its best side; in a replay, from there or from above."""
+        if self.play.phase == REPLAY:
+            self.replay.from_side = not self.replay.from_side
+        elif self.play.phase == AIMING:
+            self.replay.begin(from_side=True)
+
+    def _show_eye(self) -> None:
+        self.play.parameters.eye = not self.play.parameters.eye
 
     def _lay_out(self) -> None:
         if self.play.phase == SET_UP:

@@ -14,6 +14,7 @@ from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, Play
 from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.choices import LARGEST_TIP
 from game.scenes.shared.tables.cue import MAX_SPEED
+from game.scenes.shared.tables.eye.inset import Inset
 from game.scenes.shared.tables.grip import NOTHING, Held
 from game.stage import Part, Pointer
 
@@ -29,6 +30,7 @@ class BilliardsHand(Part):
         self.buttons = buttons
         self.side = buttons.side
         self.maker = buttons.maker
+        self.inset = Inset(play.parameters, play.model)
         self.spin_from = (0.0, 0.0)  # m; where the tip would be in the middle of the ball
 
     def take(self, event: Pointer) -> None:
@@ -68,6 +70,8 @@ class BilliardsHand(Part):
         button = self.buttons.at(x, y)
         if self.side.holds(x, y):
             play.grip = grip.LIST
+        elif self.inset.grasps(x, y):
+            play.grip = grip.EYE
         elif button:
             play.grip = button
             if play.may_aim and button.name in ("strike", "safety", "view", "hint"):
@@ -180,6 +184,8 @@ class BilliardsHand(Part):
             self.aiming.set_tip(*layout.spin_at(layout.SPIN[0] + dx, layout.SPIN[1] + dy, LARGEST_TIP))
         elif kind is Held.ELEVATION:
             self.aiming.set_elevation(layout.elevation_at(x, y))
+        elif kind is Held.EYE:
+            self.inset.drag(x, y)
         elif kind is Held.REPLAY:
             self.replay.scrub(layout.share_of_scrubber(y))
         elif kind is Held.CUE_BALL:
@@ -219,6 +225,9 @@ class BilliardsHand(Part):
     def _wheel(self, event: Pointer) -> None:
         """The wheel turns the cue finely; over the power bar, or with Control, it sets the power."""
         play = self.play
+        if self.inset.holds(event.x, event.y):
+            self.inset.wheel(event.wheel)
+            return
         if self.side.holds(event.x, event.y):
             self.side.wheel(event)
         elif self.maker.active:

@@ -10,8 +10,9 @@ import numpy as np
 
 from game.billiards.game.arrangement import Arrangement, BallSet, Stroke
 from game.billiards.game.frame import BestStroke, Frame, rack_for
-from game.billiards.game.games import GAMES, AnyGame, Drill, Ghost, RunDrill
+from game.billiards.game.games import GAMES, AnyGame, Drill, Ghost, RunDrill, StraightPool
 from game.billiards.game.games.ghost import GHOST
+from game.billiards.game.games.straight_pool import TARGET
 from game.billiards.game.goals import Goal
 from game.billiards.game.rules import CUE_BALL, Call, Game
 from game.billiards.game.tally import Tally
@@ -70,7 +71,8 @@ class BestPlayed(LevelEntry, frozen=True, kw_only=True):
 class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a billiards level.
 
-    alternating: in a combination match players take turns also after a stroke that counted.
+    target: points that win a game of straight pool. alternating: in a combination match players take turns
+    also after a stroke that counted.
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
     the second and third star. lesson: what a drill teaches, in a sentence. in_hand: the cue ball may be moved
     before each try. tries, needed: a drill is met if so many of so many tries meet its goal (0: there are no
@@ -80,12 +82,13 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     """
 
     game: Literal[
-        "eight-ball", "nine-ball", "combination", "practice", "drill", "run-drill",
-        "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
+        "eight-ball", "nine-ball", "ten-ball", "straight-pool", "combination", "practice", "drill",
+        "run-drill", "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
     ] = "eight-ball"  # fmt: skip
     players: tuple[Name, Name] = ("Ada", "Ben")
     calling: Literal["all", "eight", "none"] = "none"
     alternating: bool = False
+    target: Annotated[int, msgspec.Meta(ge=1, le=1000)] = TARGET
     balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=16)] = []
     goal: Goal | None = None
     more: Annotated[list[Goal], msgspec.Meta(max_length=2)] = []
@@ -145,6 +148,8 @@ def game_of(content: BilliardsContent) -> AnyGame:
         game = msgspec.structs.replace(game, players=tuple(content.players))
     if content.game == "combination":
         game = msgspec.structs.replace(game, alternating=content.alternating)
+    if isinstance(game, StraightPool):
+        game = msgspec.structs.replace(game, target=content.target)
     if content.game == "eight-ball":
         game = msgspec.structs.replace(game, calling=content.calling)
     if placed:
@@ -208,7 +213,7 @@ def check_game(game: Game) -> None:
             raise ValueError(f"saved.{name}: {number} is no player")
     if game.winner is not None and not 0 <= game.winner < count:
         raise ValueError(f"saved.winner: {game.winner} is no player")
-    for name in ("fouls_in_row", "won", "points"):
+    for name in ("fouls_in_row", "won", "points", "high"):
         if len(getattr(game, name, (0,) * count)) != count:
             raise ValueError(f"saved.{name}: expected a number for each player")
     if any(not 1 <= ball <= 15 for ball in game.on_table) or len(set(game.on_table)) != len(game.on_table):

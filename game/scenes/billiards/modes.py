@@ -7,41 +7,51 @@ from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, REPLAY, REPLAY_S, SET_UP, Play
 from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.moments import pace_at
 from game.stage import Part
 
 REPLAY_SPEEDS = (0.0625, 0.125, 0.25, 0.5, 1.0, 2.0)
 
 
 class Replay(Part):
-    """The last stroke seen once more: whether it runs, and how fast."""
+    """The last stroke seen once more: whether it runs, how fast, and whether from its side, then slowly about
+    the moments that decide.
+    """
 
     def __init__(self, play: Play) -> None:
         self.play = play
         self.runs = True
         self.speed = 1.0
+        self.from_side = False
 
     @property
     def time(self) -> float:
         """The moment of the stroke that is shown, s."""
         return float(self.play.clock[REPLAY_S])
 
-    def begin(self) -> None:
+    def begin(self, from_side: bool = False) -> None:
         """Show the last stroke, if there is one."""
         if self.play.model.frame.last is None:
             self.play.messages.say("Nothing to show. No stroke has been played.")
             return
         self.play.let_go()
         self.play.clock[REPLAY_S] = 0.0
-        self.runs = True
+        self.runs, self.from_side = True, from_side
         self.play.start_phase(REPLAY)
 
     def advance(self, dt: float) -> None:
         """Go on; it stops at the end of the stroke."""
         if self.play.phase != REPLAY or not self.runs or self.play.grip == grip.REPLAY:
             return
-        self.play.clock[REPLAY_S] = min(self.time + dt * self.speed, self.play.shown_s)
+        self.play.clock[REPLAY_S] = min(self.time + dt * self.speed * self._pace, self.play.shown_s)
         if self.time >= self.play.shown_s:
             self.runs = False
+
+    @property
+    def _pace(self) -> float:
+        """How fast it goes on now: seen from the side, slowly where balls meet, drop or hang."""
+        moments = self.play.model.moments if self.from_side else None
+        return pace_at(self.time, moments) if moments is not None else 1.0
 
     def toggle(self) -> None:
         """Run or stand; from the end it begins again."""

@@ -6,6 +6,7 @@ from game.scenes.billiards.beside import BESIDE, BESIDE_LABELS
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
+from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
@@ -20,17 +21,18 @@ class BilliardsParameters(Parameters):
     game = Choice(
         "level",
         (
-            "level", "eight-ball", "nine-ball", "combination", "practice",
+            "level", "eight-ball", "nine-ball", "ten-ball", "straight-pool", "combination", "practice",
             "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
         ),
         labels=(
-            "As the level says", "8-ball", "9-ball", "Combination match", "Practice", "9-ball ghost",
-            "10-ball ghost", "8-ball ghost",
+            "As the level says", "8-ball", "9-ball", "10-ball", "Straight pool", "Combination match",
+            "Practice", "9-ball ghost", "10-ball ghost", "8-ball ghost",
         ),
         group="Game", rebuild=True,
     )  # fmt: skip
-    first_player = choices.player("First player")
-    second_player = choices.player("Second player")
+    first_player = choices.player("First player", "billiards")
+    second_player = choices.player("Second player", "billiards")
+    head_start = choices.head_start("racks")
     beside = Choice(
         "none", BESIDE, labels=BESIDE_LABELS, group="Game", label="Beside the table",
         help="strokes to go back to, every pot there is, what was practised, or a coach",
@@ -39,9 +41,7 @@ class BilliardsParameters(Parameters):
         "open", ("open", "1", "3", "5", "7"), labels=("No end", "1 rack", "3 racks", "5 racks", "7 racks"),
         group="Game", label="Race to", help="so many racks win the match",
     )  # fmt: skip
-    considered = Toggle(
-        False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
-    )
+    considered = choices.thoughts()
     power = choices.power(4.0)
     tip_left = choices.tip("Tip left")
     tip_up = choices.tip("Tip up", "follow above, draw below")
@@ -64,6 +64,11 @@ class BilliardsParameters(Parameters):
         "club", (*GRADES, OWN), labels=(*GRADE_LABELS, "Your own, measured"), group="Stroke",
         label="Hand of map and cloud", help="your own is measured from your strokes with a noise of the hand",
     )  # fmt: skip
+    eye = eyes.shown()
+    eye_size = eyes.size()
+    eye_height = eyes.height()
+    eye_tilt = eyes.tilt()
+    eye_follows = eyes.follow()
     sliding = choices.sliding(0.2)
     rolling = choices.rolling(0.01)
     ball_restitution = choices.ball_restitution(0.95)

@@ -13,7 +13,8 @@ START = (
     ),
     StartLine(
         "game", "Game", "of the pool table",
-        (("eight-ball", "8-ball"), ("nine-ball", "9-ball"), ("combination", "Combination"),
+        (("eight-ball", "8-ball"), ("nine-ball", "9-ball"), ("ten-ball", "10-ball"),
+         ("straight-pool", "Straight pool"), ("combination", "Combination"),
          ("ghost-nine-ball", "Ghost"), ("practice", "Practice")),
         "eight-ball",
     ),

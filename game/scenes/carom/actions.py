@@ -18,6 +18,9 @@ HINTS = (
     keys.DEMO,
     keys.UNDO,
     Hint(("N",), "new game"),
+    keys.REPLAY,
+    keys.EYE,
+    keys.FROM_SIDE,
 )
 ACTIONS = (
     keys.STRIKE,
@@ -28,9 +31,13 @@ ACTIONS = (
     SceneAction("map", "show the map, or hide it", "V"),
     SceneAction("explain", "the first three choices in words", "H"),
     SceneAction("ends", "where the balls end after the chosen stroke", "E"),
+    keys.WATCH,
+    keys.SIDE,
+    keys.SEE,
     keys.PLAY_ITSELF,
     keys.CENTRE,
     keys.HOLD_BREATH,
+    keys.THOUGHTS,
     *keys.TURNS,
     *keys.options(2),
 )

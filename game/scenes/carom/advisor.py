@@ -16,8 +16,9 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, Points
 from game.billiards.map.carom import CaromMap, Group, Position, draw_map
 from game.billiards.map.hand import noise_of
+from game.billiards.map.routes import Wanted
 from game.billiards.map.tolerance import Tolerance, tip_map, tolerance_of
-from game.billiards.players.carom import CAROM_GRADES, position_of
+from game.billiards.players.carom import CAROM_GRADES, position_of, wanted_of
 from game.billiards.search.strokes import Noise
 from game.billiards.shot.physics import Physics
 from game.billiards.table.carom import BALL_RADIUS
@@ -33,8 +34,7 @@ class MapKey(NamedTuple):
 
     places: Points
     cue: int
-    cushions: int
-    opening: bool
+    wanted: Wanted
     physics: Physics
     noise: Noise
 
@@ -153,7 +153,7 @@ class Advisor:
     def key(self) -> MapKey:
         """What a map of the table would be drawn of."""
         frame, game = self.course.model.frame, self.course.model.frame.game
-        return MapKey(frame.places, game.cue, game.cushions, game.opening, frame.physics, self.noise)
+        return MapKey(frame.places, game.cue, wanted_of(frame), frame.physics, self.noise)
 
     def frame_of(self, drawn: Drawn) -> CaromFrame | None:
         """The table as it lay when a map was drawn of it; None if more than places has changed since."""

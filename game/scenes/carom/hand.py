@@ -11,10 +11,20 @@ from game.scenes.shared.tables.choices import LARGEST_TIP, LEAST_POWER
 from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.cue import AIMING as CUE_AIMING
 from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
+from game.scenes.shared.tables.eye.inset import Inset, Places
 from game.scenes.shared.tables.grip import NOTHING, Grip, Held
 from game.stage import Part, Pointer
 
 LEFT_MATCH = ("What you set up is practice.", "U goes back to the match.")
+
+
+class CaromInset(Inset):
+    """The view from the cue lies over a corner without the ball that is struck."""
+
+    def lying(self) -> tuple[tuple[float, float] | None, Places]:
+        frame = self.model.frame
+        cue = frame.game.cue
+        return frame.places[cue], [place for ball, place in enumerate(frame.places) if ball != cue]
 
 
 class CaromHand(Part):
@@ -23,6 +33,7 @@ class CaromHand(Part):
     def __init__(self, course: Course, advisor: Advisor) -> None:
         self.course = course
         self.advisor = advisor
+        self.inset = CaromInset(course.parameters, course.model)
         self.moved = False  # a ball has been moved since it was grasped
 
     def take(self, event: Pointer) -> None:
@@ -37,6 +48,8 @@ class CaromHand(Part):
             self._release(event)
         elif event.kind == "move":
             self._move(event)
+        elif event.kind == "wheel" and self.inset.holds(event.x, event.y):
+            self.inset.wheel(event.wheel)
 
     def _press(self, event: Pointer) -> None:
         """Take hold of what lies under the pointer."""
@@ -47,6 +60,8 @@ class CaromHand(Part):
         button = next((k for k in range(len(layout.BUTTONS)) if layout.button_box(k).holds(x, y)), -1)
         if button >= 0:
             course.grip = Grip(Held.BUTTON, layout.BUTTONS[button], button)
+        elif self.inset.grasps(x, y):
+            course.grip = grip.EYE
         elif layout.LIST.holds(x, y):
             course.grip = grip.LIST
         elif course.phase != AIMING:
@@ -78,6 +93,8 @@ class CaromHand(Part):
         course, held = self.course, self.course.grip
         if held.kind is Held.BALL:
             self._drag(held.number, event)
+        elif held.kind is Held.EYE:
+            self.inset.drag(event.x, event.y)
         elif held.kind is Held.TIP:
             left, up = layout.tip_at(event.x, event.y, LARGEST_TIP)
             course.parameters.tip_left, course.parameters.tip_up = round(left, 3), round(up, 3)
@@ -164,8 +181,12 @@ class CaromHand(Part):
             self.press_button(name)
         elif name == "safety" and course.may_aim:
             course.strike_by_hand(safety=True)
-        elif name in ("map", "explain", "ends"):
+        elif name in ("replay", "side"):
+            course.replay(from_side=name == "side")
+        elif name in ("map", "explain", "ends", "eye"):
             setattr(parameters, name, not getattr(parameters, name))
+        elif name == "thoughts":
+            parameters.considered = not parameters.considered
         elif name == "breath":
             course.push.breathe()
         elif name == "demo":

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
 
 from game.billiards.game.carom_frame import Points, points_of
+from game.billiards.game.games.artistic import AnyCarom, Artistic
 from game.billiards.game.games.carom import Carom
+from game.billiards.game.games.carom_kinds import Kind
 from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
@@ -25,7 +27,7 @@ class CaromContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_o
     player, without an end. saved: a game under way, as msgspec writes it.
     """
 
-    game: Literal["three-cushion", "one-cushion", "straight-rail"] = "three-cushion"
+    game: Kind = "three-cushion"
     players: tuple[Name, Name] = ("Ada", "Ben")
     white: Place | None = None
     yellow: Place | None = None
@@ -39,6 +41,9 @@ def game_of(content: CaromContent, target: int, innings: int) -> Carom:
     if content.saved:
         return read_game(content.saved)
     placed = content.white is not None
+    if content.game == "artistic":
+        match = Artistic(players=tuple(content.players))
+        return match.alone() if content.practice or placed else match
     game = Carom(
         kind=content.game,
         players=tuple(content.players),
@@ -52,7 +57,7 @@ def game_of(content: CaromContent, target: int, innings: int) -> Carom:
 def read_game(saved: dict[str, Any]) -> Carom:
     """A game from what `msgspec.to_builtins` made of it. ValueError says what is wrong."""
     try:
-        game = msgspec.convert(saved, Carom)
+        game: Carom = msgspec.convert(saved, AnyCarom)
     except (msgspec.ValidationError, TypeError) as error:
         raise ValueError(f"saved: {str(error).replace('`', '')}") from None
     count = len(game.players)
@@ -91,4 +96,6 @@ def begun(content: CaromContent, target: int, innings: int) -> tuple[Carom, Poin
     """Game and places that a level begins with; who plays may have to choose first. ValueError as above."""
     game = game_of(content, target, innings)
     places = places_of(content, game)
-    return (game if content.saved else game.facing(np.array(places))), places
+    if content.saved:
+        return game, places
+    return game.coming_to(np.array(places)).facing(np.array(places)), places

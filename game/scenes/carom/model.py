@@ -7,6 +7,7 @@ import msgspec
 from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, points_of, rows_of
+from game.billiards.game.games.carom import Carom
 from game.billiards.shot.cloths import CLOTHS
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
@@ -17,7 +18,9 @@ from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
 from game.scenes.carom.level import CaromContent, begun
 from game.scenes.carom.parameters import CaromParameters
+from game.scenes.shared.tables.choices import ahead
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.moments import Moments
 from game.scenes.shared.tables.outcome import Outcome
 from game.stage import Part
 
@@ -37,11 +40,18 @@ class CaromModel(Part):
         self.content = content
         self.parameters = parameters
         game, places = begun(content, int(parameters.target), int(parameters.innings))
+        game = self._opened(game, content)
         self.frame = CaromFrame(game, places, Table.carom(), self._physics(active))
         self.places = self.frame.positions
         self.turns = rotation_matrices(scattered_orientations(3, seed))
         self.turns_before = self.turns.copy()
         self._outcome = Outcome[CaromFrame, CaromPlayed](_said)
+
+    def _opened(self, game: Carom, content: CaromContent) -> Carom:
+        """A game at its beginning, with the head start of one of two players."""
+        if len(game.players) != 2 or (content.saved and not game.opening):
+            return game
+        return msgspec.structs.replace(game, points=ahead(self.parameters.head_start))
 
     def configure(self, active: EffectSet) -> None:
         """Let the cloth, the ends of the game and the effects act from the next stroke on."""
@@ -58,6 +68,11 @@ class CaromModel(Part):
     def played(self) -> CaromPlayed | None:
         """What comes, or came, of the last stroke; None before the first."""
         return self._outcome.played(self.frame)
+
+    @property
+    def moments(self) -> Moments | None:
+        """What of the last stroke is worth a second look; None before the first."""
+        return self._outcome.moments(self.frame, 0)
 
     @property
     def word(self) -> str:
@@ -120,11 +135,12 @@ class CaromModel(Part):
     def next_game(self) -> None:
         """The next game if this one is over; else this level from its beginning."""
         if self.frame.game.ended:
-            self.frame = self.frame.next_game()
+            following = self.frame.next_game()
+            self.frame = following.replace(game=self._opened(following.game, self.content))
         else:
             content = msgspec.structs.replace(self.content, saved={})
             game, places = begun(content, int(self.parameters.target), int(self.parameters.innings))
-            self.frame = CaromFrame(game, places, self.frame.table, self.frame.physics)
+            self.frame = CaromFrame(self._opened(game, content), places, self.frame.table, self.frame.physics)
         self._lay_out()
 
     def begin_moving(self) -> bool:
@@ -166,8 +182,10 @@ def free_place(places: Floats, ball: int, x: float, y: float) -> tuple[float, fl
 
 def _said(frame: CaromFrame) -> object:
     """What a frame says, but for the frames before it."""
-    last = frame.last
+    last, game = frame.last, msgspec.to_builtins(frame.game)
+    if not frame.game.anchored:  # the word of a game without anchors stays what it was before these
+        del game["anchored"]
     return (
-        msgspec.to_builtins(frame.game), frame.places, frame.physics, frame.strokes,
+        game, frame.places, frame.physics, frame.strokes,
         None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),
     )  # fmt: skip

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from game.billiards.game.games.carom_kinds import TITLES, Kind
 from game.billiards.shot.cloths import CLOTH_LABELS, CLOTHS, HEATED
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
+from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
-KINDS = ("three-cushion", "one-cushion", "straight-rail")
-KIND_LABELS = ("Three-cushion", "One-cushion", "Straight rail")
+KINDS: tuple[Kind, ...] = (
+    "three-cushion", "one-cushion", "straight-rail", "balkline-47-2", "balkline-47-1", "balkline-71-2",
+    "artistic",
+)  # fmt: skip
+KIND_LABELS = tuple(TITLES[kind] for kind in KINDS)
 
 
 class CaromParameters(Parameters):
@@ -18,10 +23,12 @@ class CaromParameters(Parameters):
     game = Choice(
         "level", ("level", *KINDS), labels=("As the level says", *KIND_LABELS), group="Game", rebuild=True
     )
-    first_player = choices.player("First player")
-    second_player = choices.player("Second player")
+    first_player = choices.player("First player", "carom")
+    second_player = choices.player("Second player", "carom")
+    head_start = choices.head_start("points")
     target = Param(15, 0, 200, whole=True, group="Game", label="Race to", help="points; 0: no end")
     innings = Param(0, 0, 100, whole=True, group="Game", label="Most innings", help="of each; 0: no limit")
+    considered = choices.thoughts()
     map = Toggle(True, group="Map", label="Show the map", help="all strokes that score, while you may play")
     odds = Choice(
         "club", (*GRADES, OWN), labels=(*GRADE_LABELS, "My own"), group="Map", label="Chance of a hand",
@@ -41,6 +48,11 @@ class CaromParameters(Parameters):
     chalk = through.chalk()
     recoil = through.recoil()
     path = Toggle(True, group="Stroke", label="Path of the stroke", help="what the aimed stroke would do")
+    eye = eyes.shown()
+    eye_size = eyes.size()
+    eye_height = eyes.height()
+    eye_tilt = eyes.tilt()
+    eye_follows = eyes.follow()
     cloth = Choice(
         HEATED, tuple(CLOTHS), labels=tuple(CLOTH_LABELS.values()), group="Table",
         help="friction and cushions of a match table, or of a club's",

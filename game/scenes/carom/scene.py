@@ -27,7 +27,7 @@ from game.scenes.carom.opponents import CaromOpponents
 from game.scenes.carom.parameters import CaromParameters
 from game.scenes.carom.readouts import readouts
 from game.scenes.carom.view.picture import CaromView
-from game.scenes.shared.tables.course import ROLLING
+from game.scenes.shared.tables.course import REPLAY, ROLLING
 from game.scenes.shared.tables.cue_game import CUE_BALL, ENERGY, PLAYS_ITSELF, SLIDING, CueGameScene
 from game.scenes.shared.tables.sounds import StrokeSounds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
@@ -56,7 +56,7 @@ class CaromScene(CueGameScene):
     parameters: CaromParameters
     effects = CLOTH | SPIN_DECAY | THROW | RUBBER | AIRBORNE
     study = chances_study
-    takes = frozenset(("right",))
+    takes = frozenset(("wheel", "right"))
     content_type = CaromContent
 
     strips = (ENERGY, CUE_BALL, Strip("Cushions", "", ("cushions",)))
@@ -87,8 +87,8 @@ class CaromScene(CueGameScene):
         self.advisor = Advisor(self.course)
         self.opponents = CaromOpponents(self.course)
         self.hand = CaromHand(self.course, self.advisor)
-        self.sounds = StrokeSounds(self.course, (ROLLING,), _cue_of)
-        self.view = CaromView(self.course, self.advisor)
+        self.sounds = StrokeSounds(self.course, (ROLLING, REPLAY), _cue_of)
+        self.view = CaromView(self.course, self.hand, self.advisor, self.opponents)
 
     def parameter_changed(self, name: str) -> None:
         if name in ("cloth", "target", "innings"):

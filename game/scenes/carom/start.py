@@ -11,9 +11,10 @@ START = (
         "club",
     ),
     StartLine(
-        "game", "Game", "how many cushions a point needs",
+        "game", "Game", "cushions that a point needs, or boxes",
         (("three-cushion", "Three-cushion"), ("one-cushion", "One-cushion"),
-         ("straight-rail", "Straight rail")),
+         ("straight-rail", "Straight rail"), ("balkline-47-2", "Balkline 47/2"),
+         ("balkline-47-1", "47/1"), ("balkline-71-2", "71/2"), ("artistic", "Artistic")),
         "three-cushion",
     ),
     StartLine("cloth", "Cloth", "of the table", (("heated", "Heated"), ("club", "Club")), "heated"),

@@ -17,7 +17,6 @@ from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.snooker.model import SnookerModel
 from game.scenes.snooker.parameters import SnookerParameters
 
-REPLAY = "replay"
 BALL_PER_CUE = speed_ratio(BALL_MASS)
 
 
@@ -59,6 +58,11 @@ class Course(CueCourse):
     def next_guide(self) -> None:
         """The guide after the present one, round the end."""
         self.parameters.guide = following(self.guide, GUIDES)
+
+    @property
+    def match_over(self) -> bool:
+        """Whether a player has won the match."""
+        return bool(self.model.game.match_over)
 
     # -- the stroke that is set, and what is nominated ----------------------------------------------
 
@@ -123,21 +127,6 @@ class Course(CueCourse):
             return
         self.begin_stroke(self.by_the_hand(self.stroke, BALL_RADIUS), call)
         self.by_hand += 1
-
-    def skip(self) -> None:
-        """On to the end of the shot, or of its replay."""
-        super().skip()
-        if self.phase == REPLAY:
-            self.start_phase(AIMING)
-
-    def replay(self) -> None:
-        """Show the last stroke once more; again ends it."""
-        if self.phase == REPLAY:
-            self.start_phase(AIMING)
-        elif self.phase == AIMING and self.model.frame.last is not None:
-            self.start_phase(REPLAY)
-        elif self.phase == AIMING:
-            self.messages.say("Nothing to show. No stroke has been played.")
 
     # -- back, on, and what no stroke brings about --------------------------------------------------
 

@@ -14,12 +14,14 @@ from game.scenes.shared.tables.choices import (
     STEEPEST_DEG,
     next_player,
 )
-from game.scenes.shared.tables.course import AIMING, ROLLING
+from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING
 from game.scenes.shared.tables.cue import AIMING as CUE_AIMING
 from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
+from game.scenes.shared.tables.eye.choices import SIDES
+from game.scenes.shared.tables.eye.inset import Inset
 from game.scenes.shared.tables.grip import NOTHING, Grip, Held
 from game.scenes.snooker import layout
-from game.scenes.snooker.course import REPLAY, Course
+from game.scenes.snooker.course import Course
 from game.stage import Part, Pointer
 
 NOTCH = math.radians(0.05)  # rad, that a notch of the wheel turns the cue
@@ -33,6 +35,7 @@ class SnookerHand(Part):
 
     def __init__(self, course: Course) -> None:
         self.course = course
+        self.inset = Inset(course.parameters, course.model)
         self.pressed_at = (0.0, 0.0)
         self.moved = 0.0  # m, how far the pointer has gone since it pressed
         self.power_before = 0.0
@@ -40,7 +43,10 @@ class SnookerHand(Part):
     def buttons(self) -> list[tuple[str, str, bool]]:
         """Buttons right of the table, from below: action, words, whether it is on."""
         course, game = self.course, self.course.model.game
-        rows = [("undo", "Undo", False), ("replay", "Replay", course.phase == REPLAY),
+        if course.phase == REPLAY:
+            return [("replay", "Back", True), ("side", SIDES[course.from_side], False)]
+        rows = [("undo", "Undo", False), ("replay", "Replay", False),
+                ("eye", "Sight", bool(course.parameters.eye)),
                 ("view", GUIDE_BUTTONS[course.guide], False)]  # fmt: skip
         if len(game.players) == 2 and not game.over and course.person_plays:
             claims = game.may_claim and not game.options
@@ -83,7 +89,9 @@ class SnookerHand(Part):
             course.plays_itself = False
             course.messages.say("The cue is yours. Pull back and let go.")
         button = self._button_at(x, y)
-        if button:
+        if self.inset.grasps(x, y):
+            course.grip = grip.EYE
+        elif button:
             course.grip = button
         elif not course.may_aim:
             return
@@ -142,6 +150,8 @@ class SnookerHand(Part):
             parameters.tip_left, parameters.tip_up = round(left, 3), round(up, 3)
         elif kind is Held.ELEVATION:
             parameters.elevation = min(layout.elevation_at(event.x, event.y), STEEPEST_DEG)
+        elif kind is Held.EYE:
+            self.inset.drag(event.x, event.y)
         elif kind is Held.CUE_BALL:
             if course.model.game.in_hand and course.phase == AIMING:
                 course.model.move_cue_ball(event.x, event.y)
@@ -205,6 +215,9 @@ class SnookerHand(Part):
     def _wheel(self, event: Pointer) -> None:
         """The wheel turns the cue finely; over the power bar, or with Control, it sets the power."""
         course = self.course
+        if self.inset.holds(event.x, event.y):
+            self.inset.wheel(event.wheel)
+            return
         if not course.may_aim:
             return
         if event.control or layout.POWER.holds(event.x, event.y):
@@ -250,10 +263,17 @@ class SnookerHand(Part):
             self._strike_or_skip()
         elif name == "breath":
             course.push.breathe()
+        elif name == "thoughts":
+            course.parameters.considered = not course.parameters.considered
         elif name == "undo":
             course.undo()
         elif name == "replay":
             course.replay()
+        elif name == "side":
+            course.replay(from_side=True)
+        elif name == "eye":
+            parameters = course.parameters
+            parameters.eye = not parameters.eye
         elif name == "view":
             course.next_guide()
         elif name == "rack":

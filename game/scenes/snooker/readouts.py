@@ -9,8 +9,8 @@ import numpy as np
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.snooker import BALL_MASS
 from game.physics.kernels import linear
-from game.scenes.shared.tables.course import ROLLING
-from game.scenes.snooker.course import REPLAY, Course
+from game.scenes.shared.tables.course import REPLAY, ROLLING
+from game.scenes.snooker.course import Course
 from game.stage import Readout
 
 

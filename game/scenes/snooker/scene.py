@@ -9,14 +9,14 @@ from game.billiards.game.rules import Call
 from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab.studies.billiards.long_pot import long_pot_study
 from game.levels import Level
-from game.scenes.shared.tables.course import ROLLING
+from game.scenes.shared.tables.course import REPLAY, ROLLING
 from game.scenes.shared.tables.cue_game import CUE_BALL, ENERGY, PLAYS_ITSELF, SLIDING, CueGameScene
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.sounds import StrokeSounds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.scenes.snooker import SNOOKER, layout, saving
 from game.scenes.snooker.actions import ACTIONS, HINTS
-from game.scenes.snooker.course import REPLAY, Course
+from game.scenes.snooker.course import Course
 from game.scenes.snooker.figure import draw_table_of_values
 from game.scenes.snooker.hand import SnookerHand
 from game.scenes.snooker.level import SnookerContent

@@ -55,7 +55,7 @@ def _digit(texture: Any, number: int, x: float, y: float) -> float:
 
 
 @kernel
-def _resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -> Any:
+def resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -> Any:
     """Colour in linear light of the resin at a unit vector of the ball's frame; ``px`` pixels a radius."""
     red, green, blue = look.BASE[number, 0], look.BASE[number, 1], look.BASE[number, 2]
     if number >= look.SNOOKER_RED:
@@ -90,7 +90,7 @@ def _resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -
 
 
 @kernel
-def _beam(lamp: int, place_x: float, place_y: float) -> Any:
+def beam_of(lamp: int, place_x: float, place_y: float) -> Any:
     """A lamp as a ball sees it: unit vector to its nearest point, its middle (x, y), half its sides and blur
     over its height, and its strength. The place is in metres from the table's middle, x right, y up.
     """
@@ -103,14 +103,14 @@ def _beam(lamp: int, place_x: float, place_y: float) -> Any:
 
 
 @kernel
-def _diffuse(facing: float) -> float:
+def diffuse(facing: float) -> float:
     """Light of unit strength on a surface by the cosine towards it, reaching past the terminator."""
     bright = (facing + look.WRAP) * 0.8
     return bright * math.sqrt(bright) if bright > 0.0 else 0.0
 
 
 @kernel
-def _glare(rx: float, ry: float, beam: Any, soft: float) -> float:
+def glare_of(rx: float, ry: float, beam: Any, soft: float) -> float:
     """Mirror image of a lamp where a ray (rx, ry, 1) from the ball meets its plane; ``soft`` is its blur."""
     wide = max(beam[7], soft)
     across = _soft_strip(ry - beam[4], beam[6], wide)
@@ -120,7 +120,7 @@ def _glare(rx: float, ry: float, beam: Any, soft: float) -> float:
 
 
 @kernel
-def _tone(light: float) -> int:
+def tone(light: float) -> int:
     """A channel 0 to 255 from linear light that is not negative."""
     return look.TONES[int(min(light, look.BRIGHTEST) * look.TONE_STEPS)]
 
@@ -143,14 +143,14 @@ def _shade(
     px = turn[0] * nx + turn[3] * ny + turn[6] * nz
     py = turn[1] * nx + turn[4] * ny + turn[7] * nz
     pz = turn[2] * nx + turn[5] * ny + turn[8] * nz
-    red, green, blue = _resin(texture, number, px, py, pz, radius * max(look.SOFTEST, nz))
-    lit = first[8] * _diffuse(nx * first[0] + ny * first[1] + nz * first[2])
-    lit += second[8] * _diffuse(nx * second[0] + ny * second[1] + nz * second[2])
+    red, green, blue = resin(texture, number, px, py, pz, radius * max(look.SOFTEST, nz))
+    lit = first[8] * diffuse(nx * first[0] + ny * first[1] + nz * first[2])
+    lit += second[8] * diffuse(nx * second[0] + ny * second[1] + nz * second[2])
     down, glare = 1.0 - 2.0 * nz * nz, 0.0  # how far the mirrored ray points at the cloth
     if down < -0.02:
         steep = -1.0 / down
         rx, ry, soft = 2.0 * nz * nx * steep, 2.0 * nz * ny * steep, 2.0 * steep * steep / radius
-        glare = _glare(rx, ry, first, soft) + _glare(rx, ry, second, soft)
+        glare = glare_of(rx, ry, first, soft) + glare_of(rx, ry, second, soft)
     rim = 1.0 - nz
     grazing = (1.0 - look.FRESNEL) * rim * rim * rim * rim * rim
     fresnel = look.FRESNEL + grazing
@@ -158,9 +158,9 @@ def _shade(
     bounce = look.BOUNCE * rim * math.sqrt(rim) * (1.0 - grazing)
     mirrored = fresnel * max(0.0, down)
     shine = fresnel * look.GLARE * glare
-    color = _tone(red * (falling + bounce * felt[0]) + mirrored * felt[0] + shine) << 16
-    color |= _tone(green * (falling + bounce * felt[1]) + mirrored * felt[1] + shine) << 8
-    return color | _tone(blue * (falling + bounce * felt[2]) + mirrored * felt[2] + shine)
+    color = tone(red * (falling + bounce * felt[0]) + mirrored * felt[0] + shine) << 16
+    color |= tone(green * (falling + bounce * felt[1]) + mirrored * felt[1] + shine) << 8
+    return color | tone(blue * (falling + bounce * felt[2]) + mirrored * felt[2] + shine)
 
 
 class LitBall(NamedTuple):
@@ -246,7 +246,7 @@ def paint_balls(pixels: Any, clip: Any, balls: Any, places: Any, texture: Any, f
             continue
         if min(look.LARGEST_TEXTURE, max(look.SMALLEST_TEXTURE, int(2.2 * radius + 0.5))) != texture.shape[1]:
             continue
-        beams = (_beam(0, places[i, 0], places[i, 1]), _beam(1, places[i, 0], places[i, 1]))
+        beams = (beam_of(0, places[i, 0], places[i, 1]), beam_of(1, places[i, 0], places[i, 1]))
         _paint_ball(pixels, clip, x, y, radius, LitBall(number, turn, beams, opacities[i]), texture, ground)
 
 

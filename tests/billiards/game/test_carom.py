@@ -8,7 +8,8 @@ import pytest
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import new_carom, points_of
 from game.billiards.game.carom_summary import CaromSummary
-from game.billiards.game.games.carom import ENTERED, INSIDE, Carom
+from game.billiards.game.games.carom import Carom
+from game.billiards.game.games.carom_zones import ENTERED, INSIDE
 from game.billiards.table.carom import (
     BALL_RADIUS,
     BOTTOM_SPOT,

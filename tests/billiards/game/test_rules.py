@@ -2,48 +2,28 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
 import msgspec
 import pytest
 
-from game.billiards.game.games import AnyGame, CombinationMatch, EightBall, NineBall, Practice
-from game.billiards.game.rules import Call, Game, Pocketing, ShotSummary
+from game.billiards.game.games import CombinationMatch, EightBall, NineBall, Practice
+from game.billiards.game.rules import Call
+from tests.billiards.game.situations import FOUR, Situation, check_situation, check_verdict, shot
 
 SOLIDS = tuple(range(1, 8))
 STRIPES = tuple(range(9, 16))
-FOUR = (1, 2, 3, 4)
 
 
-class Situation(NamedTuple):
-    """A game, a stroke, and what is expected: fields of the game after it, and of the verdict."""
-
-    name: str
-    game: Game
-    shot: ShotSummary
-    expected: dict[str, Any]
-    call: Call = Call()
-
-
-def shot(
-    *first: int, down: tuple[Any, ...] = (), cushioned: tuple[int, ...] = (0,), **more: Any
-) -> ShotSummary:
-    """A summary; `down` names balls, or balls with pocket and chain."""
-    pocketed = tuple(Pocketing(*(d if isinstance(d, tuple) else (d, 0))) for d in down)
-    return ShotSummary(first, pocketed, cushioned=cushioned, **more)
-
-
-def eight(**fields: Any) -> EightBall:
+def eight(**fields) -> EightBall:
     """An eight-ball game of which the break is over."""
     return EightBall(**{"opening": False, "in_hand": "", **fields})
 
 
-def grouped(on_table: tuple[int, ...] = tuple(range(1, 16)), **fields: Any) -> EightBall:
+def grouped(on_table: tuple[int, ...] = tuple(range(1, 16)), **fields) -> EightBall:
     """The same with groups: the first player has the solids."""
     return eight(groups=("solids", "stripes"), on_table=on_table, **fields)
 
 
-def nine(**fields: Any) -> NineBall:
+def nine(**fields) -> NineBall:
     """A nine-ball game of which the break is over."""
     return NineBall(**{"opening": False, "in_hand": "", **fields})
 
@@ -260,26 +240,9 @@ PRACTICE = [
 ALL = BREAKS + EIGHT_BALL + THE_EIGHT + NINE_BALL + COMBINATION + PRACTICE
 
 
-def observed(situation: Situation, name: str) -> Any:
-    """What a verdict says under a name that situations use."""
-    verdict = situation.game.judge(situation.shot, situation.call)
-    own = {
-        "fouls": [foul.kind for foul in verdict.fouls],
-        "options": [option.name for option in verdict.game.options],
-        "missing": tuple(sorted(set(situation.game.on_table) - set(verdict.game.on_table))),
-        "row": verdict.game.fouls_in_row,
-        "push": getattr(verdict.game, "push_out_next", None),
-        "next": verdict.game.legal_first(),
-        "scored": verdict.scored,
-        "spot": verdict.spot,
-        "rack": verdict.rack,
-    }
-    return own[name] if name in own else getattr(verdict.game, name)
-
-
 @pytest.mark.parametrize("situation", ALL, ids=lambda s: f"{s.game.__class__.__name__}: {s.name}")
 def test_situation(situation):
-    assert {name: observed(situation, name) for name in situation.expected} == situation.expected
+    check_situation(situation)
 
 
 def test_there_are_enough_and_all_differ():
@@ -289,17 +252,7 @@ def test_there_are_enough_and_all_differ():
 
 @pytest.mark.parametrize("situation", ALL, ids=lambda s: f"{s.game.__class__.__name__}: {s.name}")
 def test_every_verdict_has_words_and_can_be_kept(situation):
-    verdict = situation.game.judge(situation.shot, situation.call)
-    assert all(foul.words in verdict.words for foul in verdict.fouls)
-    assert verdict.words or isinstance(verdict.game, Practice)
-    kept = msgspec.json.decode(msgspec.json.encode(verdict.game), type=AnyGame)
-    assert kept == verdict.game and type(kept) is type(verdict.game)
-    for option in verdict.game.options:
-        chosen = verdict.game.choose(option.name)
-        assert not chosen.game.options and chosen.words
-    if verdict.game.over:
-        with pytest.raises(ValueError, match="over"):
-            verdict.game.judge(situation.shot, situation.call)
+    check_verdict(situation)
 
 
 CHOICES = [

@@ -15,7 +15,8 @@ import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, points_of
-from game.billiards.game.games.carom import CUSHIONS, Carom
+from game.billiards.game.games.carom import Carom
+from game.billiards.game.games.carom_kinds import CUSHIONS
 from game.billiards.map.carom import GLANCE, draw_map
 from game.billiards.map.routes import touches
 from game.billiards.search.strokes import Noise

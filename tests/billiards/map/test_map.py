@@ -7,7 +7,7 @@ import pytest
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import carom_shot
-from game.billiards.game.games.carom import CUSHIONS
+from game.billiards.game.games.carom_kinds import CUSHIONS
 from game.billiards.map import carom as carom_map
 from game.billiards.map.carom import GLANCE, Search, draw_map, whole_map
 from game.billiards.map.grid import Grid, aims_of, neighbours

@@ -178,7 +178,7 @@ def test_what_is_thought_becomes_decisions(monkeypatch):
 
 
 def with_options(game):
-    from game.billiards.game.games.nine_ball import PASS_BACK, PLAY
+    from game.billiards.game.games.rotation import PASS_BACK, PLAY
 
     return msgspec.structs.replace(game, options=(PLAY, PASS_BACK))
 

@@ -10,8 +10,8 @@ import pytest
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.table.snooker import BALL_MASS, BALLS
+from game.scenes.shared.tables.course import REPLAY
 from game.scenes.shared.tables.demo_shots import scattered_orientations
-from game.scenes.snooker.course import REPLAY
 from game.scenes.snooker.readouts import readouts
 from game.scenes.snooker.scene import SnookerScene
 from tests.scenes.snooker.snooker_stages import level_of

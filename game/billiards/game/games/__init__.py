@@ -13,14 +13,18 @@ from game.billiards.game.games.ghost import Ghost
 from game.billiards.game.games.nine_ball import NineBall
 from game.billiards.game.games.practice import Practice
 from game.billiards.game.games.run_drill import RunDrill
+from game.billiards.game.games.straight_pool import StraightPool
+from game.billiards.game.games.ten_ball import TenBall
 
 AnyGame = (
-    EightBall | NineBall | CombinationMatch | Practice | Drill | RunDrill | Ghost
+    EightBall | NineBall | TenBall | StraightPool | CombinationMatch | Practice | Drill | RunDrill | Ghost
 )  # for msgspec, which reads it by its tag
 
 GAMES: dict[str, Callable[..., AnyGame]] = {
     "eight-ball": EightBall,
     "nine-ball": NineBall,
+    "ten-ball": TenBall,
+    "straight-pool": StraightPool,
     "combination": CombinationMatch,
     "practice": Practice,
     "drill": Drill,
@@ -33,5 +37,5 @@ GAMES: dict[str, Callable[..., AnyGame]] = {
 
 __all__ = [
     "GAMES", "AnyGame", "CombinationMatch", "Drill", "EightBall", "Ghost", "NineBall", "Practice",
-    "RunDrill",
+    "RunDrill", "StraightPool", "TenBall",
 ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Carom billiards: straight rail, one-cushion and three-cushion, between two players or for one.
+"""Carom billiards: straight rail, balkline, one-cushion and three-cushion, of two players or one.
 
 A point is made by a stroke whose cue ball touches both other balls, in cushion games after so many cushions.
 Rules are those of the Union Mondiale de Billard (World rules of carom billiard); numbers of articles are
@@ -7,23 +7,17 @@ theirs. Safeties are counted as the Billiard Congress of America does: none twic
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import msgspec
 
 from game.arrays import Floats
 from game.billiards.game.carom_summary import BALL, CaromSummary
+from game.billiards.game.games.carom_kinds import RULES, Kind, Rule
+from game.billiards.game.games.carom_zones import Counts, counts_after, entered, must_leave, stayed
 from game.billiards.game.rules import Foul, Option
-from game.billiards.table.carom import BALL_NAMES, RED, corner_of, respotted, starting_position, touching
-
-Kind = Literal["straight-rail", "one-cushion", "three-cushion"]
-
-CUSHIONS = {"straight-rail": 0, "one-cushion": 1, "three-cushion": 3}  # needed before the second ball
-TITLES = {"straight-rail": "Straight rail", "one-cushion": "One-cushion", "three-cushion": "Three-cushion"}
-ENTERED, INSIDE = (
-    1,
-    2,
-)  # straight rail: both balls have come into one barred corner; a point was made there (54)
+from game.billiards.table.balk import Zone
+from game.billiards.table.carom import BALL_NAMES, RED, respotted, starting_position, touching
 
 PLAY_AWAY = Option("away", "Play away from the ball that the cue ball touches.")
 RESPOT = Option("spots", "Have the balls that touch put on their spots.")
@@ -51,8 +45,9 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     target: points that end it, 0 for none. most_innings: of each player, 0 for no limit. equalise: the second
     player has as many innings as the first. points, innings (begun), high_runs, safeties (in a row), won
     (games): of each player. run: points of this inning. inside: ENTERED or INSIDE while both object balls lie
-    in one barred corner, else 0. alone_with: the ball that a player without another one plays. opening: the
-    stroke is made from the starting position. ended: the game has ended; winner: None too if it is drawn.
+    in one barred corner or box, else 0; anchored: the same of one anchor. alone_with: the
+    ball that a player without another one plays. opening: the stroke is made from the starting position.
+    ended: the game has ended; winner: None too if it is drawn.
     """
 
     kind: Kind = "three-cushion"
@@ -70,6 +65,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     won: tuple[int, ...] = (0, 0)
     run: int = 0
     inside: int = 0
+    anchored: int = 0
     alone_with: int = 0
     opening: bool = True
     options: tuple[Option, ...] = ()
@@ -92,9 +88,28 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         return (self.turn + 1) % len(self.players)
 
     @property
+    def over(self) -> bool:
+        """True if the game has ended, as at every other table."""
+        return self.ended
+
+    @property
     def cushions(self) -> int:
         """Cushions that the cue ball needs before the second object ball."""
-        return CUSHIONS[self.kind]
+        return self.rule.cushions
+
+    @property
+    def rule(self) -> Rule:
+        """What this kind of carom asks for."""
+        return RULES[self.kind]
+
+    @property
+    def counts(self) -> Counts:
+        """How the barred zones stand."""
+        return Counts(self.inside, self.anchored)
+
+    def must_leave(self, places: Floats) -> tuple[Zone, ...]:
+        """Zones of which a point must drive an object ball out (54). places (3, 2) m."""
+        return must_leave(self.rule.barred, self.counts, places, self.cue)
 
     def average(self, player: int) -> float:
         """Points an inning of a player; 0 before the first."""
@@ -114,8 +129,9 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         scored = not fouls and not safety and scoring is not None and scoring.cushions >= self.cushions
         words = [foul.words for foul in fouls]
         restart = bool(shot.off_table) and self.kind != "three-cushion"
+        inside, anchored = counts_after(self.rule.barred, self.counts, shot, self.cue)
         after = msgspec.structs.replace(
-            self, opening=restart, inside=self._inside_after(shot),
+            self, opening=restart, inside=inside, anchored=anchored,
             safeties=_with(self.safeties, self.turn, self._safeties(safety)),
         )  # fmt: skip
         places = self._put_back(shot)
@@ -146,21 +162,10 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             fouls.append(Foul("no contact", "A safety must touch a ball."))
         if safety and self._safeties(True) > self.most_safeties:
             fouls.append(Foul("safety", f"No more than {self.most_safeties} safety in a row."))
-        if self._barred(shot):
-            fouls.append(Foul("corner", "Both balls stayed in the corner; one of them must leave it."))
-        return tuple(fouls)
+        return (*fouls, *stayed(self.rule.barred, self.counts, shot))
 
     def _safeties(self, safety: bool) -> int:
         return self.safeties[self.turn] + 1 if safety else 0
-
-    def _barred(self, shot: CaromSummary) -> bool:
-        """54: after a point with both balls in a corner, the next one must drive one of them out of it."""
-        return self.kind == "straight-rail" and self.inside == INSIDE and not shot.left_corner
-
-    def _inside_after(self, shot: CaromSummary) -> int:
-        """54: a point that leaves both balls in their corner; one that came back has entered anew."""
-        entered = _entered(shot.rest, self.cue)
-        return INSIDE if entered and self.inside and not shot.left_corner else entered
 
     def _why_not(self, shot: CaromSummary, fouls: tuple[Foul, ...], safety: bool) -> list[str]:
         """Why a stroke without a foul made no point."""
@@ -191,8 +196,9 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         closed = turn == self.breaker  # both have had as many innings
         if self.ended_by_innings(closed):
             return self._end(places, fouls, words)
+        inside, anchored = entered(self.rule.barred, places, turn if len(self.players) == 2 else self.cue)
         game = msgspec.structs.replace(
-            self, turn=turn, run=0, inside=_entered(places, turn if len(self.players) == 2 else self.cue),
+            self, turn=turn, run=0, inside=inside, anchored=anchored,
             innings=_with(self.innings, turn, self.innings[turn] + 1),
         )  # fmt: skip
         verdict = CaromVerdict(game, places, False, fouls, (*words, f"{game.shooter} plays."))
@@ -212,7 +218,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         if len(self.players) == 2 and self.equalise and self.turn == self.breaker:
             turn = self.other
             game = msgspec.structs.replace(
-                self, turn=turn, run=0, inside=0, opening=True,
+                self, turn=turn, run=0, inside=0, anchored=0, opening=True,
                 innings=_with(self.innings, turn, self.innings[turn] + 1),
             )  # fmt: skip
             words += [f"{self.shooter} has {self.points[self.turn]}.", f"{game.shooter} has the last inning."]
@@ -241,6 +247,13 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             return self
         return msgspec.structs.replace(self, options=(PLAY_AWAY, RESPOT))
 
+    def coming_to(self, places: Floats) -> Carom:
+        """53: a player who comes to such a position has entered, but at the opening. places (3, 2) m."""
+        if self.opening or self.rule.barred.strokes is None:
+            return self
+        inside, anchored = entered(self.rule.barred, places, self.cue)
+        return msgspec.structs.replace(self, inside=inside, anchored=anchored)
+
     def choose(self, name: str, places: Floats) -> CaromVerdict:
         """What follows from the player at turn choosing an option. places (3, 2) m. ValueError if none is."""
         names = [option.name for option in self.options]
@@ -248,7 +261,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             raise ValueError(f"game option {name!r}: {', '.join(names) or 'there is nothing to choose'}")
         game = msgspec.structs.replace(self, options=())
         if name == RESTART.name or (name == RESPOT.name and self.kind != "three-cushion"):
-            game = msgspec.structs.replace(game, opening=True, inside=0)
+            game = msgspec.structs.replace(game, opening=True, inside=0, anchored=0)
             return CaromVerdict(game, game.start(), words=("The balls lie in the starting position.",))
         if name == RESPOT.name:
             balls = (self.cue, *touching(places, self.cue))
@@ -263,8 +276,8 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         zeros = (0,) * len(self.players)
         game = msgspec.structs.replace(
             self, turn=breaker, breaker=breaker, points=zeros, innings=_with(zeros, breaker, 1),
-            high_runs=zeros, safeties=zeros, run=0, inside=0, opening=True, options=(), ended=False,
-            winner=None,
+            high_runs=zeros, safeties=zeros, run=0, inside=0, anchored=0, opening=True, options=(),
+            ended=False, winner=None,
         )  # fmt: skip
         return CaromVerdict(game, game.start(), words=(f"{game.shooter} begins.",))
 
@@ -282,12 +295,6 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             raise ValueError("game: it is over")
         if self.options:
             raise ValueError(f"game: {self.shooter} must choose first")
-
-
-def _entered(places: Floats, cue: int) -> int:
-    """ENTERED if both object balls lie in one barred corner, else 0. places (3, 2) m."""
-    first, second = (corner_of(tuple(places[ball].tolist())) for ball in (1 - cue, RED))
-    return ENTERED if first == second >= 0 else 0
 
 
 def _with(row: tuple[int, ...], player: int, value: int) -> tuple[int, ...]:

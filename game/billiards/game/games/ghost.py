@@ -17,6 +17,7 @@ import msgspec
 
 from game.billiards.game.games.eight_ball import EIGHT, GROUPS
 from game.billiards.game.games.nine_ball import NINE, NINE_BALLS
+from game.billiards.game.games.ten_ball import TEN, TEN_BALLS
 from game.billiards.game.rules import (
     Call,
     Foul,
@@ -30,12 +31,11 @@ from game.billiards.game.rules import (
     remaining,
 )
 
-TEN = 10
 RACKS = 10  # of a set
 Discipline = Literal["nine-ball", "ten-ball", "eight-ball"]
 BALLS: dict[Discipline, tuple[int, ...]] = {
     "nine-ball": NINE_BALLS,
-    "ten-ball": tuple(range(1, 11)),
+    "ten-ball": TEN_BALLS,
     "eight-ball": tuple(range(1, 16)),
 }
 LAST = {"nine-ball": NINE, "ten-ball": TEN, "eight-ball": EIGHT}

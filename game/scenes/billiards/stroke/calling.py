@@ -43,9 +43,9 @@ def nearest_pocket(table: Table, place: tuple[float, float]) -> int | None:
 
 
 def announced(frame: Frame, call: Call) -> Call:
-    """A push-out where one is allowed, else a safety; once more takes it back."""
-    if frame.game.may_push_out():
-        return Call(push_out=not call.push_out)
+    """A push-out where one is allowed, then a safety where shots are called; once more takes it back."""
+    if frame.game.may_push_out() and not (call.push_out or call.safety):
+        return Call(push_out=True)
     if frame.game.needs_call():
         return Call(safety=not call.safety)
-    return call
+    return Call() if frame.game.may_push_out() else call

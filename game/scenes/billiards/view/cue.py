@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.table import Table
 from game.scenes.billiards.play import REPLAY, ROLLING, STRIKING, Play
@@ -22,31 +24,45 @@ SEEN = 0.05  # share of solid; a cue that is less so is not drawn
 Point = tuple[float, float]
 
 
-def draw_players_cue(canvas: Canvas, play: Play, time: float) -> None:
-    """The cue at a time of the phase, s."""
+class CueSeen(NamedTuple):
+    """The cue as it is seen: of which stroke, from which frame, m between tip and ball, how solid."""
+
+    stroke: Stroke
+    before: Frame
+    gap: float
+    solid: float
+
+
+def cue_seen(play: Play, time: float) -> CueSeen | None:
+    """The cue at a time of the phase, s; None where none is seen."""
     frame, last = play.model.frame, play.model.frame.last
     if play.phase == STRIKING and play.pending is not None:
-        stroke, before = play.pending, frame
-        gap, solid = play.motion.track.sample(time).tolist()
-    elif play.phase in (ROLLING, REPLAY) and last is not None:
+        return CueSeen(play.pending, frame, *play.motion.track.sample(time).tolist())
+    if play.phase in (ROLLING, REPLAY) and last is not None:
         at = time + play.motion.hit_s
         if at > play.motion.end_s:
-            return
-        stroke, before = last.stroke, last.frame
-        gap, solid = play.motion.track.sample(at).tolist()
-    elif play.may_aim and play.grip != grip.CUE_BALL:
-        stroke, before, solid = play.aiming.stroke, frame, 1.0
-        if play.push.chosen:
-            stroke, gap = stroke._replace(azimuth=stroke.azimuth + play.push.swayed), play.push.gap
-        else:
-            gap = pull_of(play.aiming.cue.speed) if play.aiming.pulling else REST_GAP
-    else:
+            return None
+        return CueSeen(last.stroke, last.frame, *play.motion.track.sample(at).tolist())
+    if not play.may_aim or play.grip == grip.CUE_BALL:
+        return None
+    stroke = play.aiming.stroke
+    if play.push.chosen:
+        return CueSeen(stroke._replace(azimuth=stroke.azimuth + play.push.swayed), frame, play.push.gap, 1.0)
+    return CueSeen(stroke, frame, pull_of(play.aiming.cue.speed) if play.aiming.pulling else REST_GAP, 1.0)
+
+
+def draw_players_cue(canvas: Canvas, play: Play, time: float) -> None:
+    """The cue at a time of the phase, s."""
+    seen = cue_seen(play, time)
+    if seen is None:
         return
+    stroke, before, gap, solid = seen
     place = before.cue_ball
     if place is None or solid < SEEN:
         return
     radius = float(before.layout.balls.radii[CUE_BALL])
-    _draw_stick(canvas, stroke, _tip_of(stroke, place, gap, radius), frame.table, BANDS[before.game.turn])
+    table, band = play.model.frame.table, BANDS[before.game.turn]
+    _draw_stick(canvas, stroke, _tip_of(stroke, place, gap, radius), table, band)
     if play.push.held:
         canvas.label(place, play.push.words, FELT_WARM, 13, "semibold", offset=(0.0, -28.0))
     elif play.aiming.pulling:

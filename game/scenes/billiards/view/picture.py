@@ -21,13 +21,17 @@ from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
 from game.scenes.billiards.view.marks import draw_marks
+from game.scenes.billiards.view.over_cue import OverCue
 from game.scenes.billiards.view.score_board import draw_board, draw_line, key_rows
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables import boxes, grip
 from game.scenes.shared.tables.choices import FIRST, NONE
+from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
+from game.scenes.shared.tables.referee.banner import draw_call
+from game.scenes.shared.tables.referee.calls import pool_call
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.shared.tables.through.recoil import draw_recoil
@@ -63,6 +67,7 @@ class BilliardsView:
         self._hint_foresight = Foresight()
         self._odds = OddsMeter()
         self._close_up = CloseUpView()
+        self._over_cue = OverCue(play, replay)
         self._end_card = EndCard()
 
     def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
@@ -73,10 +78,13 @@ class BilliardsView:
         time = self._moment(alpha, clock_before)
         near = self._close_up.part(play, time, canvas.look.less_motion)
         sight = None
-        if near is not None:
+        if self._over_cue.from_side:
+            self._over_cue.draw_side(canvas, self.balls_at(time), time)
+        elif near is not None:
             self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
         else:
             sight = self._draw_play(canvas, time)
+            self._over_cue.draw_inset(canvas, self.balls_at(time), sight, time)
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS and self._in_view(canvas):
             self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
         last = frame.last
@@ -112,6 +120,8 @@ class BilliardsView:
             shots = self.opponents.considered
             draw_considered(canvas, shots, frame.layout.places, frame.table, played=False)
         draw_players_cue(canvas, play, time)
+        if self.opponents.walks:
+            draw_walk(canvas, frame.table, self.opponents.walk)
         return sight
 
     def _odds_of(self, sight: Sight | None) -> Odds | None:
@@ -178,17 +188,27 @@ class BilliardsView:
             if len(points) > 1:
                 canvas.polyline(points, FELT_WARM, 2.0, alpha=0.75)
 
+    def _draw_call(self, canvas: Canvas, look: Look) -> None:
+        """What the referee calls after a stroke."""
+        play, played = self.play, self.play.model.played
+        if play.phase != AIMING or played is None:
+            return
+        run = played.frame.tallies[played.frame.game.turn].run
+        spoken = pool_call(played.verdict, run, play.match_over)
+        draw_call(canvas, look, layout.TABLE, spoken, play.called_s)
+
     def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""
         play = self.play
         title = drill_title(play.model.frame.game, self.level)
         draw_board(canvas, look, standing_of(play, self.opponents.thinker, title))
         if play.phase not in (SET_UP, REPLAY):
-            line = line_of(play, self.hint)
+            line = self.opponents.words_of_thoughts.beside(line_of(play, self.hint))
             shaky = play.parameters.hand != "none"
             if not play.asked:  # the options stand there then
                 draw_line(canvas, look, line, key_rows(play.guide, shaky) if play.may_aim else ())
         self.instruments.draw(canvas, look, odds)
+        self._draw_call(canvas, look)
         if is_shown(play):
             self._end_card.draw(canvas, look, play)
 

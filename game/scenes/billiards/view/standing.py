@@ -4,16 +4,28 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from game.billiards.game.games import CombinationMatch, Drill, EightBall, Ghost, NineBall, Practice, RunDrill
+from game.billiards.game.games import (
+    CombinationMatch,
+    Drill,
+    EightBall,
+    Ghost,
+    NineBall,
+    Practice,
+    RunDrill,
+    StraightPool,
+    TenBall,
+)
 from game.billiards.game.games.eight_ball import GROUPS
+from game.billiards.game.games.rotation import Rotation
 from game.billiards.game.rules import Game, listed
+from game.billiards.players.ladder import BY_NAME
 from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
 from game.scenes.billiards.practice.sets import GHOST_TITLES
 from game.scenes.shared.thinker import Thinker
 
 GAME_TITLES = {
-    EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination", Practice: "Practice",
-    Drill: "Drill", RunDrill: "Drill",
+    EightBall: "8-ball", NineBall: "9-ball", TenBall: "10-ball", StraightPool: "Straight pool",
+    CombinationMatch: "Combination", Practice: "Practice", Drill: "Drill", RunDrill: "Drill",
 }  # fmt: skip
 MOST_CHIPS = 9
 
@@ -58,6 +70,9 @@ def standing_of(play: Play, thinker: Thinker, title: str = "") -> Standing:
         caption = f"{sum(game.won)} of {game.racks} racks"
     if isinstance(game, CombinationMatch):
         score, caption = f"{game.points[0]} : {game.points[1]}", "balls"
+    if isinstance(game, StraightPool):
+        score = " : ".join(f"{n}".replace("-", "\u2212") for n in game.points)
+        caption = f"points, race to {game.target}"
     return Standing(game_title, under, cards, score, caption)
 
 
@@ -88,15 +103,28 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
         if not won:
             parts.append(f"{game.groups[player]}{count}" if left else "on the 8")
     elif (isinstance(game, Ghost) and game.group and active) or (
-        isinstance(game, NineBall | Ghost) and active and not game.options and not game.opening
+        isinstance(game, Rotation | Ghost) and active and not game.options and not game.opening
     ):
         parts.append(f"on {listed(game.legal_first())}")
-    if game.fouls_in_row[player] and isinstance(game, NineBall):
+    if isinstance(game, StraightPool):
+        parts.append(
+            f"run {game.run}, high {game.high[player]}" if active else f"high run {game.high[player]}"
+        )
+    if game.fouls_in_row[player] and isinstance(game, Rotation | StraightPool):
         parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
+    run, longest = play.model.frame.tallies[player].run, play.model.frame.tallies[player].longest
+    if active and run > 1:
+        parts.append(f"run {run}")
+    elif longest > 1 and not won:
+        parts.append(f"high run {longest}")
     if doing:
         parts.insert(0, doing)  # first, since what is too long is cut at its end
     grade = play.grade_of(player)
-    name = game.players[player] if grade == "person" else f"{game.players[player]} ({grade})"
+    name = game.players[player]
+    if grade in BY_NAME:
+        name = BY_NAME[grade].title
+    elif grade != "person":
+        name = f"{name} ({grade})"
     return Card(name, " · ".join(parts), active or won, chips)
 
 

@@ -12,6 +12,8 @@ from game.billiards.game.carom_frame import CaromFrame, carom_trajectory, rows_o
 from game.billiards.game.carom_summary import summarize_carom
 from game.billiards.shot.paths import Paths
 from game.billiards.table.carom import BALL_RADIUS
+from game.scenes.shared.tables.eye.lines import Line
+from game.scenes.shared.tables.sight import FLIGHT_DASH
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
@@ -50,7 +52,7 @@ def _foresee(frame: CaromFrame, stroke: Stroke) -> Sight | None:
     except ValueError:
         return None
     paths = Paths(trajectory)
-    summary = summarize_carom(trajectory, frame.game.cue)
+    summary = summarize_carom(trajectory, frame.game.cue, frame.game.rule.barred)
     scores = frame.playable and frame.game.judge(summary).scored
     end = trajectory.end_time
     flights = tuple(paths.in_air(0, 0.0, end, frame.physics.gravity))
@@ -67,6 +69,22 @@ def draw_sight(canvas: Canvas, sight: Sight, chosen: bool) -> None:
         canvas.circle(points[-1], BALL_RADIUS, outline=color, width=1.2, alpha=0.8)
     for flight in sight.flights:
         canvas.polyline(flight[:, :2], FELT, 2.4, dash=(4.0, 7.0))  # gaps in the line: it flies
+
+
+def draw_declared(canvas: Canvas, sight: Sight | None) -> None:
+    """The way that a figure of artistic billiards asks for, as its known stroke goes."""
+    if sight is not None and len(sight.paths[0]) > 1:
+        canvas.polyline(sight.paths[0], FELT_WARM, 1.6, dash=(7.0, 5.0), alpha=0.7)
+
+
+def lines_seen(sight: Sight, chosen: bool) -> list[Line]:
+    """The same paths as an eye sees them."""
+    moving = [
+        (row, points) for row, points in enumerate(sight.paths)
+        if len(points) > 1 and float(np.ptp(points, axis=0).max()) >= LEAST_PATH
+    ]  # fmt: skip
+    found = [Line(points, FELT_COOL if row else FELT_WARM if chosen else FELT_LINE) for row, points in moving]
+    return found + [Line(flight, FELT_WARM, 1.75, FLIGHT_DASH) for flight in sight.flights]
 
 
 def draw_faint(canvas: Canvas, sight: Sight) -> None:

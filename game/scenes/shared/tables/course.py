@@ -12,14 +12,16 @@ from game.billiards.shot.cue import speed_ratio
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.moments import OFF, decider, pace_at
 from game.scenes.shared.tables.through.measured import news_of_hand
 from game.scenes.shared.tables.through.push import MISCUE, Push
 from game.scenes.shared.tables.unsteady import shaken
 from game.stage import Part
 from game.stage.messages import Messages
 
-AIMING, STRIKING, ROLLING = "aiming", "striking", "rolling"
+AIMING, STRIKING, ROLLING, REPLAY = "aiming", "striking", "rolling", "replay"
 MOST_OWN = 200  # pushed strokes from which a hand is measured
+LONG_AGO_S = 99.0  # s since a call that is heard no more
 AFTER_S = 0.25  # s that a shot is shown beyond its end
 
 
@@ -31,6 +33,8 @@ class CueCourse(Part):
     subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long nothing
     has been done, s. by_hand: strokes that a hand has played. push: the cue of a stroke that is pushed;
     thrust: the next one was; made: the last stroke of a person; strayed: the last of those, meant and made.
+    called_s: since the referee last called, s; frame_s: how long the frame has lasted.
+    from_side: a replay is seen from its side, slowly about the moments that decide.
     """
 
     model: Any
@@ -52,7 +56,10 @@ class CueCourse(Part):
         self.made: Stroke | None = None
         self.strayed: tuple[tuple[Stroke, Stroke], ...] = ()
         self.plays_itself = False
+        self.from_side = False
         self.by_hand = 0
+        self.called_s = LONG_AGO_S
+        self.frame_s = 0.0
         self._seed = seed
         self.messages = Messages()
 
@@ -108,8 +115,10 @@ class CueCourse(Part):
 
     def advance(self, dt: float) -> None:
         """One step of what goes on by itself."""
-        self.clock[0] += dt
+        self.clock[0] += dt * self.pace
         self.push.advance(dt)
+        self.called_s += dt
+        self.frame_s += 0.0 if self.over else dt
         if self.phase == AIMING:
             self.rest_s += dt
         elif self.phase == STRIKING:
@@ -119,6 +128,29 @@ class CueCourse(Part):
             self._roll()
         elif float(self.clock[0]) >= self.shown_s:
             self.start_phase(AIMING)
+
+    @property
+    def over(self) -> bool:
+        """True if the frame, or the game of carom, has ended."""
+        return self.ended(self.model.frame)
+
+    def ended(self, frame: Any) -> bool:
+        """True if a frame is over."""
+        return bool(frame.game.over)
+
+    @property
+    def _decides(self) -> bool:
+        """True if the stroke that rolls ends the game."""
+        played = self.model.played
+        return played is not None and self.ended(played.frame)
+
+    @property
+    def pace(self) -> float:
+        """How fast what is shown goes on: a replay from the side slowly where balls meet, drop or hang."""
+        if self.phase == ROLLING and self.parameters.eye_follows != OFF:
+            return pace_at(float(self.clock[0]), decider(self.model.moments, self._decides))
+        moments = self.model.moments if self.phase == REPLAY and self.from_side else None
+        return pace_at(float(self.clock[0]), moments) if moments is not None else 1.0
 
     def by_the_hand(self, meant: Stroke, radius: float) -> Stroke:
         """A stroke as a person's hand does it: as it was pushed, or as it shakes. radius of the ball, m."""
@@ -176,13 +208,31 @@ class CueCourse(Part):
         self.model.roll(time)
         if time >= self.shown_s:
             self.model.settle()
+            self.called_s = 0.0
             self.start_phase(AIMING)
 
     def skip(self) -> None:
-        """On to the end of the shot."""
+        """On to the end of the shot, or of its replay."""
         if self.phase == ROLLING:
             self.clock[0] = self.shown_s
             self._roll()
+        elif self.phase == REPLAY:
+            self.start_phase(AIMING)
+
+    def replay(self, from_side: bool = False) -> None:
+        """Show the last stroke once more; again ends it. From the side: in a replay, from there or above."""
+        if self.phase == REPLAY and from_side:
+            self.from_side = not self.from_side
+        elif self.phase == REPLAY:
+            self.start_phase(AIMING)
+        elif self.phase == AIMING and self.model.frame.last is not None:
+            self.from_side = from_side
+            self.cue.let_go()
+            self.push.let_go()
+            self.grip = NOTHING
+            self.start_phase(REPLAY)
+        elif self.phase == AIMING:
+            self.messages.say("Nothing to show. No stroke has been played.")
 
     # -- back, and on -------------------------------------------------------------------------------
 
@@ -208,5 +258,6 @@ class CueCourse(Part):
     def begin_again(self) -> None:
         """Nothing is pending, chosen or held; the cue is at rest."""
         self.pending, self.chosen, self.grip = None, None, NOTHING
+        self.called_s, self.frame_s = LONG_AGO_S, 0.0
         self.cue.data[1:3] = 0.0
         self.start_phase(AIMING)

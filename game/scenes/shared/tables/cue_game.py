@@ -7,7 +7,10 @@ from typing import Any, NamedTuple
 
 from game.arrays import Floats
 from game.scenes.shared.tables import actions as keys
+from game.scenes.shared.tables.course import REPLAY
+from game.scenes.shared.tables.minds.contest import contest_of
 from game.stage import Action, Decision, Equation, Hearing, Hint, Pointer, Scene, Stamped, Strip
+from game.stage.records.contested import Contested
 
 ENERGY, CUE_BALL = Strip("Energy", "J", ("energy",)), Strip("Cue ball", "m/s", ("cue ball",))
 SLIDING = Equation(
@@ -77,12 +80,20 @@ class CueGameScene(Scene):
     def plays_alone(self) -> bool:
         return bool(self.course.plays_alone)
 
+    @property
+    def contest(self) -> Contested | None:
+        return contest_of(self.course)
+
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
 
     def hearing(self) -> Hearing | None:
         heard: Hearing | None = self.sounds.hearing()
         return heard
+
+    @property
+    def way_out(self) -> str:
+        return "replay" if self.course.phase == REPLAY else ""
 
     def hints_now(self) -> Sequence[Hint]:
         if not self.course.push.chosen:

@@ -13,6 +13,7 @@ class Held(enum.Enum):
     BUTTON = "button"  # named
     CARD = "card"  # of a player, numbered
     CUE = "cue"
+    EYE = "eye"  # the corner of the view from the cue
     CUE_BALL = "cue ball"  # in hand, after a foul
     BALL = "ball"  # numbered
     POWER = "power"
@@ -38,6 +39,7 @@ class Grip(NamedTuple):
 
 NOTHING = Grip()
 CUE, CUE_BALL, POWER, TIP = Grip(Held.CUE), Grip(Held.CUE_BALL), Grip(Held.POWER), Grip(Held.TIP)
+EYE = Grip(Held.EYE)
 ELEVATION, LIST = Grip(Held.ELEVATION), Grip(Held.LIST)
 TIP_FREELY, REPLAY, ZONE = Grip(Held.TIP_FREELY), Grip(Held.REPLAY), Grip(Held.ZONE)
 

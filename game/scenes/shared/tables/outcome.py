@@ -6,6 +6,8 @@ import hashlib
 from collections.abc import Callable
 from typing import Any, Generic, TypeVar
 
+from game.scenes.shared.tables.moments import Moments, moments_of
+
 F = TypeVar("F")  # frames
 P = TypeVar("P")  # what came of a stroke
 
@@ -27,6 +29,8 @@ class Outcome(Generic[F, P]):
         self._word = ""
         self._played_of: Any = None
         self._played: P | None = None
+        self._moments_of: Any = None
+        self._moments: Moments | None = None
 
     def word(self, frame: F) -> str:
         """A hash of what a frame says."""
@@ -41,3 +45,14 @@ class Outcome(Generic[F, P]):
             self._played = struck.outcome() if struck.last is not None else None
             self._played_of = struck.last
         return self._played
+
+    def moments(self, frame: F, cue: int) -> Moments | None:
+        """What of a frame's last stroke is worth a second look; None before the first. cue: row of the ball
+        that was struck.
+        """
+        struck: Any = frame
+        if self._moments_of is not struck.last:
+            played: Any = self.played(frame)
+            self._moments = moments_of(played.trajectory, cue) if played is not None else None
+            self._moments_of = struck.last
+        return self._moments

@@ -23,6 +23,8 @@ from game.ui.painters import cue as cue_painter
 from game.ui.painters import table as table_painter
 from game.ui.painters.ball import BallPainter, ScreenBalls
 from game.ui.painters.cue import draw_cue
+from game.ui.painters.perspective import ground as ground_painter
+from game.ui.painters.perspective import spheres as sphere_painter
 from game.ui.painters.table import POOL, Dress, TablePainter, TableView
 
 CUE_LENGTH = 1.47  # m
@@ -68,7 +70,7 @@ def warm_ups() -> list[WarmUp]:
     """Kernels that draw tables, balls and cues."""
     return [
         WarmUp(name, call)
-        for painter in (ball_painter, table_painter, cue_painter)
+        for painter in (ball_painter, table_painter, cue_painter, ground_painter, sphere_painter)
         for name, call in painter.WARM_UPS
     ]
 

@@ -1,0 +1,110 @@
+"""The share of a kernel beyond walls, held to integrals known from elsewhere."""
+
+import numpy as np
+import pytest
+
+from game.physics.particle_fluids import FluidSettings, Liquid, ParticleFluid, lattice
+from game.physics.particle_fluids.smoothing import CUBIC, POLY6, WENDLAND, fill_kernel
+from game.physics.particle_fluids.walls import (
+    EXACT,
+    WEIGHTS,
+    edges_of,
+    fill_shares,
+    hold_inside,
+    wall_table,
+)
+
+PLANE = edges_of([[(-5.0, 0.0), (5.0, 0.0), (5.0, 5.0), (-5.0, 5.0)]])
+CORNER = edges_of([[(0.0, 0.0), (5.0, 0.0), (5.0, 5.0), (0.0, 5.0)]])
+KERNELS = [POLY6, CUBIC, WENDLAND]
+
+
+def shares(places, edges, method, kind):
+    places = np.array(places, dtype=np.float64)
+    share, push = np.zeros(len(places)), np.zeros((len(places), 2))
+    fill_shares(places, edges, (method, kind, 1.0), wall_table(kind), share, push)
+    return share, push
+
+
+@pytest.mark.parametrize("method", [WEIGHTS, EXACT])
+@pytest.mark.parametrize(
+    ("kind", "known"),
+    [(POLY6, 0.8149584388589659), (CUBIC, 0.8507566311565898), (WENDLAND, 0.8678491692858623)],
+)
+def test_a_plane_wall_at_three_tenths(method, kind, known):
+    share, push = shares([(0.2, 0.3)], PLANE, method, kind)
+    assert 1.0 - share[0] == pytest.approx(known, abs=2e-5)
+    assert push[0, 0] == pytest.approx(0.0, abs=1e-12) and push[0, 1] < 0.0
+    assert shares([(0.2, 1e-9)], PLANE, method, kind)[0][0] == pytest.approx(0.5, abs=1e-6)
+
+
+@pytest.mark.parametrize("kind", KERNELS)
+def test_a_corner_is_three_quarters_of_the_plane_by_the_edges_and_half_by_the_nearest(kind):
+    assert shares([(1e-9, 1e-9)], CORNER, EXACT, kind)[0][0] == pytest.approx(0.75, abs=1e-5)
+    assert shares([(1e-9, 1e-9)], CORNER, WEIGHTS, kind)[0][0] == pytest.approx(0.5, abs=1e-5)
+
+
+@pytest.mark.parametrize("kind", KERNELS)
+def test_any_polygon_by_quadrature(kind):
+    edges = edges_of([[(0.0, 0.0), (0.7, -0.2), (0.9, 0.6), (0.3, 0.35), (0.05, 0.8)]])
+    at = np.array((0.35, 0.2))
+    cells = (np.arange(1500) + 0.5) / 1500 * 2.0 - 1.0
+    x, y = np.meshgrid(cells, cells)
+    inside = np.zeros(x.shape, dtype=bool)
+    for ax, ay, bx, by in edges.tolist():
+        rises = ((ay - at[1]) > y) != ((by - at[1]) > y)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            inside ^= rises & (x < ax - at[0] + (y - ay + at[1]) * (bx - ax) / (by - ay))
+    value = np.zeros(x.size)
+    fill_kernel(kind, np.hypot(x, y).ravel(), value, np.zeros(x.size))
+    inner = float(np.sum(value.reshape(x.shape)[inside])) * (2.0 / 1500) * (2.0 / 1500)
+    assert shares([at], edges, EXACT, kind)[0][0] == pytest.approx(1.0 - inner, abs=2e-4)
+
+
+@pytest.mark.parametrize("kind", KERNELS)
+@pytest.mark.parametrize("at", [(0.3, 0.4), (0.05, 0.7), (0.6, 0.02)])
+def test_its_gradient_is_that_of_the_share(kind, at):
+    step = 1e-5
+    moved = [(at[0] + step, at[1]), (at[0] - step, at[1]), (at[0], at[1] + step), (at[0], at[1] - step)]
+    found = shares(moved, CORNER, EXACT, kind)[0]
+    push = shares([at], CORNER, EXACT, kind)[1][0]
+    assert push == pytest.approx([(found[0] - found[1]) / 2e-5, (found[2] - found[3]) / 2e-5], abs=2e-3)
+
+
+def test_what_left_a_vessel_comes_back_and_stops():
+    place = np.array([(-0.1, 2.0), (-0.1, -0.1), (2.0, 2.0), (0.001, 3.0)])
+    velocity = np.array([(-1.0, 1.0), (-1.0, -1.0), (-1.0, 0.0), (-1.0, 0.5)])
+    assert hold_inside(place, velocity, np.ones(4), CORNER, 0.01) >= 2
+    assert place[0] == pytest.approx((0.01, 2.0)) and velocity[0] == pytest.approx((0.0, 1.0))
+    assert place[1] == pytest.approx((0.01, 0.01)) and velocity[1] == pytest.approx((0.0, 0.0))
+    assert place[2].tolist() == [2.0, 2.0] and velocity[2].tolist() == [-1.0, 0.0]
+    assert place[3] == pytest.approx((0.01, 3.0)) and velocity[3] == pytest.approx((0.0, 0.5))
+
+
+def density_error(walls):
+    """Root mean square error of the density of a full lattice in a vessel, of the rows at its walls."""
+    fluid = ParticleFluid(0.05, [Liquid()], [[(0, 0), (1, 0), (1, 1), (0, 1)]], FluidSettings(walls=walls))
+    fluid.add(lattice((0.0, 0.0), (1.0, 1.0), 0.05))
+    near = np.min(np.minimum(fluid.place, 1.0 - fluid.place), axis=1) < 0.05
+    return float(np.sqrt(np.mean(np.square(fluid.density()[near] - 1.0))))
+
+
+def test_a_wall_that_is_felt_takes_nearly_all_of_the_density_error_away():
+    none, weights, exact, particles = (density_error(walls) for walls in range(4))
+    assert none > 0.15
+    assert exact < 0.25 * none and weights < 0.4 * none and exact < weights and exact < particles
+
+
+@pytest.mark.parametrize(
+    "loops",
+    [[[(0, 0), (1, 0)]], [[(0, 0), (1, 1), (2, 2)]], [[(0, 0), (1, 0), (np.nan, 1)]], [[0.0, 1.0]]],
+)
+def test_vessels_without_an_area_are_refused(loops):
+    with pytest.raises(ValueError, match="vessel"):
+        edges_of(loops)
+
+
+def test_the_way_round_does_not_matter():
+    assert len(edges_of([[(0, 0), (0, 1), (1, 1), (1, 0)]])) == 4
+    turned = edges_of([[(0, 0), (0, 5), (5, 5), (5, 0)]])
+    assert shares([(0.2, 0.3)], turned, EXACT, CUBIC)[0] == shares([(0.2, 0.3)], CORNER, EXACT, CUBIC)[0]
