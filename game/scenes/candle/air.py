@@ -160,7 +160,8 @@ class Air(BurningAir):
         """A step under a glass that stands. Heat goes with the mass that has it, in flux form as all else.
 
         Density times temperature is the pressure, which is the same all over. Where a cell would drift from
-        it in this step, gas goes out or in (Pember et al. 1998). Or cells would keep the oxygen of cold gas as they warm.
+        it in this step, gas goes out or in (Pember et al. 1998). Or cells would keep the oxygen of cold gas
+        as they warm.
         """
         gas, warm, air = self.gas, self.temperature, self.gas.field("air")
         gas.expansion[:] = 0.0  # of this step's carrying by the velocity that there is
