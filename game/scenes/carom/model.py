@@ -79,6 +79,10 @@ class CaromModel(Part):
         """A word that stands for the frame, for the digest: equal frames, equal words."""
         return self._outcome.word(self.frame)
 
+    def word_of(self, frame: CaromFrame) -> str:
+        """The same of any frame."""
+        return self._outcome.word_of(frame)
+
     # -- strokes ------------------------------------------------------------------------------------
 
     def strike(self, stroke: Stroke, safety: bool) -> None:

@@ -103,6 +103,10 @@ class SnookerModel(Part):
         """A word that stands for the frame, for the digest: equal frames, equal words."""
         return self._outcome.word(self.frame)
 
+    def word_of(self, frame: SnookerFrame) -> str:
+        """The same of any frame."""
+        return self._outcome.word_of(frame)
+
     def _lay_out(self) -> None:
         self.places[list(self.frame.layout.numbers)] = self.frame.layout.positions
 

@@ -1,0 +1,1 @@
+"""Water: dams, and rings on a pond."""
