@@ -269,6 +269,12 @@ class App:
         if not isinstance(self.screens.top, CareerCard):
             self._open_card(CareerCard.called, lambda: CareerCard(self))
 
+    def open_statistics(self, person: str) -> None:
+        """The card of what was counted of a person's strokes."""
+        from game.app.screens.statistics_card import StatisticsCard
+
+        self._open_card(StatisticsCard.called, lambda: StatisticsCard(self, person))
+
     def open_paper(self, row: PaperRow) -> None:
         """The page of a paper, which is measured while it is open."""
         self._open_card(PaperCard.called, lambda: PaperCard(self, row))

@@ -41,7 +41,7 @@ from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
-    from game.stage.records.contested import Contested
+    from game.stage.records.contested import Contested, StrokeMeasured
     from game.stage.records.excerpt import Excerpt
     from game.stage.records.history import Practised
 
@@ -355,6 +355,10 @@ class Scene(SceneDeclaration):
     @property
     def contest(self) -> Contested | None:
         """How a match stands between a person and a computer player, for a career; None: there is none."""
+        return None
+
+    def stroke_measured(self) -> StrokeMeasured | None:
+        """What was measured of the last stroke of a person in a contest; None if nothing was."""
         return None
 
     @property

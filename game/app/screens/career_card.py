@@ -33,7 +33,7 @@ LEFT, GAP, FOOT, BUTTON = 268, 20, 84, 38  # design px: width of the ladder, bet
 FAIR, LEVEL = "fair", "level"
 NAME = Question("Your name", "It stands on the score board, and your career is kept under it.", "Begin", "",
                 "A name of your own", LONGEST_NAME)  # fmt: skip
-BUTTONS = ("player", "game", "start", "cup", "play")  # from the left
+BUTTONS = ("player", "game", "start", "cup", "statistics", "play")  # from the left
 
 
 class CareerCard(CardScreen):
@@ -125,6 +125,8 @@ class CareerCard(CardScreen):
             self.start = LEVEL if self.start == FAIR else FAIR
             self.in_cup = False
             self.refresh()
+        elif kind == "statistics":
+            self.host.open_statistics(self.player.name if self.player else "")
         elif kind == "cup":
             self._begin_cup()
 
@@ -266,6 +268,7 @@ class CareerCard(CardScreen):
             "cup": ("In the tournament" if self.in_cup else "Beside the tournament")
             if running
             else "New tournament",
+            "statistics": "Statistics",
             "play": f"Play {other}" if self.player else "Begin",
         }
 

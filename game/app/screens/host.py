@@ -133,6 +133,10 @@ class Host(Protocol):
         """The card of the career."""
         ...
 
+    def open_statistics(self, person: str) -> None:
+        """The card of what was counted of a person's strokes."""
+        ...
+
     def open_paper(self, row: PaperRow) -> None:
         """The page of a paper."""
         ...

@@ -7,8 +7,10 @@ from datetime import datetime
 from typing import TYPE_CHECKING, NamedTuple
 
 from game.app.stagehand.career_file import keep_career, load_career
+from game.app.stagehand.stroke_file import keep_stroke
 from game.billiards.career.career import Match, Player, Result, rating_of
 from game.billiards.career.matches import with_result
+from game.billiards.career.strokes import BREAK, POT, StrokeFact
 from game.billiards.players.ladder import BY_NAME
 
 if TYPE_CHECKING:
@@ -31,6 +33,8 @@ class CareerKeeper:
         self._now = now
         self._over = False
         self._highest = 0
+        self._strokes: int | None = None
+        self._complaint = ""
 
     def update(self, stage: Stage) -> News:
         """Keep what has ended, if it was the match that the career waits for."""
@@ -38,6 +42,12 @@ class CareerKeeper:
         if seen is None:
             return News()
         self._highest = max(self._highest, seen.highest)
+        if self._strokes is not None and seen.strokes == self._strokes + 1:
+            self._complaint = self._count(stage, seen) or self._complaint
+        self._strokes = seen.strokes
+        if self._complaint:
+            complaint, self._complaint = self._complaint, ""
+            return News(complaint=complaint)
         if not seen.over:
             self._over = False
             return News()
@@ -45,6 +55,18 @@ class CareerKeeper:
             return News()
         self._over = True
         return self._keep(seen)
+
+    def _count(self, stage: Stage, seen: Contested) -> str:
+        """Keep what was measured of the stroke that has just ended, if the person played it."""
+        found = stage.scene.stroke_measured()
+        if found is None:
+            return ""
+        fact = StrokeFact(
+            self._now().isoformat(timespec="seconds"), seen.game, seen.opponent,
+            BREAK if found.opening else POT, found.distance, found.cut, found.made, found.chance,
+            found.stray, found.speed,
+        )  # fmt: skip
+        return keep_stroke(seen.person, fact)
 
     def _keep(self, seen: Contested) -> News:
         career, complaint = load_career()

@@ -117,6 +117,11 @@ class Play(Part):
         return all(self.grade_of(player) != PERSON for player in range(len(self.model.frame.game.players)))
 
     @property
+    def aimed_and_done(self) -> tuple[Stroke, Stroke] | None:
+        """The last stroke of a hand, as it was aimed and as it was done."""
+        return (self.meant, self.done) if self.meant is not None and self.done is not None else None
+
+    @property
     def may_aim(self) -> bool:
         """True if a person may aim and strike now."""
         return self.phase == AIMING and self.person_plays and self.model.frame.playable

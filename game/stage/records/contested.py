@@ -11,7 +11,7 @@ class Contested(NamedTuple):
     game: as of the register of games. person: name of the person, who is the first player; opponent: the
     second, as the parameter says it. head_start: of the first, below 0 of the second. won: racks, frames or
     games that both have really won. over: the match has ended. victory: the person has won it. highest: the
-    person's highest break or run so far.
+    person's highest break or run so far. strokes: that have been played to their end.
     """
 
     game: str
@@ -22,3 +22,16 @@ class Contested(NamedTuple):
     over: bool
     victory: bool
     highest: int
+    strokes: int = 0
+
+
+class StrokeMeasured(NamedTuple):
+    """The last stroke of a person: of which kind, and what was measured of it; see `career.strokes`."""
+
+    opening: bool
+    distance: float
+    cut: float
+    made: bool
+    chance: float
+    stray: float | None
+    speed: float

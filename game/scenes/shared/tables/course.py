@@ -32,7 +32,8 @@ class CueCourse(Part):
     belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what a
     subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long nothing
     has been done, s. by_hand: strokes that a hand has played. push: the cue of a stroke that is pushed;
-    thrust: the next one was; made: the last stroke of a person; strayed: the last of those, meant and made.
+    thrust: the next one was; aimed, made: the last stroke of a person; strayed: the last of those, as meant
+    and made.
     called_s: since the referee last called, s; frame_s: how long the frame has lasted.
     from_side: a replay is seen from its side, slowly about the moments that decide.
     """
@@ -53,6 +54,7 @@ class CueCourse(Part):
         self.grip = NOTHING
         self.rest_s = 0.0
         self.thrust = False
+        self.aimed: Stroke | None = None
         self.made: Stroke | None = None
         self.strayed: tuple[tuple[Stroke, Stroke], ...] = ()
         self.plays_itself = False
@@ -90,6 +92,11 @@ class CueCourse(Part):
     def plays_alone(self) -> bool:
         """True if no player is a person."""
         return all(self.grade_of(player) != PERSON for player in range(len(self.model.frame.game.players)))
+
+    @property
+    def aimed_and_done(self) -> tuple[Stroke, Stroke] | None:
+        """The last stroke of a hand, as it was aimed and as it was done."""
+        return (self.aimed, self.made) if self.aimed is not None and self.made is not None else None
 
     @property
     def may_aim(self) -> bool:
@@ -166,7 +173,7 @@ class CueCourse(Part):
         done = self.push.after_the_tip(made)
         if self.push.slipped:
             self.messages.say(MISCUE)
-        self.made = done
+        self.aimed, self.made = meant, done
         return done
 
     def swing(self, stroke: Stroke) -> None:

@@ -8,10 +8,10 @@ from typing import Any, NamedTuple
 from game.arrays import Floats
 from game.scenes.shared.tables import actions as keys
 from game.scenes.shared.tables.course import REPLAY
-from game.scenes.shared.tables.minds.contest import contest_of
+from game.scenes.shared.tables.minds.contest import contest_of, stroke_of
 from game.scenes.shared.tables.together.stroke_text import looks_like_a_stroke
 from game.stage import Action, Decision, Equation, Hearing, Hint, Pointer, Scene, Stamped, Strip
-from game.stage.records.contested import Contested
+from game.stage.records.contested import Contested, StrokeMeasured
 
 ENERGY, CUE_BALL = Strip("Energy", "J", ("energy",)), Strip("Cue ball", "m/s", ("cue ball",))
 SLIDING = Equation(
@@ -95,6 +95,9 @@ class CueGameScene(Scene):
     @property
     def contest(self) -> Contested | None:
         return contest_of(self.course)
+
+    def stroke_measured(self) -> StrokeMeasured | None:
+        return stroke_of(self.course)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)

@@ -6,7 +6,7 @@ from typing import Any
 
 from game.billiards.game.register import REGISTER
 from game.scenes.shared.tables.choices import PERSON, ahead
-from game.stage.records.contested import Contested
+from game.stage.records.contested import Contested, StrokeMeasured
 
 
 def contest_of(course: Any) -> Contested | None:
@@ -30,5 +30,21 @@ def contest_of(course: Any) -> Contested | None:
     best = getattr(game, "high", None) or getattr(game, "high_runs", None) or (0, 0)
     return Contested(
         name, game.players[0], course.grade_of(1), start, (max(won[0], 0), max(won[1], 0)), over,
-        over and game.winner == 0, int(best[0]),
+        over and game.winner == 0, int(best[0]), int(course.model.frame.strokes),
     )  # fmt: skip
+
+
+def stroke_of(course: Any) -> StrokeMeasured | None:
+    """What was measured of the last stroke, if the person of a contest has played it at pool or snooker."""
+    from game.billiards.map.stroke_facts import measured
+
+    frame, played = course.model.frame, course.model.played
+    last = frame.last
+    if contest_of(course) is None or last is None or played is None or not hasattr(last, "call"):
+        return None
+    if last.frame.game.turn != 0:
+        return None
+    pair = course.aimed_and_done
+    meant = pair[0] if pair is not None and pair[1] == last.stroke else last.stroke
+    found = measured(last.frame, played, meant)
+    return None if found is None else StrokeMeasured(*found, float(last.stroke.cue_speed))
