@@ -21,7 +21,7 @@ from game.physics.particle_fluids.walls import PARTICLES, hold_inside
 MARGIN = 0.1  # spacings that a particle keeps off a wall
 MOST_SUBSTEPS = 200  # of one `advance`
 LONGEST = 0.02  # s of a substep
-FALLING = 0.12  # of the time in which a particle falls a spacing or so: longer steps heave liquid at rest
+FALLING = 0.1  # of the time in which a particle falls a spacing or so: longer steps heave liquid at rest
 SOUND = 0.25  # supports that sound goes in a step of a law that squeezes
 
 

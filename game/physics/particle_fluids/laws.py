@@ -47,7 +47,7 @@ def _careful(fluid: FluidStore, work: Scratch, dt: float) -> int:
     work.spare[:] = work.velocity
     work.pressure[0] = 0.0
     more, _ = relieve(
-        *common, work.spare, work.pressure[0], work.work, (dt, settings.error, settings.iterations, 0)
+        *common, work.spare, work.pressure[0], work.work, (dt, 0.3 * settings.error, settings.iterations, 0)
     )
     work.place[:] += dt * work.spare
     keep_apart(work.pairs, work.body, work.place, LEAST_GAP * fluid.spacing, work.spare)
@@ -75,7 +75,7 @@ def _displaced(fluid: FluidStore, work: Scratch, dt: float, twice: bool) -> int:
     Errors that a step begins with are lessened first, without a velocity (Macklin and others 2014).
     """
     settings, rest = fluid.settings, rest_density(POLY6)
-    made = 1 if twice else settings.iterations
+    made = 1 if twice else int(settings.iterations)
     densities = (work.pairs, work.body, work.place, fluid.support, work.work, (CLUMPING, rest))
     for _ in range(0 if twice else STABILISED):
         meet_densities(*densities)

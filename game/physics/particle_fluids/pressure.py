@@ -2,8 +2,8 @@
 
 Two systems share a matrix. One asks for velocities under which no density grows beyond rest. The other asks
 for densities that are at most those of rest after the step. Pressures pull nowhere, so both are problems of
-complementarity. Here they are solved by projected Jacobi steps with momentum (Nesterov 1983), which is
-dropped whenever it points uphill (O'Donoghue and Candès 2015). Of a column of 40 layers, 25 of these come as near as
+complementarity. Here they are solved by projected Jacobi steps with momentum (Nesterov 1983). It is dropped
+whenever it points uphill (O'Donoghue and Candès 2015). Of a column of 40 layers, 25 of these come as near as
 160 plain ones. The first system begins with the pressures of the step before. The second only moves places
 here: in the print it changes velocities, and errors of packing become motion.
 """
@@ -19,7 +19,8 @@ from game.physics.particle_fluids.sums import fill_rates, push_by_pressure
 
 RELAXED = 0.4  # of a Jacobi step; the matrix's largest eigenvalue against its diagonal is about 2.4
 LEAST_MADE = 2
-EASED = 0.15  # of an excess of density that a step takes away: places move by more than is linear otherwise
+LOOSE, CLOSING = 0.2, 0.1  # lack of density up to which gaps close in steps, share of them in a step
+EASED = 0.05  # of an excess of density that a step takes away: places move by more than is linear otherwise
 
 
 class Work(NamedTuple):
@@ -57,7 +58,8 @@ def relieve(pairs, felt, body, velocity, pressure, work, rules):
         fill_rates(pairs, felt, body, work.total, work.rate)
         error = 0.0
         for i in range(count):
-            excess = dt * work.rate[i] + min(density[i] - 1.0, 0.0)
+            loose = min(density[i] - 1.0, 0.0)
+            excess = dt * work.rate[i] + min(CLOSING * loose, loose + LOOSE)
             if growth == 0:
                 excess += EASED * max(density[i] - 1.0, 0.0)
             if body.light[i] > 0.0:

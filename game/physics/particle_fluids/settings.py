@@ -65,4 +65,4 @@ class FluidSettings(NamedTuple):
     flow: Annotated[float, Number(0.0, 50.0, unit="1/s", help="how fast springs flow beyond")] = 0.5
     sticking: Annotated[float, Number(0.0, 1.0, help="share of the drag at a wall")] = 1.0
     diffusivity: Annotated[float, Number(0.0, 0.1, unit="m²/s", help="how fast heat spreads")] = 1e-4
-    courant: Annotated[float, Number(0.05, 0.5, help="spacings that the fastest goes in a step")] = 0.4
+    courant: Annotated[float, Number(0.05, 0.5, help="spacings that the fastest goes in a step")] = 0.2

@@ -241,3 +241,15 @@ def wall_places(edges: Floats, spacing: float) -> Floats:
         share = np.arange(count) / count
         found.append(np.stack([ax + share * (bx - ax), ay + share * (by - ay)], axis=1))
     return np.concatenate(found) if found else np.zeros((0, 2))
+
+
+@lean_kernel
+def _is_inside(edges, x, y):
+    """`is_inside`, for callers in Python."""
+    return is_inside(edges, x, y)
+
+
+def is_held(edges: Floats, place: ArrayLike) -> bool:
+    """Whether a place (2,) lies in the vessel; without edges, everywhere."""
+    x, y = np.asarray(place, dtype=np.float64)
+    return not len(edges) or bool(_is_inside(edges, float(x), float(y)))

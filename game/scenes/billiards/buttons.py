@@ -149,6 +149,7 @@ class Buttons(Part):
                 "hint": self._show_hint,
                 "centre": aiming.centre,
                 "breath": play.push.breathe,
+                "chalk": lambda: play.messages.say(play.push.chalk()),
                 "lesson": self._go_on,
                 "ask": self._ask,
             }[name]()

@@ -56,6 +56,7 @@ class BilliardsParameters(Parameters):
     sway = through.sway()
     miscues = through.miscues()
     chalk = through.chalk()
+    wear = through.wear()
     recoil = through.recoil()
     cloud = Toggle(
         False, group="Stroke", label="Landing cloud", help="where the cue ball ends for the noise of a hand"

@@ -21,7 +21,7 @@ from game.scenes.shared.tables.course import LONG_AGO_S
 from game.scenes.shared.tables.grip import NOTHING
 from game.scenes.shared.tables.moments import OFF, decider, pace_at
 from game.scenes.shared.tables.through.measured import news_of_hand
-from game.scenes.shared.tables.through.push import MISCUE, Push
+from game.scenes.shared.tables.through.push import Push
 from game.scenes.shared.tables.unsteady import STEADY_HAND, shaken
 from game.stage import Part
 from game.stage.messages import Messages
@@ -216,7 +216,7 @@ class Play(Part):
         self._strayed(meant, made)
         self.done = done
         if self.push.slipped:
-            self.messages.say(MISCUE)
+            self.messages.say(self.push.miscue_words(made))
         if pushed and (news := news_of_hand(self.own, radius)):
             self.messages.say(news)
 

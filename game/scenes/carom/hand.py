@@ -189,6 +189,8 @@ class CaromHand(Part):
             parameters.considered = not parameters.considered
         elif name == "breath":
             course.push.breathe()
+        elif name == "chalk":
+            course.messages.say(course.push.chalk())
         elif name == "demo":
             course.plays_itself = not course.plays_itself
         elif name == "centre":

@@ -46,6 +46,7 @@ class CaromParameters(Parameters):
     sway = through.sway()
     miscues = through.miscues()
     chalk = through.chalk()
+    wear = through.wear()
     recoil = through.recoil()
     path = Toggle(True, group="Stroke", label="Path of the stroke", help="what the aimed stroke would do")
     eye = eyes.shown()

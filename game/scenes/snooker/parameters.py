@@ -47,6 +47,7 @@ class SnookerParameters(Parameters):
     sway = through.sway()
     miscues = through.miscues()
     chalk = through.chalk()
+    wear = through.wear()
     recoil = through.recoil()
     eye = eyes.shown()
     eye_size = eyes.size()

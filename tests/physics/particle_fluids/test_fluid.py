@@ -104,6 +104,16 @@ def test_a_heavy_liquid_sinks_through_a_light_one():
     assert np.mean(fluid.place[fluid.kind == 1, 1]) < 0.22 < 0.38 < np.mean(fluid.place[fluid.kind == 0, 1])
 
 
+def test_a_column_of_fifty_layers_stands():
+    """Pressure goes through all of them, though no step has iterations enough to do so at once."""
+    fluid = ParticleFluid(0.03, [Liquid(1000.0, 0.05)], [[(0, 0), (0.3, 0), (0.3, 2), (0, 2)]])
+    fluid.add(lattice((0.0, 0.0), (0.3, 1.5), 0.03))
+    for _ in range(120):
+        fluid.advance(1.0 / 120.0)
+        assert fluid.worst < 0.1
+    assert fluid.error < 0.01 and float(np.mean(fluid.place[:, 1])) == pytest.approx(0.75, rel=0.03)
+
+
 def test_honey_at_the_step_of_water():
     """Ten thousand times as viscous: no more substeps, and a heap that has hardly begun to spread."""
     steps, fronts = [], []

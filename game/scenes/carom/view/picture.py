@@ -56,9 +56,7 @@ CUE_WORDS = 22.0  # design px below the ball
 class CaromView:
     """The picture of the game."""
 
-    def __init__(
-        self, course: Course, hand: CaromHand, advisor: Advisor, opponents: CaromOpponents
-    ) -> None:
+    def __init__(self, course: Course, hand: CaromHand, advisor: Advisor, opponents: CaromOpponents) -> None:
         self.course = course
         self.advisor = advisor
         self.opponents = opponents

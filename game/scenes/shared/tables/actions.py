@@ -14,17 +14,18 @@ CLICK_A_NAME, WHEEL = Hint(("Click a name",), "computer player"), Hint(("Wheel",
 FINE_AIM, DEMO, UNDO = Hint(("Shift",), "fine aim"), Hint(("D",), "plays itself"), Hint(("U",), "undo")
 PUSH, BREATH = Hint(("Drag back",), "and push through"), Hint(("F",), "hold your breath")
 REPLAY, GUIDE = Hint(("R",), "replay"), Hint(("V",), "guide")
-EYE, FROM_SIDE = Hint(("/",), "view from the cue"), Hint(("0",), "replay from the side")
+EYE, FROM_SIDE = Hint((";",), "view from the cue"), Hint(("0",), "replay from the side")
 
 STRIKE = SceneAction("strike", "strike with the power that is set, or skip to the end", "return")
-SEE = SceneAction("eye", "view from the cue", "slash")
+SEE = SceneAction("eye", "view from the cue", "semicolon")
 SIDE = SceneAction("side", "replay from its best side", "0")
 WATCH = SceneAction("replay", "replay of the last stroke", "R")
 CHANGE_GUIDE = SceneAction("view", "guide: whole path, to the first ball, none", "V")
 PLAY_ITSELF = SceneAction("demo", "plays itself", "D")
 CENTRE = SceneAction("centre", "strike the middle of the ball", "C")
 HOLD_BREATH = SceneAction("breath", "hold your breath: the aim sways less", "F")
-THOUGHTS = SceneAction("thoughts", "what the computer player thought", "I")
+THOUGHTS = SceneAction("thoughts", "what the computer player thought", "semicolon")
+CHALK = SceneAction("chalk", "chalk the tip", "slash")
 LOCK = SceneAction("lock", "lock or free the aim", "K")
 TURNS = (
     SceneAction("left", "turn the cue left", "left"),

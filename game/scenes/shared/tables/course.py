@@ -14,7 +14,7 @@ from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
 from game.scenes.shared.tables.moments import OFF, decider, pace_at
 from game.scenes.shared.tables.through.measured import news_of_hand
-from game.scenes.shared.tables.through.push import MISCUE, Push
+from game.scenes.shared.tables.through.push import Push
 from game.scenes.shared.tables.unsteady import shaken
 from game.stage import Part
 from game.stage.messages import Messages
@@ -172,7 +172,7 @@ class CueCourse(Part):
             made = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, radius)
         done = self.push.after_the_tip(made)
         if self.push.slipped:
-            self.messages.say(MISCUE)
+            self.messages.say(self.push.miscue_words(made))
         self.aimed, self.made = meant, done
         return done
 
