@@ -1,1 +1,1 @@
-"""Water: dams, and rings on a pond."""
+"""Water: dams, rings on a pond, a tank that sloshes."""
