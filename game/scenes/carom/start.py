@@ -11,9 +11,9 @@ START = (
         "club",
     ),
     StartLine(
-        "game", "Game", "cushions that a point needs, or boxes",
-        (("three-cushion", "Three-cushion"), ("one-cushion", "One-cushion"),
-         ("straight-rail", "Straight rail"), ("balkline-47-2", "Balkline 47/2"),
+        "game", "Game", "cushions needed, or boxes",
+        (("three-cushion", "3-cushion"), ("one-cushion", "1-cushion"),
+         ("straight-rail", "Straight rail"), ("balkline-47-2", "47/2"),
          ("balkline-47-1", "47/1"), ("balkline-71-2", "71/2"), ("artistic", "Artistic")),
         "three-cushion",
     ),
