@@ -36,6 +36,8 @@ def test_the_search_reads_the_same_way_from_a_stroke():
         position = position_of(new_carom(at(number)))
         routes = position.play(np.array([figure.stroke, Stroke(1.0, -1.5)]))
         assert position.wanted.scores(routes).tolist() == [True, False], figure.name
+        another = position.wanted._replace(code=position.wanted.code + 1)
+        assert not another.scores(routes).any(), "a cannon by another way scores nothing"
 
 
 def test_a_cannon_by_another_way_is_an_attempt_that_failed():

@@ -14,10 +14,10 @@ CLICK_A_NAME, WHEEL = Hint(("Click a name",), "computer player"), Hint(("Wheel",
 FINE_AIM, DEMO, UNDO = Hint(("Shift",), "fine aim"), Hint(("D",), "plays itself"), Hint(("U",), "undo")
 PUSH, BREATH = Hint(("Drag back",), "and push through"), Hint(("F",), "hold your breath")
 REPLAY, GUIDE = Hint(("R",), "replay"), Hint(("V",), "guide")
-EYE, FROM_SIDE = Hint((";",), "view from the cue"), Hint(("0",), "replay from the side")
+EYE, FROM_SIDE = Hint(("I",), "view from the cue"), Hint(("0",), "replay from the side")
 
 STRIKE = SceneAction("strike", "strike with the power that is set, or skip to the end", "return")
-SEE = SceneAction("eye", "view from the cue", "semicolon")
+SEE = SceneAction("eye", "view from the cue", "I")
 SIDE = SceneAction("side", "replay from its best side", "0")
 WATCH = SceneAction("replay", "replay of the last stroke", "R")
 CHANGE_GUIDE = SceneAction("view", "guide: whole path, to the first ball, none", "V")
