@@ -143,13 +143,15 @@ def advance_particles(fields, count, radii, speeds, dt, size, settings, books, l
 
 @kernel
 def lay_heights(fields, count, kind, grid, cell, margin):
-    """Add the heights of the particles of a kind to their four nearest points of a grid with a margin.
+    """Add the heights of the particles of a kind to their four nearest points of a grid; how many there are.
 
-    Point (j, i) of the grid is at ((i - margin + 1/2) cell, (j - margin + 1/2) cell).
+    The grid has a margin: point (j, i) of the grid is at ((i - margin + 1/2) cell, (j - margin + 1/2) cell).
     """
+    laid = 0
     for p in range(count):
         if int(fields[KIND, p]) != kind:
             continue
+        laid += 1
         x = fields[X, p] / cell + margin - 0.5
         y = fields[Y, p] / cell + margin - 0.5
         i, j = int(x), int(y)
@@ -158,6 +160,7 @@ def lay_heights(fields, count, kind, grid, cell, margin):
         grid[j, i + 1] += tall * right * (1.0 - up)
         grid[j + 1, i] += tall * (1.0 - right) * up
         grid[j + 1, i + 1] += tall * right * up
+    return laid
 
 
 @kernel
@@ -301,8 +304,8 @@ class WaveParticles:
         self.heights[...] = 0.0
         for kind, weights in enumerate(self._weights):
             self._grid[...] = 0.0
-            lay_heights(self._fields, self.count, kind, self._grid, self.cell, self._margin)
-            draw_out(self._grid, self._work, weights, self._margin, self.heights)
+            if lay_heights(self._fields, self.count, kind, self._grid, self.cell, self._margin):
+                draw_out(self._grid, self._work, weights, self._margin, self.heights)
         return self.heights
 
     def volume(self) -> float:

@@ -7,14 +7,14 @@ import math
 from game.scenes.shared.marks import dot
 from game.ui.canvas.pen import Pen
 
-MIDDLE = (44.0, 150.0)
-FIRST, LAST = 70.0, 210.0
+MIDDLE = (44.0, 168.0)
+FIRST, LAST = 70.0, 200.0
 
 
 def draw_splitting(pen: Pen) -> None:
     """A front of three particles; farther out each of them has become three."""
     for radius in (FIRST, 0.5 * (FIRST + LAST), LAST):
-        arc = [_at(radius, degrees) for degrees in range(-4, 50, 2)]
+        arc = [_at(radius, degrees) for degrees in range(-4, 52, 2)]
         pen.line(arc, "text3", 1.0, dash=3.0)
     for k in range(3):
         degrees = 5.0 + 18.0 * k
