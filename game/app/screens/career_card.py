@@ -116,7 +116,7 @@ class CareerCard(CardScreen):
             self.opponent, self.in_cup = value, False
             self.refresh()
         elif kind == "play":
-            self.play()
+            self.begin()
         elif kind == "game":
             self._open_games()
         elif kind == "player":
@@ -130,7 +130,7 @@ class CareerCard(CardScreen):
         elif kind == "cup":
             self._begin_cup()
 
-    def play(self) -> None:
+    def begin(self) -> None:
         """Begin the match at its table."""
         match, player = self.match, self.player
         if match is None or player is None:
@@ -191,7 +191,7 @@ class CareerCard(CardScreen):
     def handle(self, event: pygame.Event) -> None:
         enter = event.type == pygame.KEYDOWN and event.key in (pygame.K_RETURN, pygame.K_KP_ENTER)
         if enter and not self.leaving and self.spots.focused is None:
-            self.play()
+            self.begin()
             return
         super().handle(event)
 

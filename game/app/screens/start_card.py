@@ -65,7 +65,7 @@ class StartCard(CardScreen):
     def _leave(self) -> None:
         self.host.open_menu(self.entry.name)
 
-    def play(self) -> None:
+    def begin(self) -> None:
         """Begin, and remember what was chosen."""
         self.host.settings.start = {**self.host.settings.start, self.entry.name: dict(self.chosen)}
         self.host.save_settings()
@@ -83,7 +83,7 @@ class StartCard(CardScreen):
 
     def pressed(self, name: str) -> None:
         if name == "play":
-            self.play()
+            self.begin()
         elif name == "go-on":
             self._go_on()
         elif name == "levels":
@@ -98,7 +98,7 @@ class StartCard(CardScreen):
     def handle(self, event: pygame.Event) -> None:
         if event.type == pygame.KEYDOWN and not self.leaving:
             if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and self.spots.focused is None:
-                self.play()
+                self.begin()
                 return
             if event.key in (pygame.K_LEFT, pygame.K_RIGHT):
                 self.spots.focus_next(event.key == pygame.K_LEFT)

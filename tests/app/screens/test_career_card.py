@@ -117,7 +117,7 @@ def test_a_tournament_is_begun_and_won_in_the_window(driver):
             driver.frames(30)
         match = cup_match(read_career().player)
         assert driver.top.match == match
-        driver.top.play()
+        driver.top.begin()
         scene = opened(driver)
         assert scene.parameters.second_player == match.opponent
         frame = scene.model.frame

@@ -56,7 +56,11 @@ class RingTrial:
 
 
 def _settings() -> list[Setting]:
-    return [Setting(method, cell, {}, {}, 1.0 / (cell * cell)) for method in SPACINGS for cell in CELLS]
+    return [
+        Setting(method, cell, {}, {"cell": cell, "spacing": spacing}, 1.0 / (cell * cell))
+        for method, spacing in SPACINGS.items()
+        for cell in CELLS
+    ]
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:
