@@ -20,8 +20,9 @@ import numpy as np
 
 from game.billiards.game.rating import HALF, POINTS, Rating
 from game.physics.kernels import elementary, linear
+from game.physics.kernels.elementary.powers import LN2_FULL_HIGH
 
-SCALE = POINTS / elementary.log(2.0)  # points of a natural unit
+SCALE = POINTS / LN2_FULL_HIGH  # points of a natural unit
 ROUNDS = 200  # of Newton's method; it ends by itself
 CLOSE = 1e-9  # points
 

@@ -13,7 +13,8 @@ from game.worlds.painting.dusk_room import LEAN, SHINES
 from game.worlds.painting.shades import Light, Plane, bump, grid_of, in_two_lights, lay_lit, lit, smoothstep
 
 WAX_BOX = ((-0.017, -0.005), (0.017, TOP + 0.004))  # m
-FLAME_HALF, FLAME_WIDE = 0.034, 0.0072  # m: half of the flame's picture, of itself where it is widest
+FLAME_HALF, FLAME_WIDE = 0.034, 0.0072  # m: half of the flame's halo, of itself where it is widest
+FLAME_REACH = 2.0 * FLAME_HALF  # m: half of its picture, in which it bends to either side
 MARGIN, FOOT = 0.014, 0.016  # m of the glass's picture beside and above it, and below
 SHOULDER, THICK = (
     0.034,
@@ -86,10 +87,10 @@ def wax_picture() -> Singles:
 
 @lru_cache(maxsize=1)
 def flame_picture() -> Singles:
-    """A teardrop over its own height, 1, and 2 FLAME_HALF m: blue below, dark at the wick, then bright. Its
+    """A teardrop over its own height, 1, and 2 FLAME_REACH m: blue below, dark at the wick, then bright. Its
     blue stands in the layers of the room's light.
     """
-    x, v = grid_of(((-FLAME_HALF, -0.06), (FLAME_HALF, 1.14)), (280, 340))
+    x, v = grid_of(((-FLAME_REACH, -0.06), (FLAME_REACH, 1.14)), (560, 340))
     within = np.clip(v, 1e-4, 1.0)
     half = FLAME_WIDE * (within**0.46 * (1.0 - within) ** 0.8) / 0.4205
     beyond = np.maximum(v - 1.0, 0.0) * 0.055 + np.maximum(-v, 0.0) * 0.055

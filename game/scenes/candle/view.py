@@ -19,7 +19,7 @@ from game.scenes.candle.air import (
     TALL,
     TOP,
 )  # fmt: skip
-from game.scenes.candle.things import FLAME_HALF, draw_glass, draw_wax, flame_picture, glass_inside
+from game.scenes.candle.things import FLAME_REACH, draw_glass, draw_wax, flame_picture, glass_inside
 from game.scenes.candle.world import CandleState, CandleWorld
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
@@ -159,7 +159,7 @@ class CandleView:
         """The teardrop of it, as high as gas is hot there and bent as it flows, and the light about it."""
         picture = flame_picture()
         high, bent = self.axis(picture.shape[0])
-        box = ((-FLAME_HALF, TOP - 0.06 * high), (FLAME_HALF, TOP + 1.14 * high))
+        box = ((-FLAME_REACH, TOP - 0.06 * high), (FLAME_REACH, TOP + 1.14 * high))
         glow = min(2.0 * strength, 1.0)
         lay_lit(canvas, picture, box, (glow, glow, glow), (strength, strength, strength), bent)
         at = np.array([(0.0, SHINES), (0.0, SHINES)])
@@ -174,7 +174,7 @@ class CandleView:
         canvas.polyline(((x, y), end), color_of(0x8A6236), 0.0026 * thick)
         canvas.polyline(((x, y + 0.0007), (end[0], end[1] + 0.0007)), color_of(0xE8B878), 0.001 * thick)
         canvas.circle((x, y), 0.0019, color_of(0x2A1610))
-        half, high = MATCH_SIZE * FLAME_HALF, MATCH_SIZE * LONGEST
+        half, high = MATCH_SIZE * FLAME_REACH, MATCH_SIZE * LONGEST
         box = ((x - half, y - 0.1 * high), (x + half, y + 1.1 * high))
         lay_lit(canvas, flame_picture(), box, (1.0, 1.0, 1.0), (0.9, 0.9, 0.9))
         at, inks = np.array([(x, y + 0.5 * high)]), np.array([FIRELIGHT], np.uint32)

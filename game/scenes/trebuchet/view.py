@@ -38,6 +38,7 @@ TONES = (
 DUST = ((0xF0E0C0, 0xB8A890), (0xFFC890, 0x8A6A66))  # lit and in the shade, by day and late
 SPREAD = 2.2  # m: of the frame's legs
 STAKES, STAKE_M, FAR_STAKE = 15, 10.0, 50.0  # along the field; m from one to the next, m between tall ones
+LIES = 0.15  # m: lower than this a block has a shadow on the ground
 NUMBERED = 90.0  # design px between stakes that all have their numbers
 SHARES = (1.0, 0.93, 1.06, 0.88, 0.98, 1.04)  # of the wall's colour, block after block
 # of the castle behind the wall: left, right, top m, beside CASTLE_AT; merlons on top; windows
@@ -117,7 +118,11 @@ class TrebuchetView:
     def _draw_wall(self, canvas: Canvas, at: Floats, turn: Floats, tones: tuple[int, ...]) -> None:
         sizes = 0.5 * self.model.sizes
         inks = np.array([scaled(tones[5], SHARES[(5 * k) % 6]) for k in range(len(at))], dtype=np.int64)
-        paint_shadows(canvas, placed(WHOLE, sizes, at, turn), tones[2], -1.0)
+        corners = placed(WHOLE, sizes, at, turn)
+        lying = (
+            corners.reshape(-1, 4, 2)[:, :, 1].min(axis=1) < LIES
+        )  # those that fly have none on the ground
+        paint_shadows(canvas, corners[np.repeat(lying, 4)], tones[2], -1.0)
         paint_blocks(canvas, sizes, at, turn, inks, tones[6])
         paint_pits(canvas, sizes, at, turn, tones[6])
         up = turn[:, 0] > 0.7  # the low sun is on the right
