@@ -8,6 +8,8 @@ import stat
 import tempfile
 from pathlib import Path
 
+MOST_BROKEN = 99  # files put aside; then the last one is written over
+
 
 class FileProblem(ValueError):  # noqa: N818  a problem to be told, whatever caused it
     """A file that cannot be read or written; the message is the bare reason, in a few words."""
@@ -105,6 +107,19 @@ def _flush_folder(folder: Path) -> None:
             os.fsync(handle)
         finally:
             os.close(handle)
+
+
+def put_aside(path: Path) -> str:
+    """Rename a broken file, not onto an earlier one, so that nothing in it is lost; words that say so."""
+    names = [
+        path.with_name(f"{path.stem}.broken{number}{path.suffix}")
+        for number in ("", *range(2, MOST_BROKEN + 1))
+    ]
+    aside = next((name for name in names if not name.exists()), names[-1])
+    with contextlib.suppress(OSError):
+        path.replace(aside)
+        return f"; the file is kept as {aside.name}"
+    return ""
 
 
 def _reason(error: OSError) -> str:

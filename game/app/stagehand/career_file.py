@@ -6,19 +6,17 @@ one line says so. One of a later version is left as it is, and nothing is writte
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 
 import msgspec
 
 from game.billiards.career.career import Career
-from game.files import FileProblem, read_text, write_text
+from game.files import FileProblem, put_aside, read_text, write_text
 from game.folders import user_folder
 
 FILE_NAME = "career.json"
 FORMAT = 1
 LARGEST_BYTES = 32 << 20
-MOST_BROKEN = 99  # files put aside; then the last one is written over
 
 
 class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -71,7 +69,7 @@ def load_career() -> tuple[Career, str]:
     except LaterCareerError as error:
         return Career(), f"{error}; nothing is written over it"
     except ValueError as error:
-        return Career(), f"{error}{_put_aside()}"
+        return Career(), f"{error}{put_aside(career_path())}"
 
 
 def keep_career(career: Career) -> str:
@@ -82,21 +80,10 @@ def keep_career(career: Career) -> str:
     except LaterCareerError as error:
         return f"{error}; nothing is written over it"
     except ValueError as error:
-        complaint = f"{error}{_put_aside()}"
+        complaint = f"{error}{put_aside(career_path())}"
     try:
         text = msgspec.json.format(msgspec.json.encode(_File(FORMAT, career)), indent=1)
         write_text(career_path(), text.decode("utf-8") + "\n")
     except FileProblem as error:
         return f"{FILE_NAME}: {error}"
     return complaint
-
-
-def _put_aside() -> str:
-    """Rename a broken file, not onto an earlier one, so that nothing in it is lost."""
-    path = career_path()
-    names = [path.with_name(f"career.broken{number}.json") for number in ("", *range(2, MOST_BROKEN + 1))]
-    aside = next((name for name in names if not name.exists()), names[-1])
-    with contextlib.suppress(OSError):
-        path.replace(aside)
-        return f"; the file is kept as {aside.name}"
-    return ""

@@ -6,20 +6,18 @@ later version is left as it is.
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 
 import msgspec
 
 from game.billiards.career.strokes import StrokeFact
-from game.files import FileProblem, read_text, write_text
+from game.files import FileProblem, put_aside, read_text, write_text
 from game.folders import user_folder
 
 FILE_NAME = "strokes.json"
 FORMAT = 1
 LARGEST_BYTES = 64 << 20
 MOST = 100_000  # strokes of each person; of more the oldest are given up
-MOST_BROKEN = 99
 
 Strokes = dict[str, list[StrokeFact]]  # by the person's name
 
@@ -67,21 +65,10 @@ def keep_stroke(person: str, fact: StrokeFact) -> str:
     except LaterStrokesError as error:
         return f"{error}; nothing is written over it"
     except ValueError as error:
-        strokes, complaint = {}, f"{error}{_put_aside()}"
+        strokes, complaint = {}, f"{error}{put_aside(strokes_path())}"
     strokes[person] = [*strokes.get(person, []), fact][-MOST:]
     try:
         write_text(strokes_path(), msgspec.json.encode(_File(FORMAT, strokes)).decode() + "\n")
     except FileProblem as error:
         return f"{FILE_NAME}: {error}"
     return complaint
-
-
-def _put_aside() -> str:
-    """Rename a broken file, not onto an earlier one, so that nothing in it is lost."""
-    path = strokes_path()
-    names = [path.with_name(f"strokes.broken{number}.json") for number in ("", *range(2, MOST_BROKEN + 1))]
-    aside = next((name for name in names if not name.exists()), names[-1])
-    with contextlib.suppress(OSError):
-        path.replace(aside)
-        return f"; the file is kept as {aside.name}"
-    return ""

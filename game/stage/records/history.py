@@ -7,20 +7,18 @@ is, and nothing is written over it.
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 from typing import Annotated, NamedTuple
 
 import msgspec
 
-from game.files import FileProblem, read_text, write_text
+from game.files import FileProblem, put_aside, read_text, write_text
 from game.folders import user_folder
 
 FILE_NAME = "practice.json"
 FORMAT = 1
 LARGEST_BYTES = 8 << 20
 MOST_SETS = 20_000
-MOST_BROKEN = 99  # files put aside; then the last one is written over
 
 Count = Annotated[int, msgspec.Meta(ge=0, le=10**6)]
 
@@ -109,7 +107,7 @@ def keep_set(one: PracticeSet) -> str:
     except LaterFormatError as error:
         return f"{error}; nothing is written over it"
     except ValueError as error:
-        sets, complaint = [], f"{error}{_put_aside()}"
+        sets, complaint = [], f"{error}{put_aside(history_path())}"
     places = [k for k, other in enumerate(sets) if (other.key, other.when) == (one.key, one.when)]
     if places:
         sets[places[-1]] = one
@@ -121,14 +119,3 @@ def keep_set(one: PracticeSet) -> str:
     except FileProblem as error:
         return f"{FILE_NAME}: {error}"
     return complaint
-
-
-def _put_aside() -> str:
-    """Rename a broken file, not onto an earlier one, so that nothing in it is lost."""
-    path = history_path()
-    names = [path.with_name(f"practice.broken{number}.json") for number in ("", *range(2, MOST_BROKEN + 1))]
-    aside = next((name for name in names if not name.exists()), names[-1])
-    with contextlib.suppress(OSError):
-        path.replace(aside)
-        return f"; the file is kept as {aside.name}"
-    return ""

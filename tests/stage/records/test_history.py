@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from game import files
 from game.stage.records import history
 from game.stage.records.history import LaterFormatError, PracticeSet, history_path, keep_set, read_history
 
@@ -68,7 +69,7 @@ def test_a_second_broken_file_does_not_replace_the_first(home):
 
 
 def test_where_no_name_is_left_the_last_broken_file_is_replaced(home):
-    names = [f"practice.broken{number}.json" for number in ("", *range(2, history.MOST_BROKEN + 1))]
+    names = [f"practice.broken{number}.json" for number in ("", *range(2, files.MOST_BROKEN + 1))]
     for name in names:
         (home / name).write_text(f"earlier {name}")
     write("broken at last")
