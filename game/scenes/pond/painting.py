@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from game.arrays import Floats, Inks, Ints
-from game.compiler.decorator import kernel, lean_kernel
+from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.ui.raster.pixels import bounds_of
 from game.worlds.painting.inks import channels, opaque
 
@@ -39,16 +39,28 @@ def find_slopes(heights, cell, slopes):
             slopes[2, j, i] = int(min(max(curve, -60.0), 60.0) * FIXED * 8)
 
 
+@inner_kernel
+def between(slopes, layer, j, i, weights):
+    """One of the slopes between four cells, by their weights in 1/FIXED²."""
+    a, b, c, d = weights
+    return (
+        a * np.int64(slopes[layer, j, i])
+        + b * np.int64(slopes[layer, j, i + 1])
+        + c * np.int64(slopes[layer, j + 1, i])
+        + d * np.int64(slopes[layer, j + 1, i + 1])
+    ) >> 16
+
+
 @lean_kernel
 def paint_pond(pixels, clip, slopes, bed, zero, scale, cell, tones):
-    """Fill what the pond covers. zero: px of its lower left corner; scale: px/m; tones: (5,) of `tones_of`.
+    """Fill what the pond covers. zero: px of its lower left corner; scale: px/m; tones: (4,) of `tones_of`.
 
     Two by two pixels have one light: water is smooth.
     """
     x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
     ny, nx = slopes.shape[1], slopes.shape[2]
     per_cell = 1.0 / (scale * cell)
-    through, dark, deep, light, _ = tones
+    through, dark, deep, light = tones
     for row in range(y_low, y_high, 2):
         v = (zero[1] - row - 1.0) * per_cell - 0.5
         if v < -0.5 or v > ny - 0.5:
@@ -66,25 +78,11 @@ def paint_pond(pixels, clip, slopes, bed, zero, scale, cell, tones):
             right = int((u - i) * FIXED)
             a, b = (FIXED - right) * (FIXED - up), right * (FIXED - up)
             c, d = (FIXED - right) * up, right * up
-            sx = (
-                a * np.int64(slopes[0, j, i])
-                + b * np.int64(slopes[0, j, i + 1])
-                + c * np.int64(slopes[0, j + 1, i])
-                + d * np.int64(slopes[0, j + 1, i + 1])
-            ) >> 16
-            sy = (
-                a * np.int64(slopes[1, j, i])
-                + b * np.int64(slopes[1, j, i + 1])
-                + c * np.int64(slopes[1, j + 1, i])
-                + d * np.int64(slopes[1, j + 1, i + 1])
-            ) >> 16
-            curve = (
-                a * np.int64(slopes[2, j, i])
-                + b * np.int64(slopes[2, j, i + 1])
-                + c * np.int64(slopes[2, j + 1, i])
-                + d * np.int64(slopes[2, j + 1, i + 1])
-            ) >> 16
-            x_at = int((column - zero[0]) / scale * BED_SCALE * FIXED) + int(BEND * sx) * 1
+            weights = (a, b, c, d)
+            sx = between(slopes, 0, j, i, weights)
+            sy = between(slopes, 1, j, i, weights)
+            curve = between(slopes, 2, j, i, weights)
+            x_at = int((column - zero[0]) / scale * BED_SCALE * FIXED) + int(BEND * sx)
             stone = np.int64(bed[((y_bed + int(BEND * sy)) >> 8) & (TILE - 1), (x_at >> 8) & (TILE - 1)])
             # crests gather the light of the sun on the bed, troughs spread it
             lit = min(max(FIXED - (int(GATHER * curve) >> 3), 150), 440)
@@ -106,8 +104,8 @@ def paint_pond(pixels, clip, slopes, bed, zero, scale, cell, tones):
 def tones_of(night: bool) -> Ints:
     """Share of the bed and of the deep (of 256), colour of the deep, slope that glints."""
     if night:
-        return np.array((120, 176, 0x0B3A55, 9000, 0), np.int32)
-    return np.array((150, 150, 0x1A7C9C, 9000, 0), np.int32)
+        return np.array((120, 176, 0x0B3A55, 9000), np.int32)
+    return np.array((150, 150, 0x1A7C9C, 9000), np.int32)
 
 
 @lru_cache(maxsize=1)

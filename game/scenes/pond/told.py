@@ -164,9 +164,7 @@ def _row(hand: Hand) -> str:
 
 
 def _lead(hand: Hand) -> str:
-    if not hand.model.has_boat:
-        hand.model.has_boat = True
-        hand.model.boat.pose[[HX, HY]] = hand.at
+    hand.model.put_boat(hand.at)
     hand.model.lead(hand.at)
     return ""
 
@@ -185,7 +183,7 @@ def _pull(hand: Hand) -> str:
     if hand.held != NOBODY and hand.held < len(rows):
         rows[hand.held, FVX] = HAND_RATE * (hand.at[0] - rows[hand.held, FX])
         rows[hand.held, FVY] = HAND_RATE * (hand.at[1] - rows[hand.held, FY])
-        hand.model.touched = True
+        hand.model.touch()
     return ""
 
 

@@ -26,23 +26,25 @@ FOLLOWS, FASTEST = 2.5, 4.0  # 1/s and m/s: how the boat comes after the hand
 SHARE_OF_RADIUS = 0.4  # that a wave goes between two that leave one face
 NO_SPLIT = 1e9  # radii
 CLOCK, RAINED, OWED = range(3)
+BOAT_THERE, TOUCHED_ONCE = range(2)
 
 
 class PondState(NamedTuple):
-    """water, floats, boat; clock: (3,) s, drops of rain that fell, share of the next; course: of the boat."""
+    """water, floats, boat; clock: (3,) s, drops of rain that fell, share of the next; course: of the boat.
+
+    marks: (2,) 1 if there is a boat, 1 if a hand has put something there.
+    """
 
     water: WaveParticleState
     floats: FloatState
     boat: HullState
     clock: Floats
     course: Floats
+    marks: Floats
 
 
 class PondWorld(World):
-    """A pond. course: (5,) velocity (m/s) that the boat keeps by itself; 1 while a hand leads it; to where.
-
-    touched: a hand has put something there, so that nothing is known by theory any more.
-    """
+    """A pond. course: (5,) velocity (m/s) that the boat keeps; 1 while a hand leads it; where to."""
 
     state_type = PondState
 
@@ -54,7 +56,7 @@ class PondWorld(World):
         self.water = WaveParticles(size, radii, cell, self._waves(), int(parameters.most))
         self.floats = FloatingBodies(self.water, taken(FloatSettings, parameters.values))
         boat = content.boat
-        self.has_boat = boat is not None
+        self.marks: Floats = np.array((float(boat is not None), 0.0))
         where = (boat.x, boat.y) if boat is not None else (0.0, 0.0)
         self.boat = Hull(self.water, where, *BOAT_SIZE)
         self.course: Floats = np.zeros(5)
@@ -74,10 +76,9 @@ class PondWorld(World):
                 self.water.drop((drop.x, drop.y), drop.height, self.kind)
         self.water.find_heights()
         self.clock: Floats = np.zeros(3)
-        self.touched = False
         super().__init__(
             content, parameters, active,
-            Whole(self.water), Whole(self.floats), Whole(self.boat), Kept(self, "clock", "course"),
+            Whole(self.water), Whole(self.floats), Whole(self.boat), Kept(self, "clock", "course", "marks"),
         )  # fmt: skip
 
     def _strew(self, count: int, size: tuple[float, float]) -> None:
@@ -89,6 +90,20 @@ class PondWorld(World):
         for k in range(count):
             at = (k % columns + 0.5) / columns * size[0], (k // columns + 0.5) / rows * size[1]
             self.floats.add(at, 0.1 + 0.05 * ((7 * k) % 3), 0.16, 0.5)
+
+    @property
+    def has_boat(self) -> bool:
+        """Whether a boat is on the pond."""
+        return bool(self.marks[BOAT_THERE])
+
+    @property
+    def touched(self) -> bool:
+        """Whether a hand has put something there, so that nothing is known by theory any more."""
+        return bool(self.marks[TOUCHED_ONCE])
+
+    def touch(self) -> None:
+        """A hand has put something there."""
+        self.marks[TOUCHED_ONCE] = 1.0
 
     @property
     def kind(self) -> int:
@@ -131,8 +146,6 @@ class PondWorld(World):
             self.boat.step(self._boat_speed(), dt)
             if FLOATS in self.active:
                 self.boat.push_aside(self.floats.rows)
-        if FLOATS in self.active and len(self.floats):
-            self.floats.step(dt)
         self.clock[CLOCK] = before + dt
         between = SHARE_OF_RADIUS * float(water.radii[self.kind]) / self._fastest()
         if math.floor((before + dt) / between) > math.floor(before / between):
@@ -140,7 +153,9 @@ class PondWorld(World):
                 self.boat.send_waves(self.kind)
             if FLOATS in self.active:
                 self.floats.send_waves(0)
-        water.find_heights()
+        water.find_heights()  # of all particles there are, so that they follow from the state alone
+        if FLOATS in self.active and len(self.floats):
+            self.floats.step(dt)
         self.time += dt
         return ""
 
@@ -178,11 +193,17 @@ class PondWorld(World):
     def drop(self, place: tuple[float, float]) -> None:
         """A stone falls in."""
         self.water.drop(place, float(self.parameters.stone), self.kind)
-        self.touched = True
+        self.touch()
+
+    def put_boat(self, place: tuple[float, float]) -> None:
+        """Let a boat be there, if there is none yet."""
+        if not self.has_boat:
+            self.marks[BOAT_THERE] = 1.0
+            self.boat.pose[[HX, HY]] = place
 
     def lead(self, place: tuple[float, float] | None) -> None:
         """Let the boat come to a place from now on; None: let it lie."""
-        self.touched = True
+        self.touch()
         self.course[:2] = 0.0
         self.course[2] = 0.0 if place is None else 1.0
         if place is not None:
@@ -193,7 +214,7 @@ class PondWorld(World):
         if len(self.floats) >= MOST_FLOATS:
             return f"There are {MOST_FLOATS} floats already."
         self.floats.add(place, float(self.parameters.radius), 0.2, float(self.parameters.density))
-        self.touched = True
+        self.touch()
         return ""
 
     def float_at(self, place: tuple[float, float]) -> int | None:

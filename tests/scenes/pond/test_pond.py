@@ -12,6 +12,7 @@ from game.physics.waves.floats import FX, FY
 from game.scenes.pond.level import MOST_FLOATS, PondContent
 from game.scenes.pond.scene import Pond
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+from game.stage.states.state import copy_state, digest_of
 from game.worlds.expectations import captions_of
 
 LEVELS = level_files("p15")
@@ -193,3 +194,28 @@ def test_a_level_that_makes_no_sense_is_one_line(text, said, tmp_path):
     with pytest.raises(LevelError) as caught:
         load_level(path, "p15", PondContent)
     assert said in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_stepping_back_takes_boat_and_theory_back():
+    stage = opened("ring")
+    stage.run(20)
+    stage.post(Action("tool-boat"))
+    drag(stage, (6.0, 4.5), (6.5, 4.5))
+    model = stage.scene.model
+    assert model.has_boat and model.touched
+    for _ in range(8):
+        stage.step_back()
+    assert not model.has_boat and not model.touched
+    assert math.isfinite(measured(stage, "ring"))
+
+
+def test_a_state_goes_on_alike_after_a_stone_that_was_not_stepped_yet():
+    """Floats take the heights of the particles there are, whoever put them there and when."""
+    stages = [opened("three-hundred", rain=0.0) for _ in range(2)]
+    for stage in stages:
+        stage.run(10)
+        stage.scene.model.drop((8.0, 4.5))
+    stages[1].scene.restore(copy_state(stages[0].scene.state()))
+    for stage in stages:
+        stage.scene.advance(stage.dt)
+    assert digest_of(stages[0].scene.state(), 0) == digest_of(stages[1].scene.state(), 0)
