@@ -127,6 +127,7 @@ def test_no_crackle_comes_again_within_ten_seconds():
 
 def test_a_card_plays_a_loop_until_it_is_over(monkeypatch):
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
+    pygame.mixer.quit()  # the mixer is the process's: what another test plays must not be counted here
     player = SoundPlayer(0.7)
     player.prepare()
     player._opening.join()
