@@ -1,0 +1,108 @@
+"""How liquids are drawn: a room, the vessel, the body of liquid, heaters and taps; particles for teaching."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from game.arrays import Floats
+from game.scenes.honey.painting import LiquidPainter
+from game.scenes.honey.world import HoneyState, HoneyWorld
+from game.ui.canvas.canvas import Canvas
+from game.ui.painters.wall import is_dark
+from game.worlds.hands.hand import Hand
+from game.worlds.painting.inks import channels, color_of, opaque
+from game.worlds.painting.landscape import Landscape
+
+INKS = {
+    "water": 0x3F9FC8, "honey": 0xE39A1C, "slime": 0x58B93C, "oil": 0xD9C53A, "wax": 0xE2483A,
+    "lamp": 0x5A4B9E, "steam": 0xDCE8EE, "air": 0xE9F3F7, "milk": 0xF0ECE0, "tar": 0x4A3B33,
+}  # fmt: skip
+THIN = {"steam": 0.75, "air": 0.75}  # amount of a particle beside one of liquid: smaller bubbles
+COLD, WARM, HOT = 0x2F6FC4, 0xD7D2C4, 0xE8452C  # of temperatures, of densities below and above rest
+GLASS, DARK_GLASS = 0xC9DCE2, 0x4B6470
+WALL = 7.0  # px
+FASTEST = 3.0  # m/s, of the warmest colour of speeds
+SPREAD = 0.04  # of the relative density, from the middle to either colour
+
+
+class HoneyView:
+    """Draws a world."""
+
+    def __init__(self, model: HoneyWorld, hand: Hand):
+        self.model, self.hand = model, hand
+        view = model.content.view
+        self.painter = LiquidPainter()
+        self.landscape = Landscape(view.bottom + 0.45 * (view.top - view.bottom))
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        """What the colours mean, where they are not the liquids' own."""
+        return {
+            "kind": [],
+            "temperature": [("line:vermilion", "warmest", ""), ("line:chalk", "coldest", "")],
+            "density": [("line:vermilion", "squeezed", ""), ("line:chalk", "loose", "")],
+            "speed": [("line:vermilion", "fast", ""), ("line:chalk", "slow", "")],
+        }[self.model.parameters.colours]
+
+    def draw(self, canvas: Canvas, previous: HoneyState | None, alpha: float) -> None:
+        """The liquid ``alpha`` of the way from the state before to now."""
+        self.landscape.draw(canvas)
+        self._draw_vessel(canvas)
+        fluid = self.model.fluid
+        place = fluid.place
+        if previous is not None and previous.fluid.place.shape == place.shape:
+            moved = place - previous.fluid.place
+            near = np.sum(np.square(moved), axis=1) < fluid.support * fluid.support
+            place = np.where(near[:, None], previous.fluid.place + alpha * moved, place)
+        inks = self._inks()
+        if self.model.parameters.dots or canvas.teaching:
+            canvas.discs(place, 0.42 * fluid.spacing, opaque(inks * 255.0))
+        elif len(place):
+            amounts = np.array([THIN.get(one.look, 1.0) for one in self.model.content.liquids])[fluid.kind]
+            spots = canvas.place_all(place).astype(np.float64)
+            spacing = fluid.spacing * canvas.pixels_per_unit
+            self.painter.paint(canvas.raster_target, spots, spacing, inks, amounts)
+        self._draw_edges(canvas)
+        if self.model.pours is not None:
+            canvas.ring(self.model.pours, color="accent")
+
+    def _inks(self) -> Floats:
+        """(n, 3) 0 to 1, of what is shown."""
+        fluid, shown = self.model.fluid, self.model.parameters.colours
+        if shown == "kind":
+            table = channels(np.array([INKS[one.look] for one in self.model.content.liquids])) / 255.0
+            return np.asarray(table[fluid.kind])
+        if shown == "temperature":
+            warm = fluid.temperature()
+            low, high = (float(np.min(warm)), float(np.max(warm))) if len(warm) else (0.0, 1.0)
+            share = (warm - low) / max(high - low, 1.0)
+        elif shown == "density":
+            share = 0.5 + 0.5 * (fluid.density() - 1.0) / SPREAD
+        else:
+            share = np.sqrt(np.sum(np.square(fluid.velocity), axis=1)) / FASTEST
+        share = np.clip(share, 0.0, 1.0)[:, None]
+        cold, warm, hot = channels(np.array((COLD, WARM, HOT))) / 255.0
+        low = cold + (warm - cold) * np.minimum(2.0 * share, 1.0)
+        return np.asarray(low + (hot - low) * np.maximum(2.0 * share - 1.0, 0.0))
+
+    def _draw_vessel(self, canvas: Canvas) -> None:
+        for number, loop in enumerate(self.model.content.vessel):
+            canvas.polygon(loop, "stage" if number == 0 else "line2", alpha=0.35 if number == 0 else 1.0)
+        for heater in self.model.content.heaters:
+            corners = (
+                (heater.left, heater.bottom), (heater.right, heater.bottom),
+                (heater.right, heater.top), (heater.left, heater.top),
+            )  # fmt: skip
+            canvas.polygon(corners, "vermilion" if heater.heat > 293.15 else "chalk", alpha=0.25)
+        for tap in self.model.content.taps:
+            (x, y), half = tap.at, 0.6 * tap.width
+            canvas.polygon(
+                ((x - half, y), (x + half, y), (x + 0.8 * half, y + half), (x - 0.8 * half, y + half)),
+                "text2",
+            )
+
+    def _draw_edges(self, canvas: Canvas) -> None:
+        color = color_of(DARK_GLASS if is_dark(canvas) else GLASS)
+        for loop in self.model.content.vessel:
+            canvas.polyline((*loop, loop[0], loop[1]), color, WALL)
