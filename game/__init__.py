@@ -1,3 +1,3 @@
 """Carom: a physics arcade on one fixed-timestep core."""
 
-__version__ = "0.2.0"
+__version__ = "0.3.0"

@@ -79,6 +79,7 @@ FOLDERS = {
         "search",
         "map rhythm",
         "players",
+        "career",
     ),
     "ui": ("look raster steady", "sound", "text", "canvas", "painters widgets", "charts panel"),
     "worlds": (

@@ -155,7 +155,8 @@ class App:
             "screenshot": self.screenshot,
             "settings": self.open_settings,
             "papers": self.open_papers,
-            "paste": self.open_clipboard,
+            "career": self.open_career,
+            "paste": self.paste,
             "quit": self.quit,
         }
 
@@ -216,6 +217,14 @@ class App:
         if screen.load(elapsed_s):
             self._composition.forget()
 
+    def paste(self) -> None:
+        """What lies in the clipboard: a stroke is played by the scene on top, a run is watched."""
+        top = self.screens.top
+        if isinstance(top, SceneScreen) and top.play is not None:
+            top.play.passing.take()
+        else:
+            self.open_clipboard()
+
     def open_clipboard(self) -> None:
         """Watch the run whose text lies in the clipboard; a message says why not, if it cannot be."""
         try:
@@ -252,6 +261,19 @@ class App:
         """The list of the course's papers; not over itself."""
         if not isinstance(self.screens.top, PapersCard):
             self._open_card(PapersCard.called, lambda: PapersCard(self))
+
+    def open_career(self) -> None:
+        """The card of the career; not over itself."""
+        from game.app.screens.career_card import CareerCard
+
+        if not isinstance(self.screens.top, CareerCard):
+            self._open_card(CareerCard.called, lambda: CareerCard(self))
+
+    def open_statistics(self, person: str) -> None:
+        """The card of what was counted of a person's strokes."""
+        from game.app.screens.statistics_card import StatisticsCard
+
+        self._open_card(StatisticsCard.called, lambda: StatisticsCard(self, person))
 
     def open_paper(self, row: PaperRow) -> None:
         """The page of a paper, which is measured while it is open."""

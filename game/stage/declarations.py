@@ -36,7 +36,8 @@ class Comparison(NamedTuple):
 
     measured (n, 2), expected (m, 2): places along the axis below, values. names: of both. unit: of the
     values. over, over_unit: name and unit of the axis below; "" for a mark, one value of each and no places.
-    single: each measured value stands for itself and no line leads from one to the next.
+    single: each measured value stands for itself and no line leads from one to the next. limit: a value that
+    is ruled across both, by its name; the axis then begins near the least value and not at nothing.
     """
 
     measured: Floats
@@ -46,6 +47,7 @@ class Comparison(NamedTuple):
     over: str = ""
     over_unit: str = ""
     single: bool = False
+    limit: tuple[str, float] | None = None
 
 
 class Strip(NamedTuple):

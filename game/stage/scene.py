@@ -41,6 +41,7 @@ from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
+    from game.stage.records.contested import Contested, StrokeMeasured
     from game.stage.records.excerpt import Excerpt
     from game.stage.records.history import Practised
 
@@ -181,6 +182,17 @@ class Scene(SceneDeclaration):
 
     def action(self, name: str) -> None:
         """One of ``actions``."""
+
+    def given_text(self) -> str:
+        """What was done last as a text that another player goes on with; ValueError if there is none."""
+        raise ValueError("stroke: this scene has none that travels as a text")
+
+    def take_text(self, text: str) -> tuple[Decision, ...] | None:
+        """The decisions that a pasted text of another player stands for, each of which may then be posted.
+
+        None if it is no such text. ValueError in one line for one that does not fit. Nothing changes.
+        """
+        return None
 
     @property
     def way_out(self) -> str:
@@ -338,6 +350,15 @@ class Scene(SceneDeclaration):
         """How the set stands that a person practises, to be kept with its history; None: it is no
         practice.
         """
+        return None
+
+    @property
+    def contest(self) -> Contested | None:
+        """How a match stands between a person and a computer player, for a career; None: there is none."""
+        return None
+
+    def stroke_measured(self) -> StrokeMeasured | None:
+        """What was measured of the last stroke of a person in a contest; None if nothing was."""
         return None
 
     @property

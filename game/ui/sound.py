@@ -56,10 +56,12 @@ RAIL = (
     _Tone(3920.0, 0.5, 0.025),
     _Tone(5400.0, 0.3, 0.015),
 )
+GLASS = (_Tone(2350.0, 1.0, 0.11), _Tone(5480.0, 0.7, 0.07), _Tone(9100.0, 0.4, 0.035))
+GROUND = (_Tone(54.0, 1.0, 0.13), _Tone(97.0, 0.7, 0.08), _Tone(171.0, 0.5, 0.045))
 STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
 KINDS = (
     "tip", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
-    "steel", "rail", "wind", "rustle",
+    "steel", "rail", "wind", "rustle", "glass", "ground",
 )  # fmt: skip
 
 
@@ -97,6 +99,10 @@ def sample_of(kind: str, layer: int) -> Floats:
         made = _pocket(bright)
     elif kind == "steel":
         made = _tones(STEEL, 0.11, bright)
+    elif kind == "glass":
+        made = _tones(GLASS, 0.4, bright) + 0.1 * bright * _noise(0.4, 6000.0, 0.002, 10)
+    elif kind == "ground":  # what is heavy falls on earth: the ground gives way and swings
+        made = _tones(GROUND, 0.6, 1.0) + 0.7 * bright * _noise(0.6, 700.0, 0.05, 9)
     elif kind == "rail":
         made = _tones(RAIL, 0.24, bright) + 0.1 * bright * _noise(0.24, 3000.0, 0.003, 8)
     elif kind == "wind":

@@ -19,7 +19,7 @@ from game.arrays import Floats
 from game.stage import Steady
 
 RATE = 44_100  # Hz
-LOOP_S = 3.0
+LOOP_S = 17.0  # so long that no crackle is recognised when it comes again
 BRIGHTS = 3  # a loop is kept in so many degrees of brightness
 PITCHES = (1.0, 0.71, 0.5)  # of slow pictures: a loop is kept at these
 LEAST_LEVEL = 0.004  # what is quieter is not heard

@@ -8,7 +8,18 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 from game.arrays import Point
 from game.levels import Level
 from game.physics.effects import EffectSet
-from game.stage import Choice, Frame, Hearing, Pointer, Readout, Scene, SetParameter, ToolButton, WarmUp
+from game.stage import (
+    Choice,
+    Comparison,
+    Frame,
+    Hearing,
+    Pointer,
+    Readout,
+    Scene,
+    SetParameter,
+    ToolButton,
+    WarmUp,
+)
 from game.stage.messages import Messages
 from game.worlds.expectations import (
     Caption,
@@ -69,7 +80,7 @@ def _nowhere(model: Any) -> Mapping[str, Point]:
     return {}
 
 
-def _sizeless(model: Any) -> Mapping[str, float]:
+def _nameless(model: Any) -> Mapping[str, Any]:
     return {}
 
 
@@ -82,7 +93,7 @@ class Told(NamedTuple):
 
     readouts: what is measured; saved: the content as it is now; targets: what a story may look at, m;
     hearing: what is heard; names: of single things, where they are, m; sizes: how large what stands at a
-    target is, m.
+    target is, m; charts: measured beside expected, by the names that a story gives them.
     """
 
     readouts: Callable[[Any], Sequence[Readout]] = _rowless
@@ -90,7 +101,8 @@ class Told(NamedTuple):
     targets: Callable[[Any], Mapping[str, Point]] = _nowhere
     hearing: Callable[[Any], Hearing | None] = _nothing
     names: Callable[[Any], Sequence[tuple[Point, str]]] = _rowless
-    sizes: Callable[[Any], Mapping[str, float]] = _sizeless
+    sizes: Callable[[Any], Mapping[str, float]] = _nameless
+    charts: Callable[[Any], Mapping[str, Comparison]] = _nameless
 
 
 class ModelScene(Scene):
@@ -165,6 +177,9 @@ class ModelScene(Scene):
 
     def story_sizes(self) -> Mapping[str, float]:
         return self.told.sizes(self.model)
+
+    def story_charts(self) -> Mapping[str, Comparison]:
+        return self.told.charts(self.model)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend() if self.view is not None else ()

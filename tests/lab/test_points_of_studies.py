@@ -28,6 +28,7 @@ ELSEWHERE = {
     "depth-with-rotation": {"translation"},
     "carom-chances": {"stepped", "lecture"},
     "snooker-long-pot": {"geometry"},
+    "dam": {"shallow"},
     "conduction": {"explicit", "crank-nicolson", "alternating"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points

@@ -23,8 +23,8 @@ import time
 from pathlib import Path
 
 from tests.mutation.compiled import judge
-from tests.mutation.drawing import find
-from tests.mutation.log import Log
+from tests.mutation.drawing import SHARES, find
+from tests.mutation.log import AT_IMPORT, Log
 from tests.mutation.watchers import Watchers
 from tests.paths import ROOT
 
@@ -39,6 +39,7 @@ def sow_all(options: argparse.Namespace) -> None:
         shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*SKIPPED))
         path = Path(options.log).resolve()
         drawn = ["--seed", str(options.seed), "--count", str(options.count), "--log", str(path)]
+        drawn += ["--floors", *options.floors]
         again = ["--again"] if options.again else []
         program = [sys.executable, "-m", "tests.mutation.uncompiled", *drawn, *again]
         subprocess.run(program, cwd=copy, check=True)
@@ -50,7 +51,7 @@ def sow_all(options: argparse.Namespace) -> None:
             sown = find(key, row["line"], copy)
             if sown and row["round"] == "uncompiled" and log.is_open(key, again=True):
                 started = time.perf_counter()
-                noticed, by = judge(sown, copy, watchers)
+                noticed, by = judge(sown, copy, watchers, row["by"] == AT_IMPORT)
                 log.add(sown, noticed, by, "compiled", time.perf_counter() - started)
 
 
@@ -61,6 +62,9 @@ def main() -> None:
     )
     parser.add_argument("--seed", type=int, default=1, help="which faults are drawn")
     parser.add_argument("--count", type=int, default=300, help="how many are drawn over all floors")
+    parser.add_argument(
+        "--floors", nargs="+", choices=tuple(SHARES), default=tuple(SHARES), help="where they are sown"
+    )
     parser.add_argument(
         "--log", default="faults.jsonl", help="where the outcome of each is kept, a line each"
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,6 +16,7 @@ SHARES = {
     "lab": 30,
     "stage": 40,
     "ui": 15,
+    "worlds": 10,
     "scenes": 35,
     "app": 15,
 }
@@ -62,18 +64,19 @@ def find(key: str, line: int, root: Path) -> Sown | None:
     return min(alike, key=lambda sown: abs(sown.fault.line - line), default=None)
 
 
-def choose(seed: int, count: int, root: Path) -> list[Sown]:
-    """Faults drawn at random over all floors by their shares, each kind as often as another."""
+def choose(seed: int, count: int, root: Path, floors: Sequence[str] = tuple(SHARES)) -> list[Sown]:
+    """Faults drawn at random over some floors by their shares, each kind as often as another."""
     generator = random.Random(seed)
     chosen: dict[str, Sown] = {}
-    for floor, share in SHARES.items():
+    shares = {floor: share for floor, share in SHARES.items() if floor in floors}
+    for floor, share in shares.items():
         kinds: dict[str, list[Sown]] = {}
         for path in sorted((root / "game").rglob("*.py")):
             name = path.relative_to(root / "game").as_posix()
             if name.split("/")[0].removesuffix(".py") == floor and not any(part in name for part in PICTURES):
                 for sown in faults_of(f"game/{name}", root):
                     kinds.setdefault(sown.fault.kind, []).append(sown)
-        wanted = len(chosen) + round(count * share / sum(SHARES.values()))
+        wanted = len(chosen) + round(count * share / sum(shares.values()))
         while len(chosen) < wanted and any(kinds.values()):
             several = generator.choice([each for each in kinds.values() if each])
             sown = several.pop(generator.randrange(len(several)))

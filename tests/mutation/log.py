@@ -11,6 +11,8 @@ from tests.mutation.drawing import Sown, find
 
 EQUIVALENT = Path(__file__).with_name("equivalent.toml")
 
+AT_IMPORT = "runs at import"  # what is said of a fault that no fork can be given
+
 
 class Log:
     """What came of each fault."""

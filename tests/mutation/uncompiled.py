@@ -22,7 +22,7 @@ import pytest
 from tests.mutation.costs import Costs, Ran
 from tests.mutation.drawing import Sown, choose, find
 from tests.mutation.forks import in_fork
-from tests.mutation.log import Log
+from tests.mutation.log import AT_IMPORT, Log
 from tests.mutation.operators import sow
 from tests.mutation.runs import TEST_S, run_until_failure
 from tests.mutation.swapping import Change, compare, functions_of, swap
@@ -67,7 +67,8 @@ class Judge:
         missed = (
             [find(key, row["line"], ROOT) for key, row in self.log.rows.items()] if self.options.again else []
         )
-        for sown in dict.fromkeys([*missed, *choose(self.options.seed, self.options.count, ROOT)]):
+        drawn = choose(self.options.seed, self.options.count, ROOT, self.options.floors)
+        for sown in dict.fromkeys([*missed, *drawn]):
             if sown and self.log.is_open(sown.key, self.options.again):
                 started = time.perf_counter()
                 noticed, by = self.judge(sown)
@@ -94,7 +95,7 @@ class Judge:
         changed = sow(kept, sown.fault)
         change = compare(kept, changed, str(path))
         if change is None or change.at_import:
-            return False, "runs at import"
+            return False, AT_IMPORT
         if change.function is None:
             return False, "compiles to the same code"
         near = self.watchers.near(sown.module)
@@ -158,6 +159,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--count", type=int, required=True)
     parser.add_argument("--log", required=True)
+    parser.add_argument("--floors", nargs="+", required=True)
     parser.add_argument("--again", action="store_true")
     options = parser.parse_args()
     os.environ["NUMBA_DISABLE_JIT"] = "1"

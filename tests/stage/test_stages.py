@@ -138,6 +138,17 @@ class TestStepLength:
         stage.advance(0.1)
         assert stage.step_number - before in (2, 3)
 
+    def test_the_clock_begins_with_each_session(self) -> None:
+        stage = Stage(Cloud)
+        stage.post(SetParameter("step_length", 0.05))
+        for begin in (stage.reset, lambda: stage.load_level(Level(scene="cloud"))):
+            stage.run(50)
+            assert (stage.clock.steps, stage.clock.dt) == (stage.step_number, stage.dt)
+            begin()
+            assert stage.step_number == 0
+            assert (stage.clock.steps, stage.clock.dt) == (0, stage.dt)
+        assert stage.dt == 0.01  # as the level has it
+
     @pytest.mark.parametrize("speed", [0.25, 1.0, 4.0])
     def test_so_many_seconds_go_by_for_one_that_passes(self, speed: float) -> None:
         stage = Stage(BouncingBall)
@@ -206,6 +217,15 @@ class TestCharts:
         assert stage.series.times[-1] == pytest.approx(60.0, abs=0.02)
         assert np.diff(stage.series.times).max() < 0.03
         assert len(stage.series.values("energy")) == len(stage.series)
+
+    @pytest.mark.parametrize("dt", [1.0 / 120.0, 1.0 / 60.0, 0.02, 0.05])
+    def test_a_run_leaves_out_nothing_that_the_charts_can_show(self, dt: float) -> None:
+        """The oldest sample is at the window's beginning or before, as where every step was sampled."""
+        stage = Stage(BouncingBall, dt=dt)
+        stage.run(round(60.0 / dt))
+        series = stage.series
+        assert series.times[0] <= stage.time_s - series.window_s + 1e-9
+        assert series.times[-1] == pytest.approx(stage.time_s, abs=1.0 / series.rate_hz)
 
     def test_stepping_back_takes_samples_back(self) -> None:
         stage = Stage(BouncingBall)

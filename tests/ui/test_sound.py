@@ -11,7 +11,12 @@ from game.stage import Hearing, Sound
 from game.ui import sound as sounds
 from game.ui.sound import KINDS, LAYERS, RATE, SoundPlayer, gain_of, layer_of, mixed, sample_of
 
-LONGEST_S = {"mortar": 0.45, "burst": 1.5}  # what rolls over open land; all else is of a small room
+LONGEST_S = {
+    "mortar": 0.45,
+    "burst": 1.5,
+    "ground": 0.65,
+    "glass": 0.45,
+}  # what rolls over open land or rings; all else is of a small room
 
 
 @pytest.mark.parametrize("kind", KINDS)

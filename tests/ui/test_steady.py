@@ -7,7 +7,7 @@ import pytest
 from game.app.film.soundtrack import Ear, Soundtrack
 from game.stage import Hearing, Sound, Steady
 from game.ui.sound import MASTER, SoundPlayer, mixed, pitch_of
-from game.ui.steady import BRIGHTS, RATE, STEADY_KINDS, Bed, loop_of
+from game.ui.steady import BRIGHTS, LOOP_S, RATE, STEADY_KINDS, Bed, loop_of
 
 
 def centre(samples) -> float:
@@ -47,7 +47,7 @@ def test_pieces_of_a_film_follow_each_other_without_a_seam():
 
 def test_what_ends_fades_within_a_piece_and_what_is_faint_is_silent():
     bed = Bed()
-    bed.piece([Steady("flame", 0.8)], 735, 1.0, 1.0)
+    bed.piece([Steady("hiss", 0.8)], 735, 1.0, 1.0)
     ending = bed.piece([], 735, 1.0, 1.0)
     assert np.abs(ending[:100]).max() > 0.01 and np.abs(ending[-5:]).max() < 0.01
     assert not bed.piece([Steady("flame", 0.001)], 735, 1.0, 1.0).any()
@@ -105,9 +105,24 @@ def test_two_frames_for_a_picture_are_not_heard_twice():
 
 
 def test_slow_motion_of_a_film_is_lower_but_not_silent():
-    full, slow = film_of(1.0, 2.0), film_of(0.125, 2.0)
+    """Over a whole turn of the loop, so that the same crackles are in both."""
+    full, slow = film_of(1.0, LOOP_S), film_of(0.125, LOOP_S)
     assert np.sqrt(np.mean(slow**2)) > 0.5 * np.sqrt(np.mean(full**2))
     assert centre(slow[RATE:, 0]) < 0.7 * centre(full[RATE:, 0])
+
+
+def test_no_crackle_comes_again_within_ten_seconds():
+    """What is heard is like what was heard before by no more than chance; after a turn it is the same."""
+    bed = Bed()
+    bed.piece([Steady("flame", 1.0)], 10, 1.0, 1.0)
+    heard = bed.piece([Steady("flame", 1.0)], 20 * RATE, 1.0, 1.0)[:, 0]
+    loud = np.sqrt(np.mean(heard.reshape(-1, RATE // 50) ** 2, axis=1))  # of 20 ms
+
+    def alike(seconds):
+        away = round(seconds * 50.0)
+        return float(np.corrcoef(loud[:-away], loud[away:])[0, 1])
+
+    assert max(alike(s) for s in np.arange(1.0, 10.0, 0.02)) < 0.3 and alike(LOOP_S) > 0.99
 
 
 def test_a_card_plays_a_loop_until_it_is_over(monkeypatch):

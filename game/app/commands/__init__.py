@@ -28,6 +28,7 @@ from game.app.commands import (
     run,
     selftest,
     shot,
+    statistics,
     stories,
     tracks,
 )
@@ -38,8 +39,8 @@ from game.app.window.words import printable, speak_what_is_understood
 from game.definition import DefinitionError
 
 COMMANDS = (
-    play, run, listing, stories, replay, open_text, selftest, accuracy, shot, fit, tracks, match, record,
-    fuzz, bench, precompile,
+    play, run, listing, statistics, stories, replay, open_text, selftest, accuracy, shot, fit, tracks, match,
+    record, fuzz, bench, precompile,
 )  # fmt: skip
 
 

@@ -17,6 +17,7 @@ BUTTONS = (
     ("settings", "gear"),
     ("theme", "contrast"),
     ("papers", "page"),
+    ("career", "cup"),
 )  # from the right
 
 
@@ -42,7 +43,7 @@ class Header:
             place = pygame.Rect(0, 0, px(32), px(32))
             place.center = (rect.right - px(48) - i * px(40), middle)
             spots.append(Hotspot(name, place, True, name.capitalize()))
-        left, right = px(196), rect.right - px(204)
+        left, right = px(196), rect.right - px(244)
         self.field = pygame.Rect(0, 0, max(1, min(px(FIELD_WIDTH), right - left)), px(FIELD_HEIGHT))
         self.field.center = (
             max(left + self.field.w // 2, min(rect.centerx, right - self.field.w // 2)),

@@ -24,6 +24,7 @@ from game.app.scene.stopping import Stopping
 from game.app.scene.story.play import StoryPlay
 from game.app.scene.tools.bench import Bench, ToolsCard
 from game.app.scene.tools.charts import Charts
+from game.app.scene.tools.passing import Passing
 from game.app.screens.host import Host
 from game.app.stagehand.opening import Opening
 from game.app.stagehand.view import StageView
@@ -58,6 +59,7 @@ class ScenePlay:
         self.films = Films(host, self.record, self.view)
         self.bench = Bench(host, self.record, self.view)
         self.charts = Charts(host, self.record, shell)
+        self.passing = Passing(host, self.record, self.post)
         self.stopping = Stopping()
         self.standstill = Standstill()
         self._pace = 1.0  # of the level in play
@@ -102,6 +104,7 @@ class ScenePlay:
             "view": lambda: self.view.camera.home(smooth=not self.host.look.less_motion),
             "save": self.shelf.ask_and_save,
             "copy": self.shelf.copy,
+            "give": self.passing.give,
             "film": self.films.ask,
             "tools": self.open_tools,
             "teach": self.lesson.ask_and_save,

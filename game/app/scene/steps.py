@@ -6,6 +6,7 @@ from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
 from game.app.scene.keeping import Keeper
 from game.app.screens.host import Host
+from game.app.stagehand.career_keeper import CareerKeeper
 from game.app.stagehand.practice import PracticeKeeper
 from game.app.stagehand.stars import StarKeeper
 from game.stage import Scene, Stage
@@ -24,6 +25,7 @@ class Steps:
         self._gate = gate
         self._stars = StarKeeper()
         self._practice = PracticeKeeper()
+        self._career = CareerKeeper()
         keeps = type(record.stage.scene).worth_keeping is not Scene.worth_keeping
         self._keeper = Keeper(record.stage.scene_type.name) if keeps else None
         self.seen = True
@@ -55,6 +57,11 @@ class Steps:
             self._keeper.update(stage)
         if complaint := self._stars.update(stage):
             self._host.tell("Stars.", complaint, "warning")
+        news = self._career.update(stage)
+        if news.cause:
+            self._host.tell(news.cause, news.consequence)
+        if news.complaint:
+            self._host.tell("Career.", news.complaint, "warning")
         if complaint := self._practice.update(stage):
             self._host.tell("Practice.", complaint, "warning")
 

@@ -109,6 +109,10 @@ class Host(Protocol):
         """A scene in place of the menu or of another scene."""
         ...
 
+    def open_clipboard(self) -> None:
+        """Watch the run whose text lies in the clipboard."""
+        ...
+
     def open_welcome(self) -> None:
         """The card of the very first start, over the menu."""
         ...
@@ -123,6 +127,14 @@ class Host(Protocol):
 
     def open_papers(self) -> None:
         """The list of the course's papers."""
+        ...
+
+    def open_career(self) -> None:
+        """The card of the career."""
+        ...
+
+    def open_statistics(self, person: str) -> None:
+        """The card of what was counted of a person's strokes."""
         ...
 
     def open_paper(self, row: PaperRow) -> None:

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import msgspec
+
 from game.levels import Level, LevelError, level_files, load_level
 
 if TYPE_CHECKING:
@@ -20,6 +22,7 @@ class Opening(NamedTuple):
 
     level: Path | None = None
     parameters: Mapping[str, Any] = NOTHING
+    players: tuple[str, ...] = ()  # names of a game's players, in place of the level's
     effects_off: tuple[str, ...] = ()
     seed: int | None = None
     recording: Recording | None = None
@@ -36,7 +39,7 @@ class Opening(NamedTuple):
             return Stage(scene_type, level=story.level)
         return Stage(
             scene_type,
-            level=read_level(scene_type, self.level),
+            level=with_players(scene_type, read_level(scene_type, self.level), self.players),
             parameters=self.parameters,
             effects_off=self.effects_off,
             seed=self.seed,
@@ -54,6 +57,20 @@ class Opening(NamedTuple):
         if not found:
             raise LevelError(None, "story", f"{scene_type.name} has none called {self.story!r}")
         return found[0]
+
+
+def with_players(scene_type: type[Scene], level: Level | None, players: tuple[str, ...]) -> Level | None:
+    """A level whose players have these names; the level itself without names. LevelError if it has none."""
+    if not players:
+        return level
+    content_type: Any = scene_type.content_type
+    content = level.content if level is not None and level.content is not None else content_type()
+    if not hasattr(content, "players"):
+        raise LevelError(None, "players", f"{scene_type.name} has none")
+    named = msgspec.structs.replace(content, players=players)
+    if level is None:
+        return Level(scene=scene_type.name, content=named)
+    return msgspec.structs.replace(level, content=named)
 
 
 def read_level(scene_type: type[Scene], path: Path | None) -> Level | None:

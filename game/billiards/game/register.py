@@ -70,6 +70,7 @@ REGISTER: dict[str, Registered] = {
         Registered("balkline-47-2", "Balkline 47/2", "carom", "balkline-47-2", "game", "points"),
         Registered("balkline-47-1", "Balkline 47/1", "carom", "balkline-47-1", "game", "points"),
         Registered("balkline-71-2", "Balkline 71/2", "carom", "balkline-71-2", "game", "points"),
+        Registered("artistic", "Artistic billiards", "carom", "artistic", "game", "points of figures"),
         Registered("snooker", "Snooker", "snooker", "default", "frame", "more points"),
         Registered("six-red", "Six-red snooker", "snooker", "six-red", "frame", "more points"),
     )

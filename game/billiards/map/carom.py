@@ -107,7 +107,7 @@ class Position:
         other.places = places
         other.board = self.board.moved(places[self.order], np.arange(3))
         other.against = _against(places[self.order])
-        other.wanted = self.wanted._replace(opening=False, leave=())
+        other.wanted = self.wanted._replace(opening=False, leave=(), code=0)
         return other
 
     def play(self, strokes: Floats) -> Routes:

@@ -51,17 +51,21 @@ class Routes(NamedTuple):
 class Wanted(NamedTuple):
     """What scores: so many cushions before the second ball; opening: the red ball first, directly.
 
-    leave: zones in which both object balls lie, and of which one of them must come out to stay.
+    leave: zones in which both object balls lie, and of which one of them must come out to stay. code: of the
+    only route that scores, 0 for any.
     """
 
     cushions: int
     opening: bool = False
     leave: tuple[Zone, ...] = ()
+    code: int = 0
 
     def scores(self, routes: Routes) -> NDArray[np.bool_]:
         """Which of m strokes make a point (m,)."""
         facts = routes.facts
         good = (facts[:, CUSHIONS] >= self.cushions) & (facts[:, INTO] == 0)
+        if self.code:
+            good &= routes.codes == self.code
         for zone in self.leave:
             good &= ~(zone.holds(routes.ends[:, OTHER]) & zone.holds(routes.ends[:, RED]))
         return good & (facts[:, FIRST] == RED) if self.opening else good

@@ -8,10 +8,14 @@ import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame
+from game.billiards.game.games.artistic import Artistic
+from game.billiards.game.games.artistic_figures import LETTERS
 from game.billiards.game.games.carom import ACCEPT, PLAY_AWAY, RESPOT
 from game.billiards.map.carom import SEED, THOROUGH, CaromMap, Group, Position, Search, whole_map
 from game.billiards.map.leaving import leaving
-from game.billiards.map.routes import Wanted
+from game.billiards.map.routes import RAILS, Wanted, touches
+from game.billiards.players.taste import PLAIN, Hand, Taste
+from game.billiards.players.weighing import noise_of
 from game.billiards.search.strokes import Noise, draw_noise, with_noise
 from game.billiards.table.carom import BALL_RADIUS, RED
 from game.physics.kernels import elementwise
@@ -30,13 +34,22 @@ class CaromGrade(NamedTuple):
     looks: Search
     planned: int = 0
     ahead: float = 0.0
+    taste: Taste = PLAIN
+    hand: Hand = Hand()
 
     @property
     def noise(self) -> Noise:
         """How unsteady the hand is."""
-        return Noise().scaled(self.unsteady)
+        return noise_of(self.hand, self.unsteady)
+
+    @property
+    def supposed(self) -> Noise:
+        """How unsteady the player takes its hand to be."""
+        return noise_of(self.hand, self.unsteady / self.taste.confidence)
 
 
+NEAR = 48  # strokes near a figure's known one that are tried
+FIGURE_STEPS = np.array([0.12, 0.006, 0.0, 0.03, 0.03])  # m/s, rad, rad, radii; how far they lie from it
 _PLAIN = THOROUGH._replace(aims=120, groups=6, candidates=3, moves=0, draws=24)
 CAROM_GRADES = {
     grade.name: grade
@@ -69,24 +82,35 @@ class CaromDecision(NamedTuple):
     choices: tuple[Choice, ...] = ()
 
 
+def cushions_of(code: int) -> int:
+    """How many cushions the cue ball touches before the last thing of its way. code: see `map.routes`."""
+    return sum(1 for touched in touches(code) if 1 <= touched <= RAILS)
+
+
+def wanted_of(frame: CaromFrame) -> Wanted:
+    """What scores for a frame's player."""
+    game = frame.game
+    code = 0
+    if isinstance(game, Artistic):
+        for letter in game.now.route:
+            code = 8 * code + 1 + LETTERS.index(letter)
+    return Wanted(game.cushions, game.opening, game.must_leave(frame.positions), code)
+
+
 def position_of(frame: CaromFrame) -> Position:
     """The position that a frame's player is at."""
-    game = frame.game
-    return Position(
-        frame.positions,
-        game.cue,
-        frame.table,
-        frame.physics,
-        Wanted(game.cushions, game.opening, game.must_leave(frame.positions)),
-    )
+    return Position(frame.positions, frame.game.cue, frame.table, frame.physics, wanted_of(frame))
 
 
 def weigh(position: Position, drawn: CaromMap, grade: CaromGrade, seed: int = SEED) -> tuple[Choice, ...]:
     """What a player makes of a map: the surest strokes, weighed by what they leave; the best first."""
     choices = []
     for place, group in enumerate(drawn.groups):
-        left = leaving(position, group, grade.noise, seed=seed) if place < grade.planned else 0.0
-        choices.append(Choice(group, left, group.chance * (1.0 + grade.ahead * left)))
+        left = leaving(position, group, grade.supposed, seed=seed) if place < grade.planned else 0.0
+        worth = group.chance * (1.0 + grade.ahead * left)
+        if grade.taste.bank:
+            worth += grade.taste.bank * group.chance * cushions_of(group.code)
+        choices.append(Choice(group, left, worth))
     return tuple(sorted(choices, key=lambda choice: -choice.worth))
 
 
@@ -107,7 +131,9 @@ def decide_carom(frame: CaromFrame, grade: CaromGrade, seed: int = SEED) -> Caro
         good = bool(drawn.groups) and drawn.groups[0].chance > 0.3
         return CaromDecision(PLAY_AWAY.name if good else RESPOT.name)
     position = position_of(frame)
-    choices = weigh(position, whole_map(position, grade.noise, grade.looks, seed), grade, seed)
+    if isinstance(game, Artistic):
+        return CaromDecision("", _figure_stroke(position, game.now.stroke, grade, seed))
+    choices = weigh(position, whole_map(position, grade.supposed, grade.looks, seed), grade, seed)
     stroke = choices[0].group.stroke if choices else _straight_at_red(position)
     return CaromDecision("", stroke, choices)
 
@@ -116,6 +142,18 @@ def hand_of(stroke: Stroke, grade: CaromGrade, seed: int) -> Stroke:
     """What the player's hand makes of a stroke, the same for the same seed."""
     made = with_noise(np.array([stroke], dtype=np.float64), draw_noise(seed, 1), grade.noise, BALL_RADIUS)
     return Stroke(*made[0].tolist())
+
+
+def _figure_stroke(position: Position, known: Stroke, grade: CaromGrade, seed: int) -> Stroke:
+    """A figure's stroke as a player finds it on this cloth: the surest near the known one."""
+    random = np.random.default_rng(seed)
+    near = np.array([known]) + random.normal(0.0, 1.0, (NEAR, 5)) * FIGURE_STEPS
+    near[0] = known
+    near[:, 2] = np.maximum(near[:, 2], 0.0)
+    draws = draw_noise(seed + 1, grade.looks.first_draws)
+    played = position.play(with_noise(near, draws, grade.noise, BALL_RADIUS))
+    chances = position.wanted.scores(played).reshape(NEAR, -1).mean(axis=1)
+    return Stroke(*near[int(np.argmax(chances))].tolist())
 
 
 def _straight_at_red(position: Position) -> Stroke:

@@ -5,25 +5,29 @@ A player decides what to play (`decide`); what its hand makes of it is another m
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
+from game.arrays import Floats
 from game.billiards.game.arrangement import Arrangement, Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.game.games.eight_ball import IN_HAND, SPOT_EIGHT
 from game.billiards.game.games.rotation import PASS_BACK, PLAY
 from game.billiards.game.games.straight_pool import StraightPool
 from game.billiards.game.rules import CUE_BALL, Call, Game
+from game.billiards.players.taste import PLAIN, SAFETY, Hand, Taste
+from game.billiards.players.weighing import noise_of, weighed, weighed_safe
 from game.billiards.search.aims import aims_of
 from game.billiards.search.breaking import best_break, safe_break
-from game.billiards.search.candidates import BALL
+from game.billiards.search.candidates import BALL, KIND, KINDS, NO_POT
 from game.billiards.search.finding import DRAWS, FoundShot, named_shots, processors, search, thread_pool
 from game.billiards.search.legality import board_of, legality_of
 from game.billiards.search.looking import Effort, Looked
 from game.billiards.search.outcomes import NO_LINE
 from game.billiards.search.placing import BallInHand, place_cue_ball
-from game.billiards.search.rating import Aims
+from game.billiards.search.rating import FOULED, Aims
 from game.billiards.search.safety import look_for_push_out, look_for_safety
 from game.billiards.search.strokes import Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
@@ -43,7 +47,8 @@ class Grade(NamedTuple):
     unsteady: how many times the usual noise of a hand. effort: how hard it looks. placing: how hard it looks
     at each of `places` where a cue ball in hand could go, of which it keeps `kept`. safe: safe strokes it
     samples (0: none). careful: it weighs what a stroke leaves; else it takes what goes down most often.
-    break_speed m/s of the cue; breaks: samples for each way to break (0: straight from the middle).
+    break_speed m/s of the cue; breaks: samples for each way to break (0: straight from the middle). taste:
+    what it likes beside what wins; hand: where aim, speed and spin are not equally unsteady.
     """
 
     name: str
@@ -58,11 +63,18 @@ class Grade(NamedTuple):
     careful: bool = True
     break_speed: float = 6.0
     breaks: int = 0
+    taste: Taste = PLAIN
+    hand: Hand = Hand()
 
     @property
     def noise(self) -> Noise:
         """How unsteady the hand is."""
-        return Noise().scaled(self.unsteady)
+        return noise_of(self.hand, self.unsteady)
+
+    @property
+    def supposed(self) -> Noise:
+        """How unsteady the player takes its hand to be."""
+        return noise_of(self.hand, self.unsteady / self.taste.confidence)
 
 
 _GLANCE = Effort(
@@ -108,7 +120,9 @@ class Decision(NamedTuple):
 
     option: the name of the option it chooses, "" if there was nothing to choose. place: where it puts the
     cue ball (m), None if that is not in hand. stroke: as meant, None with an option. considered: what it
-    thought of, the best first. worth: its estimate of the chance to win.
+    thought of, the best first. worth: its estimate of the chance to win. chance: that the stroke does what it
+    is meant to, kind: of KINDS or "safety", both as it thought; safe: what the best safe stroke was worth to
+    it, NaN if it looked for none.
     """
 
     option: str = ""
@@ -117,6 +131,9 @@ class Decision(NamedTuple):
     call: Call = Call()
     considered: tuple[FoundShot, ...] = ()
     worth: float = 0.0
+    chance: float = math.nan
+    kind: str = ""
+    safe: float = math.nan
 
 
 def decide(
@@ -247,31 +264,36 @@ class _Mind:
         """
         grade = self.grade
         effort = grade.effort if effort is None else effort
-        view = View(board_of(frame), grade.noise)
+        view = View(board_of(frame), grade.supposed)
         found: list[tuple[Looked, Aims]] = []
         every_aim = self._aims(frame, frame.layout)
         for aims in every_aim:
             looked = search(view, aims, effort, self.seed, self.threads, self.clock)
             if looked is not None:
                 found.append((looked, aims))
-        chance = max((float(looked.chance[0]) for looked, _ in found), default=0.0)
+        surest = max((float(looked.chance[0]) for looked, _ in found), default=0.0)
         alone = every_aim[0].solo
-        if not found or (grade.safe and not alone and chance < SAFE_BELOW and not self.clock.is_out()):
+        if not found or (grade.safe and not alone and surest < SAFE_BELOW and not self.clock.is_out()):
             finalists = max(grade.safe, 1)
             draws = self.draws[: effort.samples]
             found.append((look_for_safety(view, every_aim[0], finalists, draws, self.pool), every_aim[0]))
-        if isinstance(frame.game, StraightPool) and chance >= POINT_FROM:
+        if isinstance(frame.game, StraightPool) and surest >= POINT_FROM:
             return self._for_a_point(frame, view, found[0][0])
-        looked, aims = max(found, key=lambda pair: self._score(pair[0]))
+        looked, aims = max(found, key=lambda pair: float(self._scores(pair[0]).max()))
         shots = [shot for some, _ in found for shot in named_shots(view, some, SHOWN)]
         considered = tuple(sorted(shots, key=lambda shot: -shot.worth)[:SHOWN])
-        best = int(np.argmax(looked.worth if grade.careful else looked.chance))
-        worth = float(looked.worth[best])
+        best = int(np.argmax(self._scores(looked)))
+        worth, chance = float(looked.worth[best]), float(looked.chance[best])
         if frame.game.may_push_out() and worth < PUSH_OUT_BELOW and grade.careful:
             stroke = look_for_push_out(view, aims, self.seed, self.pool)
             return Decision("", None, Stroke(*stroke.tolist()), Call(push_out=True), considered, 0.5)
         call = self._call(frame, looked, best)
-        return Decision("", None, Stroke(*looked.strokes[best].tolist()), call, considered, worth)
+        kind = (*KINDS, SAFETY)[int(looked.candidates[best, KIND])]
+        safes = [float(some.worth.max()) for some, _ in found if _is_safe(some)]
+        return Decision(
+            "", None, Stroke(*looked.strokes[best].tolist()), call, considered, worth,
+            _legal(looked, best) if kind == SAFETY else chance, kind, safes[0] if safes else math.nan,
+        )  # fmt: skip
 
     def _for_a_point(self, frame: Frame, view: View, looked: Looked) -> Decision:
         """Where each ball is a point, no table need be cleared: the sure pot that leaves most."""
@@ -280,11 +302,16 @@ class _Mind:
         best = int(np.argmax(np.where(sure, worth, -1.0)))
         shots = tuple(named_shots(view, looked, SHOWN))
         stroke = Stroke(*looked.strokes[best].tolist())
-        return Decision("", None, stroke, self._call(frame, looked, best), shots, float(looked.chance[best]))
+        chance, kind = float(looked.chance[best]), KINDS[int(looked.candidates[best, KIND])]
+        return Decision("", None, stroke, self._call(frame, looked, best), shots, chance, chance, kind)
 
-    def _score(self, looked: Looked) -> float:
-        """What a player weighs."""
-        return float((looked.worth if self.grade.careful else looked.chance).max())
+    def _scores(self, looked: Looked) -> Floats:
+        """What each of the strokes (f,) counts for the player."""
+        if not self.grade.careful:
+            return looked.chance
+        if _is_safe(looked):
+            return weighed_safe(looked.worth, self.grade.taste)
+        return weighed(looked.worth, looked.chance, looked.candidates, self.grade.taste)
 
     def _call(self, frame: Frame, looked: Looked, best: int) -> Call:
         """Ball and pocket of a stroke, or a safety."""
@@ -292,6 +319,16 @@ class _Mind:
         if ball < 0:
             return Call(safety=True)
         return Call(frame.layout.numbers[ball], pocket)
+
+
+def _is_safe(looked: Looked) -> bool:
+    """Whether these strokes are not meant to pot."""
+    return int(looked.candidates[0, KIND]) == NO_POT
+
+
+def _legal(looked: Looked, row: int) -> float:
+    """How often a stroke's samples were no foul."""
+    return float((looked.kinds[row] < FOULED).mean())
 
 
 def _without_options(game: Game) -> Game:

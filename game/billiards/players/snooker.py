@@ -28,7 +28,9 @@ from game.billiards.players.snooker_ideas import (
     safe_strokes,
     strokes_all_around,
 )
-from game.billiards.search.candidates import CHANCE
+from game.billiards.players.taste import PLAIN, SAFETY, Hand, Taste
+from game.billiards.players.weighing import SNOOKER_POINTS, noise_of
+from game.billiards.search.candidates import CHANCE, KIND, KINDS
 from game.billiards.search.finding import DRAWS, FoundShot, named_shots, processors, thread_pool
 from game.billiards.search.looking import Effort, look
 from game.billiards.search.next_pot import best_chances
@@ -54,7 +56,7 @@ SHOWN = 6
 class SnookerGrade(NamedTuple):
     """A grade of players. unsteady: times the usual noise of a hand. effort: how hard it looks for pots;
     safe: safe strokes that it samples. careful: it weighs what is left. building: points that it counts a
-    good chance at the next ball as, its own or the other's.
+    good chance at the next ball as, its own or the other's. taste, hand: as of `Grade`.
     """
 
     name: str
@@ -65,11 +67,18 @@ class SnookerGrade(NamedTuple):
     safe: int = 4
     careful: bool = True
     building: float = 12.0
+    taste: Taste = PLAIN
+    hand: Hand = Hand()
 
     @property
     def noise(self) -> Noise:
         """How unsteady the hand is."""
-        return Noise().scaled(self.unsteady)
+        return noise_of(self.hand, self.unsteady)
+
+    @property
+    def supposed(self) -> Noise:
+        """How unsteady the player takes its hand to be."""
+        return noise_of(self.hand, self.unsteady / self.taste.confidence)
 
 
 SNOOKER_GRADES = {
@@ -121,7 +130,7 @@ class _Mind:
 
     def view(self, frame: SnookerFrame) -> View:
         """The table as the search sees it."""
-        return View(Board(frame.layout, frame.table, frame.physics), self.grade.noise)
+        return View(Board(frame.layout, frame.table, frame.physics), self.grade.supposed)
 
     def values(self, view: View, idea: Idea, outcomes: Outcomes) -> tuple[Floats, NDArray[np.int64]]:
         """Value in points (m,) of what strokes led to, and their classes."""
@@ -156,11 +165,16 @@ class _Mind:
             shape = (len(looked.strokes), -1)
             chance = (kinds == SCORED).reshape(shape).mean(axis=1)
             worth = values.reshape(shape).mean(axis=1) if self.grade.careful else chance * (1.0 + idea.points)
+            if self.grade.taste.pot:
+                points = self.grade.taste.pot * (idea.points + self.grade.building)
+                worth = (1.0 - self.grade.taste.pot) * worth + points * chance
             row = int(np.argmax(worth))
             value = float(worth[row])
             if value > best_value:
                 best_value, best_chance = value, float(chance[row])
-                best = Decision("", None, Stroke(*looked.strokes[row].tolist()), idea.call, (), value)
+                kind = KINDS[int(looked.candidates[row, KIND])]
+                stroke = Stroke(*looked.strokes[row].tolist())
+                best = Decision("", None, stroke, idea.call, (), value, best_chance, kind)
         if best is None:
             return None, 0.0
         shown = tuple(sorted(shots, key=lambda shot: -shot.chance)[:SHOWN])
@@ -208,10 +222,12 @@ class _Mind:
             return pot
         idea = idea_for_safety(frame, view)
         safe = self.safe_stroke(view, idea)
-        if pot is not None and ((not self.grade.careful and chance > POOR) or pot.worth > safe.worth):
-            return pot
+        liked = safe.worth + SNOOKER_POINTS * self.grade.taste.safety
+        if pot is not None and ((not self.grade.careful and chance > POOR) or pot.worth > liked):
+            return pot._replace(safe=safe.worth)
         considered = pot.considered if pot is not None else ()
-        return Decision("", None, Stroke(*safe.stroke.tolist()), idea.call, considered, safe.worth)
+        stroke = Stroke(*safe.stroke.tolist())
+        return Decision("", None, stroke, idea.call, considered, safe.worth, safe.legal, SAFETY, safe.worth)
 
     # -- the cue ball in hand, and choices ----------------------------------------------------------
 
@@ -245,7 +261,8 @@ class _Mind:
         view = self.view(placed)
         idea = ideas_of(placed)[0]
         safe = self.safe_stroke(view, idea, BREAK_SPEEDS)
-        return Decision("", (x, y), Stroke(*safe.stroke.tolist()), idea.call, (), safe.worth)
+        stroke = Stroke(*safe.stroke.tolist())
+        return Decision("", (x, y), stroke, idea.call, (), safe.worth, safe.legal, SAFETY, safe.worth)
 
     def option(self, frame: SnookerFrame) -> str:
         """One of the choices after a foul, or at the black that was put back."""

@@ -7,6 +7,9 @@ whatever depth, and is optimised with it once. A fifth of the time of compiling 
 
 Each function's name in the code is its own in all processes (see contexts.py). So what two kept kernels hold
 under one name is the same.
+
+Of a finished kernel numba keeps LLVM's module twice, for a look at it and for others to link in. Here both
+are let go, and bitcode is kept, a fraction of their size: it is read where another kernel links it in.
 """
 
 from __future__ import annotations
@@ -33,6 +36,13 @@ class KernelLibrary(JITCodeLibrary):
     """Code of a kernel that Python may call."""
 
     counts_references = True
+    environments: list[Any]  # of the functions whose code is in it
+    symbols: list[str]  # names of what it calls and does not hold
+    _final_module: Any
+    _bitcode = (
+        b""  # of all that others may link in; none before it is finished, or where it must stay a module
+    )
+    _code = b""  # machine code, until it is kept
 
     def _optimize_functions(self, ll_module: Any) -> None:
         # numba runs all passes on each function by itself as well, with a manager made anew for each, also
@@ -44,8 +54,66 @@ class KernelLibrary(JITCodeLibrary):
         linked = _with_all_inner(self._linking_libraries)  # type: ignore[has-type]
         self._linking_libraries = [_Own(one) if isinstance(one, InnerLibrary) else one for one in linked]
         super().finalize()
-        for environment in environments_of(self._final_module):
+        self._linking_libraries = []
+        for environment in self.environments:
             self._codegen.set_env(environment.env_name, environment)
+
+    def _finalize_final_module(self) -> None:
+        module = self._final_module
+        self.environments = environments_of(module)
+        self.symbols = symbols_of(module)
+        if any(one.name.startswith(_CIRCLE) for one in module.global_variables):
+            super()._finalize_final_module()  # an address in it is filled in later
+            return
+        self._finalize_dynamic_globals()
+        self._verify_declare_only_symbols()
+        self._codegen._engine._load_defined_symbols(module)
+        self._code = self._codegen._tm.emit_object(module)
+        for function in module.functions:
+            if not function.is_declaration and function.linkage == llvm.Linkage.external:
+                function.linkage = "linkonce_odr"
+        self._bitcode = module.as_bitcode()
+        self._final_module = llvm.parse_assembly(str(self._codegen._create_empty_module(self.name)))
+        self._load(self._code)
+        self._codegen._scan_and_fix_unresolved_refs(module)
+
+    def _load(self, code: bytes) -> None:
+        """Have LLVM take machine code, as that of a module without anything."""
+        self.enable_object_caching()
+        self._set_compiled_object(code)
+        super()._finalize_final_module()
+
+    @classmethod
+    def from_object(cls, codegen: Any, name: str, code: bytes, bitcode: bytes) -> KernelLibrary:
+        """As it was when it was kept."""
+        library = cls(codegen, name)
+        library._bitcode = bitcode
+        library._load(code)
+        codegen._engine._load_defined_symbols(library._get_module_for_linking())
+        return library
+
+    def serialize_using_object_code(self) -> Any:
+        """Name, form and parts, as numba has them; the machine code is handed over once."""
+        if not self._bitcode:
+            return super().serialize_using_object_code()
+        code, self._code = self._code, b""
+        return self.name, "object", (code, self._bitcode)
+
+    def _get_module_for_linking(self) -> Any:
+        self._ensure_finalized()
+        return llvm.parse_bitcode(self._bitcode) if self._bitcode else super()._get_module_for_linking()
+
+    def get_defined_functions(self) -> Any:
+        """Functions whose code is in it."""
+        return [one for one in self._get_module_for_linking().functions if not one.is_declaration]
+
+    def get_llvm_str(self) -> str:
+        """The module in LLVM's language."""
+        return str(self._get_module_for_linking())
+
+    def get_asm_str(self) -> str:
+        """The machine's instructions."""
+        return str(self._codegen._tm.emit_assembly(self._get_module_for_linking()))
 
     def _optimize_final_module(self) -> None:
         # numba runs a cheaper set of passes before, so that counts of references meet and cancel each other
@@ -201,7 +269,8 @@ def kept_form(result: Any) -> tuple[list[str], tuple[Any, ...]]:
     library = result.library
     if not isinstance(library, InnerLibrary):
         bare = result._replace(type_annotation="")  # or numba writes down the type of each statement
-        return symbols_of(library._get_module_for_linking()), tuple(bare._reduce())
+        cached = tuple(one for one in library.environments if one.can_cache())
+        return library.symbols, (*bare._reduce()[:-1], cached)
     whole = library.whole()
     result.fndesc.typemap = result.fndesc.calltypes = None  # large, and not to be pickled
     environments = [one for one in environments_of(whole) if one.can_cache()]
@@ -211,13 +280,17 @@ def kept_form(result: Any) -> tuple[list[str], tuple[Any, ...]]:
 
 def rebuilt(target: Any, parts: tuple[Any, ...]) -> Any:
     """A compiled function from the second part of its `kept_form`; LLVM must know the symbols by now."""
-    if not isinstance(parts[0], bytes):
-        return CompileResult._rebuild(target, *parts)
-    bitcode, described, environment, signature, reload_init, environments = parts
+    if isinstance(parts[0], bytes):
+        bitcode, described, environment, signature, reload_init, environments = parts
+    else:
+        (name, _, coded), described, environment, signature, _, _, _, reload_init, environments = parts
     for function in reload_init:
         function()
-    library = InnerLibrary.from_bitcode(target.codegen(), bitcode)
-    return CompileResult(
+    if isinstance(parts[0], bytes):
+        library: KernelLibrary = InnerLibrary.from_bitcode(target.codegen(), bitcode)
+    else:
+        library = KernelLibrary.from_object(target.codegen(), name, *coded)
+    result = CompileResult(
         typing_context=target.typing_context,
         target_context=target,
         entry_point=target.get_executable(library, described, environment),
@@ -234,3 +307,6 @@ def rebuilt(target: Any, parts: tuple[Any, ...]) -> Any:
         reload_init=reload_init,
         referenced_envs=environments,
     )
+    for one in environments:
+        library.codegen.set_env(one.env_name, one)
+    return result

@@ -33,7 +33,7 @@ SOLID_FAR = 3.0  # cells
 
 class LiquidState(NamedTuple):
     """places, speeds (n, 2) m, m/s; affine (n, 4) m/s a cell; pressure, correction (ny, nx) of the last
-    solves; account: (3,) particles put in, taken out, refused; clock: (2,) s, part steps.
+    solves; account: (3,) particles put in, taken out, refused; clock: (2,) s, part steps; report: `Report`.
     """
 
     places: Floats
@@ -43,6 +43,7 @@ class LiquidState(NamedTuple):
     correction: Floats
     account: Floats
     clock: Floats
+    report: Floats
 
 
 class Report(NamedTuple):
@@ -93,7 +94,7 @@ class Liquid:
         self.account: Floats = np.zeros(3)
         self.clock: Floats = np.zeros(2)
         self._origin = (grid.lower[0], grid.lower[1], grid.cell)
-        self._quarters: Floats = np.zeros((2 * grid.ny, 2 * grid.nx))
+        self.quarters: Floats = np.zeros((2 * grid.ny, 2 * grid.nx))
         self.walls = make_walls(grid, SOLID_FAR)
         self._take_walls()
 
@@ -170,6 +171,12 @@ class Liquid:
         Bodies with an inverse mass are moved by the liquid: the pushes of a step take their own fall by
         gravity for granted, which the room of the bodies adds.
         """
+        self.sample_solids(*surfaces)
+        if surfaces and self.count:
+            self._push_out()
+
+    def sample_solids(self, *surfaces: Surface) -> None:
+        """The same, and leave the liquid where it is."""
         self.surfaces = surfaces
         if surfaces:
             many = len(surfaces)
@@ -179,8 +186,6 @@ class Liquid:
         scale = self.density * self.grid.cell * self.grid.cell
         self._held = bodies.hold_bodies(self._grips, surfaces, self.obstacles.faces.body, scale)
         self._take_walls()
-        if surfaces and self.count:
-            self._push_out()
 
     def solid_distance(self, places: Floats) -> Floats:
         """(n,) m from the nearest solid, below 0 in it."""
@@ -211,7 +216,7 @@ class Liquid:
             closed_v=np.flatnonzero(walls.ay < LEAST_OPEN),
         )
         walls.present[0] = bool(self.surfaces)
-        fill_room(self.cells, walls.distance, self._quarters)
+        fill_room(self.cells, walls.distance, self.quarters)
 
     def _push_out(self) -> None:
         """Particles in a solid go out as far as they were in, each a little to its own side."""
@@ -325,15 +330,11 @@ class Liquid:
     def state(self) -> LiquidState:
         """All that later steps depend on, beside solids and settings."""
         n, p = self.count, self.particles
+        report = np.array(self.report, dtype=np.float64)
         return LiquidState(
-            p.places[:n],
-            p.speeds[:n],
-            p.affine[:n],
-            self.cells.q,
-            self.cells.q_shift,
-            self.account,
-            self.clock,
-        )
+            p.places[:n], p.speeds[:n], p.affine[:n], self.cells.q, self.cells.q_shift, self.account,
+            self.clock, report,
+        )  # fmt: skip
 
     def restore(self, state: LiquidState) -> None:
         """Take over a copy of a state."""
@@ -342,3 +343,5 @@ class Liquid:
         p.places[:n], p.speeds[:n], p.affine[:n] = state.places, state.speeds, state.affine
         self.cells.q[:], self.cells.q_shift[:] = state.pressure, state.correction
         self.account[:], self.clock[:] = state.account, state.clock
+        wet, turns, keeping, outflow = state.report.tolist()
+        self.report = Report(int(wet), int(turns), int(keeping), outflow)

@@ -11,6 +11,7 @@ import math
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.liquid.arrays import LEAST_OPEN
 
+BESIDE = 0.5  # cells: a centre so near to a solid has no fill of its own that could be trusted
 LEAST_ROOM = 0.15  # of a cell's surroundings; in less the share is not trusted
 
 
@@ -49,7 +50,7 @@ def find_surface(cells, walls):
     for j in range(ny):
         for i in range(nx):
             cells.rank[j, i] = 0
-            if walls.present[0] and walls.distance[2 * j + 1, 2 * i + 1] < 0.0:
+            if walls.present[0] and walls.distance[2 * j + 1, 2 * i + 1] < BESIDE:
                 part, y, x = _widest(walls, j, i)
                 if part < LEAST_OPEN or y < 0 or x < 0 or y >= ny or x >= nx:
                     continue

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.physics.solids.arrays.state import NONE
 from game.physics.solids.world import SolidWorld
 from game.physics.surfaces.solid_kernels import sample_solids
 from game.physics.surfaces.surface import Sample, Warmth, checked_places, empty_sample
@@ -12,20 +13,25 @@ from game.physics.surfaces.surface import Sample, Warmth, checked_places, empty_
 
 class SolidSurface:
     """Answers for all bodies of a world: discs, polygons, capsules, compounds, chains (thin, solid
-    behind).
+    behind), but for bodies ``without``.
     """
 
-    def __init__(self, world: SolidWorld, warmth: Warmth | None = None):
+    def __init__(self, world: SolidWorld, warmth: Warmth | None = None, without: ArrayLike = ()):
         self.world = world
+        self.without = np.asarray(without, dtype=np.int64)
         self.warmth = warmth or Warmth()
 
     def sample(self, points: ArrayLike) -> Sample:
         """Of the nearest body at points (n, 2) m."""
         places = checked_places(points)
         found = empty_sample(len(places))
-        world = self.world
+        world, shapes = self.world, self.world.shapes
+        if len(self.without):
+            hidden = np.zeros(len(world.bodies.flags), np.bool_)
+            hidden[self.without] = True
+            shapes = shapes._replace(kinds=np.where(hidden[shapes.bodies], NONE, shapes.kinds))
         sample_solids(
-            places, world.bodies, world.shapes, world.pool, found.distance, found.normal, found.velocity,
+            places, world.bodies, shapes, world.pool, found.distance, found.normal, found.velocity,
             found.friction, found.body,
         )  # fmt: skip
         np.copyto(found.temperature, self.warmth.array(found.body))

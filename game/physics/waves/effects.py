@@ -7,5 +7,10 @@ from game.physics.fields import GRAVITY
 
 BED_FRICTION = declare_effect("bed-friction", "Bed friction", "The bed slows water, thin water most.")
 RAIN = declare_effect("rain", "Rain", "Water falls on all of it, evenly.")
+SPLITTING = declare_effect("splitting", "Splitting", "A wave particle that is alone becomes three.")
+FADING = declare_effect("wave-fading", "Fading", "Waves sink with time.")
+FLOATS = declare_effect("floats", "Floats", "Waves lift and push what floats, and what floats makes waves.")
+BOAT = declare_effect("boat", "Boat", "The boat goes, and pushes the water aside.")
 
 WAVES = Room("waves", GRAVITY | BED_FRICTION | RAIN)
+POND = Room("pond", GRAVITY | SPLITTING | FADING | FLOATS | BOAT)

@@ -39,6 +39,8 @@ ACTIONS = (
     keys.PLAY_ITSELF,
     keys.CENTRE,
     keys.HOLD_BREATH,
+    keys.CHALK,
+    keys.THOUGHTS,
     SceneAction("safety", "announce a safety or a push-out", "B"),
     SceneAction("hint", "show how a puzzle is solved", "H"),
     keys.LOCK,

@@ -124,6 +124,8 @@ class Buttons(Part):
                 aiming.nudge(name)
         elif name in BESIDE:
             self.side.turn(name)
+        elif name == "thoughts":
+            play.parameters.considered = not play.parameters.considered
         elif name == "cloud":
             play.parameters.cloud = not play.parameters.cloud
         elif name.startswith("spin-"):
@@ -147,6 +149,7 @@ class Buttons(Part):
                 "hint": self._show_hint,
                 "centre": aiming.centre,
                 "breath": play.push.breathe,
+                "chalk": lambda: play.messages.say(play.push.chalk()),
                 "lesson": self._go_on,
                 "ask": self._ask,
             }[name]()

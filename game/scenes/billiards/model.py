@@ -9,8 +9,8 @@ import numpy as np
 
 from game.billiards.game.arrangement import Arrangement, Stroke
 from game.billiards.game.frame import Frame, Played
-from game.billiards.game.games import Drill, Practice
-from game.billiards.game.rules import CUE_BALL, Call, Hand
+from game.billiards.game.games import AnyGame, Drill, Ghost, Practice
+from game.billiards.game.rules import CUE_BALL, Call, Game, Hand
 from game.billiards.game.tally import Tally
 from game.billiards.lecture.state import POCKETS
 from game.billiards.shot.physics import Physics
@@ -21,6 +21,7 @@ from game.physics.effects import EffectSet
 from game.scenes.billiards.level import BilliardsContent, ball_set, best_of, game_of, layout_for
 from game.scenes.billiards.outcome import Decided, PoolOutcome
 from game.scenes.billiards.parameters import BilliardsParameters
+from game.scenes.shared.tables.choices import ahead
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.scenes.shared.tables.moments import Moments
 from game.stage import Part
@@ -45,7 +46,7 @@ class BilliardsModel(Part):
         self._rack_seed = seed * 1000
         balls = ball_set(parameters.radius_spread, parameters.mass_spread, seed)
         table, physics = self._table_and_physics(active)
-        game = game_of(content)
+        game = self._begun(content)
         self.frame = Frame(
             game,
             layout_for(content, game, table, balls, seed),
@@ -60,6 +61,19 @@ class BilliardsModel(Part):
         self.turns_before = self.turns.copy()
         self._outcome = PoolOutcome()
         self._lay_out()
+
+    def _begun(self, content: BilliardsContent) -> AnyGame:
+        """The game that a content begins, with the head start of one of two players."""
+        game = game_of(content)
+        if content.saved:
+            return game
+        return msgspec.structs.replace(game, won=self._head_start(game))
+
+    def _head_start(self, game: Game) -> tuple[int, ...]:
+        """Racks that the players of a match begin with."""
+        if len(game.players) != 2 or isinstance(game, Ghost):
+            return (0,) * len(game.won)
+        return ahead(self.parameters.head_start)
 
     def configure(self, active: EffectSet) -> None:
         """Let parameters and effects act from the next stroke on."""
@@ -96,6 +110,10 @@ class BilliardsModel(Part):
     def word(self) -> str:
         """A word that stands for the frame, for the digest: equal frames, equal words."""
         return self._outcome.word(self.frame)
+
+    def word_of(self, frame: Frame) -> str:
+        """The same of any frame."""
+        return self._outcome.word_of(frame)
 
     def _lay_out(self) -> None:
         """The places follow the frame."""
@@ -163,7 +181,7 @@ class BilliardsModel(Part):
             self._lay_out()
             return
         if new_match:
-            nothing = msgspec.structs.replace(frame.game, won=(0,) * len(frame.game.won))
+            nothing = msgspec.structs.replace(frame.game, won=self._head_start(frame.game))
             frame = frame.replace(game=nothing, tallies=NO_TALLIES)
         if frame.game.over and not drill:
             self.frame = frame.next_rack(seed).with_cue_ball()
@@ -173,7 +191,7 @@ class BilliardsModel(Part):
                 content = msgspec.structs.replace(
                     content, balls=[], saved={}, tallies=NO_TALLIES, rack_tallies=NO_TALLIES, best=None
                 )
-            game = game_of(content)
+            game = self._begun(content)
             layout = layout_for(content, game, frame.table, frame.layout.balls, seed)
             self.frame = Frame(game, layout, frame.table, frame.physics).with_cue_ball()
         self._lay_out()

@@ -30,8 +30,9 @@ class BilliardsParameters(Parameters):
         ),
         group="Game", rebuild=True,
     )  # fmt: skip
-    first_player = choices.player("First player")
-    second_player = choices.player("Second player")
+    first_player = choices.player("First player", "billiards")
+    second_player = choices.player("Second player", "billiards")
+    head_start = choices.head_start("racks")
     beside = Choice(
         "none", BESIDE, labels=BESIDE_LABELS, group="Game", label="Beside the table",
         help="strokes to go back to, every pot there is, what was practised, or a coach",
@@ -40,9 +41,7 @@ class BilliardsParameters(Parameters):
         "open", ("open", "1", "3", "5", "7"), labels=("No end", "1 rack", "3 racks", "5 racks", "7 racks"),
         group="Game", label="Race to", help="so many racks win the match",
     )  # fmt: skip
-    considered = Toggle(
-        False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
-    )
+    considered = choices.thoughts()
     power = choices.power(4.0)
     tip_left = choices.tip("Tip left")
     tip_up = choices.tip("Tip up", "follow above, draw below")
@@ -57,6 +56,7 @@ class BilliardsParameters(Parameters):
     sway = through.sway()
     miscues = through.miscues()
     chalk = through.chalk()
+    wear = through.wear()
     recoil = through.recoil()
     cloud = Toggle(
         False, group="Stroke", label="Landing cloud", help="where the cue ball ends for the noise of a hand"

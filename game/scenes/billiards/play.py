@@ -17,9 +17,11 @@ from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.guide import guide_of
 from game.scenes.billiards.stroke.motion import DRAWN, PUSHED, StrokeMotion, stroke_motion
 from game.scenes.shared.tables.choices import PERSON
+from game.scenes.shared.tables.course import LONG_AGO_S
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.moments import OFF, decider, pace_at
 from game.scenes.shared.tables.through.measured import news_of_hand
-from game.scenes.shared.tables.through.push import MISCUE, Push
+from game.scenes.shared.tables.through.push import Push
 from game.scenes.shared.tables.unsteady import STEADY_HAND, shaken
 from game.stage import Part
 from game.stage.messages import Messages
@@ -41,6 +43,7 @@ class Play(Part):
     phase takes from it. rest_s: how long nothing has been done, s. by_hand: how many strokes a hand has
     played; meant, done: the last of them as it was aimed, and as the hand did it. own: the last such pairs of
     strokes by a hand that strays. log: of all strokes. push: the cue of one that is pushed.
+    called_s: since the referee last called, s; rack_s: how long the rack has lasted.
     advised: number of strokes at which the coach was asked last, coached: how often in this rack.
     """
 
@@ -67,6 +70,8 @@ class Play(Part):
         self.log = Log()
         self.advised = -1
         self.coached = 0
+        self.called_s = LONG_AGO_S
+        self.rack_s = 0.0
         self._seed = seed
         self.messages = Messages()
 
@@ -112,6 +117,11 @@ class Play(Part):
         return all(self.grade_of(player) != PERSON for player in range(len(self.model.frame.game.players)))
 
     @property
+    def aimed_and_done(self) -> tuple[Stroke, Stroke] | None:
+        """The last stroke of a hand, as it was aimed and as it was done."""
+        return (self.meant, self.done) if self.meant is not None and self.done is not None else None
+
+    @property
     def may_aim(self) -> bool:
         """True if a person may aim and strike now."""
         return self.phase == AIMING and self.person_plays and self.model.frame.playable
@@ -138,6 +148,8 @@ class Play(Part):
     def advance(self, dt: float) -> None:
         """One step of what goes on by itself."""
         self.push.advance(dt)
+        self.called_s += dt
+        self.rack_s += 0.0 if self.model.frame.game.over else dt
         if self.phase == STRIKING:
             self.clock[PHASE_S] += dt
             self._swing()
@@ -150,10 +162,14 @@ class Play(Part):
 
     @property
     def pace(self) -> float:
-        """How fast a shot goes on: slowly while the ball that decides the rack is about to fall."""
+        """How fast a shot goes on: slowly while the ball that decides the rack is about to fall.
+
+        So it is while one that a camera follows hangs over a pocket.
+        """
         decided = self.model.decided
         if decided is None:
-            return 1.0
+            follows = self.parameters.eye_follows != OFF
+            return pace_at(float(self.clock[PHASE_S]), decider(self.model.moments, False)) if follows else 1.0
         left = decided.time - float(self.clock[PHASE_S])
         return SLOW if -SLOW_AFTER_S <= left <= SLOW_BEFORE_S else 1.0
 
@@ -200,7 +216,7 @@ class Play(Part):
         self._strayed(meant, made)
         self.done = done
         if self.push.slipped:
-            self.messages.say(MISCUE)
+            self.messages.say(self.push.miscue_words(made))
         if pushed and (news := news_of_hand(self.own, radius)):
             self.messages.say(news)
 
@@ -246,6 +262,7 @@ class Play(Part):
             assert struck is not None and played is not None
             self.log = self.log.with_stroke(struck, played)
             self.model.settle()
+            self.called_s = 0.0
             self.aiming.forget_pull()
             self.start_phase(AIMING)
 
@@ -322,6 +339,7 @@ class Play(Part):
             self.aiming.point_along(AT_THE_RACK)
         self.pending, self.aiming.call = None, Call()
         self.advised, self.coached = -1, 0
+        self.called_s, self.rack_s = LONG_AGO_S, 0.0
         self.let_go()
         self.start_phase(AIMING)
 

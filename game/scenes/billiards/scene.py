@@ -17,6 +17,7 @@ from game.scenes.billiards import BILLIARDS, saving
 from game.scenes.billiards.actions import ACTIONS, HINTS
 from game.scenes.billiards.beside import NONE
 from game.scenes.billiards.buttons import Buttons
+from game.scenes.billiards.exchange import PoolExchange
 from game.scenes.billiards.figure import draw_aim
 from game.scenes.billiards.hand import BilliardsHand
 from game.scenes.billiards.level import BilliardsContent
@@ -127,6 +128,7 @@ class Billiards(CueGameScene):
         self.buttons = Buttons(self.play, self.replay, self.set_up, self.side, self.maker)
         self.hand = BilliardsHand(self.play, self.replay, self.set_up, self.buttons)
         self.opponents = Opponents(self.play, self.seed)
+        self.exchange = PoolExchange(self.name, self.course)
         self.sounds = StrokeSounds(self.play, self.replay)
         self.seen = StrokeSeen(self.play)
         on_cloth = OnCloth(self.play, self.advisor, self.maker)

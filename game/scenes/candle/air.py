@@ -29,7 +29,8 @@ WALL, UP = 0.01, 0.37  # m: of the glass; its rim when it is up
 QUICK = 0.12  # m/s at which the glass is moved
 ROOM, AIR, PER_VOLUME = 293.15, 1.2, 20.95  # K; kg/m³ of air; % of it that are oxygen
 BESIDE, ABOVE = (0.015, 0.035), 0.02  # m beside and above the wick's foot: from there the flame draws its air
-GLOWS, MATCH, MATCH_S = 700.0, 1300.0, 0.6  # K of a wick that burns, and of one that is lit; s of lighting
+GLOWS, MATCH = 700.0, 1300.0  # K of a wick that burns, and of one that is lit
+COMES, HOLDS, LEAVES = 0.7, 0.6, 0.7  # s of a match on its way, at the wick, on its way back
 LAG, OUT = 0.3, 0.2  # s by which the supply follows; share at which the flame is quenched
 SMOKES, SMOKE_S, SMOKE_HOT = 8e-6, 5.0, 420.0  # kg/(s m) of smoke from a wick just out, s of fading, K
 QUICKEST = 60.0  # 1/s at which a cell grows or shrinks at most
@@ -41,16 +42,11 @@ VAPOUR = {
 }  # fmt: skip
 LOOK = GlowLook(820.0, 1450.0, 0.004, 5.0e-4, 7.0e-3, 0.75, 950.0)
 COOLS = 4.0  # 1/s of the gas in cells at a wall: 24 W/(m² K) where they are 5 mm wide
-KEPT = (
-    "fuel",
-    "oxygen",
-    "soot",
-    "air",
-)  # carried in flux form under a glass that stands, so that none is lost
+KEPT = (*FIELDS, "air")  # carried in flux form under a glass that stands, so that none is lost
 NEVER = -1.0
 # of flows: rim of the glass m and m/s, where it is to go m, its half width and height m, kg/(s m) from the
-# wick, s of lighting left, s since the flame went out; s when the glass came down, kg/m of oxygen then in it
-# and used until then; s that the flame then lived; W/m, smoothed
+# wick, s until a match is away, s since the flame went out; s when the glass came down, kg/m of oxygen then
+# in it and used until then; s that the flame then lived; W/m, smoothed
 RIM, SPEED, GOAL, RADIUS, HIGH, SUPPLY, LIGHTING, SINCE, SEALED, OXYGEN, USED, LIVED, POWER = range(13)
 
 
@@ -104,15 +100,21 @@ class Air(BurningAir):
         self.shapes.place(self.flows)
         gas.set_solids(self.shapes, moving=True)
         if content.lit:
-            self.light()
+            self.flows[[LIGHTING, SUPPLY]] = LEAVES + HOLDS, parameters.supply
         if content.lowered:
             self._seal()
 
     # -- what is done to it -----------------------------------------------------------------------------
 
     def light(self) -> None:
-        """Hold a match to the wick."""
-        self.flows[[LIGHTING, SUPPLY]] = MATCH_S, self.parameters.supply
+        """Lead a match to the wick."""
+        self.flows[LIGHTING] = COMES + HOLDS + LEAVES
+
+    def match(self) -> tuple[float, bool]:
+        """How far a match is on its way to the wick, 0 to 1, and whether it touches."""
+        left = float(self.flows[LIGHTING])
+        share = min((COMES + HOLDS + LEAVES - left) / COMES, left / LEAVES, 1.0)
+        return share * share * (3.0 - 2.0 * share), LEAVES < left <= LEAVES + HOLDS
 
     def lead(self, height: float) -> None:
         """The rim of the glass is to go to a height, m."""
@@ -131,21 +133,44 @@ class Air(BurningAir):
         self._follow(dt)
         np.clip(gas.expansion, -QUICKEST, QUICKEST, out=gas.expansion)
         self._cool(dt)
-        fuel = gas.scalars[..., 1]
-        before = float(np.sum(fuel))
-        if not gas.settings.conservative:  # what is carried as a value grows thin as the gas expands
-            gas.scalars[..., 1:] *= elementwise.exp(-dt * gas.expansion)[..., None]
         gas.force[:] = 0.0
         self.rise()
         self.slow(SLOWS, SLOWS)
-        gas.step(dt)
-        if not gas.settings.conservative:  # nor is it lost on its way but through the sides
-            left = max(before - self._out(fuel) * dt / self.cell, 0.0)
-            fuel *= left / max(float(np.sum(fuel)), 1e-12)
-            oxygen = gas.scalars[..., 2]  # air of a temperature has no more
-            np.minimum(oxygen, FRESH * ROOM / self.temperature, out=oxygen)
-            np.divide(AIR * ROOM, self.temperature, out=gas.scalars[..., 4])
+        if gas.settings.conservative:
+            self._carry_shut(dt)
+        else:
+            self._carry(dt)
         self.time += dt
+
+    def _carry(self, dt: float) -> None:
+        """A step of open air, whose density follows from its temperature."""
+        gas, fuel = self.gas, self.gas.scalars[..., 1]
+        before = float(np.sum(fuel))
+        # what is carried as a value grows thin as the gas expands
+        gas.scalars[..., 1:] *= elementwise.exp(-dt * gas.expansion)[..., None]
+        gas.step(dt)
+        # nor is it lost on its way but through the sides
+        left = max(before - self._out(fuel) * dt / self.cell, 0.0)
+        fuel *= left / max(float(np.sum(fuel)), 1e-12)
+        oxygen = gas.scalars[..., 2]  # air of a temperature has no more
+        np.minimum(oxygen, FRESH * ROOM / self.temperature, out=oxygen)
+        np.divide(AIR * ROOM, self.temperature, out=gas.scalars[..., 4])
+
+    def _carry_shut(self, dt: float) -> None:
+        """A step under a glass that stands. Heat goes with the mass that has it, in flux form as all else.
+
+        Density times temperature is the pressure, which is the same all over. Where a cell would drift from
+        it in this step, gas goes out or in (Pember et al. 1998). Or cells would keep the oxygen of cold gas
+        as they warm.
+        """
+        gas, warm, air = self.gas, self.temperature, self.gas.field("air")
+        gas.expansion[:] = 0.0  # of this step's carrying by the velocity that there is
+        under, pressure = self.under(), warm * air * elementwise.exp(-dt * gas.divergence())
+        even = np.where(under, 1.0 / float(np.mean(1.0 / pressure[under])), AIR * ROOM)
+        gas.expansion[:] = (1.0 - even / pressure) / dt
+        warm *= air / AIR
+        gas.step(dt)
+        np.divide(AIR * warm, air, out=warm)
 
     def _out(self, cells: Floats) -> float:
         """Of what cells (ny, nx) hold for each m³ so much leaves through the sides, m/s times that."""
@@ -181,12 +206,14 @@ class Air(BurningAir):
 
     def _feed(self, dt: float) -> None:
         """Vapour from a wick that burns, smoke from one that does not; how hot the wick is."""
-        flows, cells, wick = self.flows, self.gas.scalars, self.wick
+        flows, cells, wick, lit = self.flows, self.gas.scalars, self.wick, self.match()[1]
+        flows[LIGHTING] = max(flows[LIGHTING] - dt, 0.0)
+        if lit:
+            flows[SUPPLY] = self.parameters.supply
         share = dt / (self.cell * self.cell * float(np.count_nonzero(wick)))
         if flows[SUPPLY] > 0.0:
             cells[wick, 1] += flows[SUPPLY] * share
-            hot = MATCH if flows[LIGHTING] > 0.0 else GLOWS
-            cells[wick, 0] = np.maximum(cells[wick, 0], hot)
+            cells[wick, 0] = np.maximum(cells[wick, 0], MATCH if lit else GLOWS)
         else:
             fading = elementary.exp(-float(flows[SINCE]) / SMOKE_S)
             cells[wick, 3] += SMOKES * fading * share
@@ -205,10 +232,7 @@ class Air(BurningAir):
         oxygen than its limit a flame is too cold to go on, however much more of it comes.
         """
         flows, most = self.flows, self.parameters.supply
-        if flows[SUPPLY] <= 0.0:
-            return
-        flows[LIGHTING] = max(flows[LIGHTING] - dt, 0.0)
-        if flows[LIGHTING] > 0.0:
+        if flows[SUPPLY] <= 0.0 or self.match()[1]:
             return
         kept = self.flames.power / (self.parameters.feedback * most * VAPOUR["heat"])
         kept = kept if self.fed() >= self.parameters.limit else 0.0
@@ -219,6 +243,12 @@ class Air(BurningAir):
                 flows[LIVED] = self.time - flows[SEALED]
 
     # -- what there is ----------------------------------------------------------------------------------
+
+    def strength(self) -> float:
+        """Of the flame, 0 to 1: the vapour that comes and burns, beside what must come and what can."""
+        most = self.parameters.supply
+        comes = max(float(self.flows[SUPPLY]) / most - OUT, 0.0) / (1.0 - OUT)
+        return min(comes, float(self.flows[POWER]) / (most * VAPOUR["heat"]), 1.0)
 
     @property
     def used(self) -> float:

@@ -8,7 +8,7 @@ from game.physics.gas.effects import USUAL
 from game.scenes.candle import CANDLE
 from game.scenes.candle.card import draw_glass
 from game.scenes.candle.parameters import CandleContent, CandleParameters
-from game.scenes.candle.told import candle_hand, hearing, names, readouts, sizes, targets
+from game.scenes.candle.told import candle_hand, charts, hearing, names, readouts, sizes, targets
 from game.scenes.candle.view import CandleView
 from game.scenes.candle.world import CandleWorld
 from game.stage import Equation, Hint, SceneAction, Strip
@@ -40,7 +40,7 @@ class Candle(WorldScene):
     parameters: CandleParameters
     model: CandleWorld
     parts = Parts(CandleWorld, candle_hand, CandleView)
-    told = Told(readouts, targets=targets, sizes=sizes, hearing=hearing, names=names)
+    told = Told(readouts, targets=targets, sizes=sizes, hearing=hearing, names=names, charts=charts)
     tiny = {"tier": "own", "cells": 32}
     painters = (("lit", warm_up_lit), ("gas", warm_up_glowing))
     effects = USUAL | COMBUSTION.known

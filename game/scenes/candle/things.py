@@ -8,14 +8,17 @@ import numpy as np
 
 from game.arrays import Singles
 from game.scenes.candle.air import CANDLE, TOP, WALL
-from game.scenes.candle.room import LEAN, SHINES
 from game.ui.canvas.canvas import Canvas
+from game.worlds.painting.dusk_room import LEAN, SHINES
 from game.worlds.painting.shades import Light, Plane, bump, grid_of, in_two_lights, lay_lit, lit, smoothstep
 
 WAX_BOX = ((-0.017, -0.005), (0.017, TOP + 0.004))  # m
 FLAME_HALF, FLAME_WIDE = 0.034, 0.0072  # m: half of the flame's picture, of itself where it is widest
 MARGIN, FOOT = 0.014, 0.016  # m of the glass's picture beside and above it, and below
-SHOULDER = 0.034  # m: radius of the glass where its wall becomes its top
+SHOULDER, THICK = (
+    0.034,
+    0.0048,
+)  # m: radius of the glass where its wall becomes its top; of its wall as it is seen
 WAX = (240.0, 226.0, 198.0)
 DRIPS = (  # where they leave the rim, how far they come, how thick they are, m
     (0.0066, 0.021, 0.0016), (-0.0078, 0.036, 0.0013), (-0.0022, 0.0425, 0.0014), (0.0096, 0.038, 0.0011),
@@ -108,20 +111,33 @@ def flame_picture() -> Singles:
     return in_two_lights(base[..., None] * (22.0, 70.0, 230.0), 255.0 * bright, cover)
 
 
+def glass_inside(x: Plane, y: Plane, radius: float, high: float) -> Plane:
+    """1 inside the glass that stands on the table, from its near rim up to its inner outline; 0 outside."""
+    wide, tall = radius + WALL - THICK, high + WALL - THICK
+    deep = _within(x, y, wide, tall, SHOULDER - THICK)
+    rim = np.sqrt(np.maximum(1.0 - (x / (radius + WALL)) ** 2, 0.0)) * 0.6 * LEAN * (radius + WALL)
+    return smoothstep(-0.0005, 0.0005, deep) * smoothstep(-0.0005, 0.0005, y + rim)
+
+
+def _within(x: Plane, y: Plane, wide: float, tall: float, bend: float) -> Plane:
+    """m within an outline that is round at its top corners; it goes on downwards."""
+    dx, dy = np.abs(x) - wide + bend, y - tall + bend
+    corner = np.sqrt(np.maximum(dx, 0.0) ** 2 + np.maximum(dy, 0.0) ** 2)
+    return np.asarray(bend - corner - np.minimum(np.maximum(dx, dy), 0.0))
+
+
 @lru_cache(maxsize=4)
 def glass_picture(radius: float, high: float) -> Singles:
     """The glass, half so wide inside and so high (m): clear, seen by its edges and what it mirrors."""
     wide, tall = radius + WALL, high + WALL
     box = ((-wide - MARGIN, -FOOT), (wide + MARGIN, tall + MARGIN))
     x, y = grid_of(box, (round((tall + MARGIN + FOOT) / 5e-4), round(2.0 * (wide + MARGIN) / 5e-4)))
-    dx, dy = np.abs(x) - wide + SHOULDER, y - tall + SHOULDER
-    corner = np.sqrt(np.maximum(dx, 0.0) ** 2 + np.maximum(dy, 0.0) ** 2)
-    deep = SHOULDER - corner - np.minimum(np.maximum(dx, dy), 0.0)  # m within the outline, above the rim
+    deep = _within(x, y, wide, tall, SHOULDER)
     ring = np.sqrt((x / wide) ** 2 + (y / (0.6 * LEAN * wide)) ** 2)
     above = np.where(y > 0.0, 1.0, 0.0) * smoothstep(-0.0004, 0.0004, deep)
     outer = bump(deep - 0.0006, 0.0006) * above
     bent = np.exp(-np.maximum(deep, 0.0) / 0.0028) * above  # light that comes along the wall
-    inner = bump(deep - 0.0048, 0.0005) * above
+    inner = bump(deep - THICK, 0.0005) * above
     slope = np.sqrt((x / wide**2) ** 2 + (y / (0.6 * LEAN * wide) ** 2) ** 2) / np.maximum(ring, 0.1)
     round_ = (ring - 0.985) / slope  # m outside the rim
     foot = bump(round_, 0.00055) * (0.3 + 0.7 * smoothstep(0.002, -0.004, y))

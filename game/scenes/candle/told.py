@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.arrays import Point
 from game.physics.kernels import elementary
 from game.scenes.candle.air import (
     FRESH,
     GOAL,
     HIGH,
-    LIVED,
-    NEVER,
+    PER_VOLUME,
     RADIUS,
     RIM,
     SINCE,
@@ -21,11 +22,15 @@ from game.scenes.candle.air import (
     VAPOUR,
 )  # fmt: skip
 from game.scenes.candle.world import NAMES, CandleWorld
-from game.stage import Hearing, Readout, Steady
+from game.stage import Comparison, Hearing, Readout, Steady
 from game.worlds.hands.hand import Hand, Use
 from game.worlds.hearing import ROOM, fire, wind
 
-LOUD, GRIP = 8e3, 0.03  # W/m of a flame that is as loud as can be; m beside the glass that still take it
+LOUD, GRIP = (
+    6e4,
+    0.03,
+)  # W/m of a flame that is as loud as can be: a candle is hardly heard; m beside the glass that still take it
+WIDEST = 180.0  # cm² of air, to which the law is drawn
 
 
 def readouts(model: CandleWorld) -> list[Readout]:
@@ -35,8 +40,7 @@ def readouts(model: CandleWorld) -> list[Readout]:
     rate = VAPOUR["oxygen"] * model.parameters.supply
     now = air.inside("oxygen") if sealed else nan
     whole = air.share(air.under()) / now if sealed else nan  # % for a kg/m of oxygen under the glass
-    lived, law = float(air.flows[LIVED]), model.to_limit() / rate if sealed else nan
-    lived = lived if lived != NEVER else nan
+    lived, law = model.lived(), model.to_limit() / rate if sealed else nan
     return [
         Readout("burns", int(model.burns())), Readout("power", model.power(), "W/m"),
         Readout("flame height", model.flame_height(), "m"), Readout("oxygen beside it", air.fed(), "%"),
@@ -48,7 +52,7 @@ def readouts(model: CandleWorld) -> list[Readout]:
         Readout("lived over law", lived / law if law else nan), Readout("oxygen for", first / rate, "s"),
         Readout("oxygen unaccounted", model.unaccounted(), "%"),
         Readout("smoke", 1e6 * air.inside("soot") if sealed else nan, "mg/m"),
-        Readout("air in the glass", 1e4 * first / FRESH, "cm²"),
+        Readout("air in the glass", model.cold_air(), "cm²"),
         Readout("glass", float(air.flows[RIM]), "m"), Readout("hottest", float(air.temperature.max()), "K"),
         Readout("a step", model.watch.median("step"), "s"),
     ]  # fmt: skip
@@ -66,6 +70,16 @@ def targets(model: CandleWorld) -> dict[str, Point]:
 def sizes(model: CandleWorld) -> dict[str, float]:
     """The flame as it is seen, and the glass, m."""
     return {"flame": max(model.flame_height() - TOP, 0.0), "glass": float(model.air.flows[HIGH])}
+
+
+def charts(model: CandleWorld) -> dict[str, Comparison]:
+    """How long flames lived under glasses, over the air in them, beside the law for gas that is mixed."""
+    rate = VAPOUR["oxygen"] * model.parameters.supply
+    second = 1e-4 * FRESH * (1.0 - model.parameters.limit / PER_VOLUME) / rate  # s for a cm² of air
+    points = np.array(model.lives, dtype=np.float64).reshape(-1, 2)
+    law = np.array([(0.0, 0.0), (WIDEST, second * WIDEST)])
+    both = ("measured", "if it is mixed")
+    return {"lives": Comparison(points, law, both, "s", "cold air in the glass", "cm²", single=True)}
 
 
 def names(model: CandleWorld) -> list[tuple[Point, str]]:

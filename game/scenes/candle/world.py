@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.arrays import Floats
+from game.arrays import Floats, Point
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.effects import EffectSet
 from game.physics.gas.effects import GAS
 from game.scenes.candle.air import (
     AIR,
     FRESH,
+    LIGHTING,
+    LIVED,
     NEVER,
     OXYGEN,
     PER_VOLUME,
@@ -28,8 +30,9 @@ from game.worlds.members.burning_air import AirState
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import World
 
-GLASS, PUFF = range(2)  # sounds
-NAMES = {GLASS: "steel", PUFF: "wind"}
+GLASS, PUFF, MATCH = range(3)  # sounds
+NAMES = {GLASS: "glass", PUFF: "wind", MATCH: "rustle"}
+CLINK, STRUCK = 3.0, 2.0  # m/s of impacts that are as loud as a glass put down, and as a match that is struck
 
 
 class CandleState(NamedTuple):
@@ -40,7 +43,10 @@ class CandleState(NamedTuple):
 
 
 class CandleWorld(World):
-    """``air`` has flame and glass; ``watch``: what a step takes."""
+    """``air`` has flame and glass; ``watch``: what a step takes.
+
+    lives: of each glass under which a flame went out, cm² of cold air that held its oxygen, and s it lived.
+    """
 
     state_type = CandleState
     content: CandleContent
@@ -50,6 +56,7 @@ class CandleWorld(World):
         super().__init__(content, parameters, active)
         self.air, self.heard, self.watch = Air(content, parameters, active), Heard(), Stopwatch()
         self.members = (self.air, self.heard)
+        self.lives: list[Point] = []
 
     def change_effects(self, active: EffectSet) -> None:
         super().change_effects(active)
@@ -60,25 +67,27 @@ class CandleWorld(World):
             self.air.set_cycles(int(self.parameters.cycles))
 
     def advance(self, dt: float) -> str:
-        burnt, high = self.burns(), float(self.air.flows[RIM])
+        burnt, high, lived = self.burns(), float(self.air.flows[RIM]), self.lived()
         with self.watch.time("step"):
             said = super().advance(dt)
         rim = float(self.air.flows[RIM])
         self.heard.forget(self.time - dt)
         if rim == 0.0 < high:
-            self.heard.add(self.time, GLASS, 0.5, 0.0)
-        if burnt and not self.burns():
-            self.heard.add(self.time, PUFF, 0.6, 0.0)
+            self.heard.add(self.time, GLASS, CLINK, 0.0)
+        if burnt != self.burns():
+            self.heard.add(self.time, PUFF, 0.6 if burnt else 1.0, 0.0)
+        if math.isnan(lived) and not math.isnan(self.lived()):
+            self.lives.append((self.cold_air(), self.lived()))
         return said
 
     def light(self) -> str:
         """Hold a match to the wick; why not, or ""."""
         if self.sealed():
             return "The glass is in the way."
-        if self.burns():
-            return "It burns."
+        if self.burns() or self.air.flows[LIGHTING] > 0.0:
+            return "It burns." if self.burns() else "A match comes."
         self.air.light()
-        self.heard.add(self.time, PUFF, 1.0, 0.0)
+        self.heard.add(self.time, MATCH, STRUCK, 0.1)
         return ""
 
     def move_glass(self) -> None:
@@ -110,6 +119,15 @@ class CandleWorld(World):
     def oxygen_at_first(self) -> float:
         """kg/m under the glass as it was put down; NaN if it is up."""
         return float(self.air.flows[OXYGEN]) if self.sealed() else math.nan
+
+    def cold_air(self) -> float:
+        """cm² of cold air that hold as much oxygen as there was under the glass; NaN if it is up."""
+        return 1e4 * self.oxygen_at_first() / FRESH
+
+    def lived(self) -> float:
+        """s that the flame lived under the glass; NaN while it does."""
+        lived = float(self.air.flows[LIVED])
+        return lived if self.sealed() and lived != NEVER else math.nan
 
     def to_limit(self) -> float:
         """kg/m of the oxygen at first that can burn until all gas under the glass, mixed, is at the limit."""

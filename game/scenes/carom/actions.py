@@ -37,6 +37,8 @@ ACTIONS = (
     keys.PLAY_ITSELF,
     keys.CENTRE,
     keys.HOLD_BREATH,
+    keys.CHALK,
+    keys.THOUGHTS,
     *keys.TURNS,
     *keys.options(2),
 )

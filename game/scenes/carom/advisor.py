@@ -18,7 +18,7 @@ from game.billiards.map.carom import CaromMap, Group, Position, draw_map
 from game.billiards.map.hand import noise_of
 from game.billiards.map.routes import Wanted
 from game.billiards.map.tolerance import Tolerance, tip_map, tolerance_of
-from game.billiards.players.carom import CAROM_GRADES, position_of
+from game.billiards.players.carom import CAROM_GRADES, position_of, wanted_of
 from game.billiards.search.strokes import Noise
 from game.billiards.shot.physics import Physics
 from game.billiards.table.carom import BALL_RADIUS
@@ -153,8 +153,7 @@ class Advisor:
     def key(self) -> MapKey:
         """What a map of the table would be drawn of."""
         frame, game = self.course.model.frame, self.course.model.frame.game
-        wanted = Wanted(game.cushions, game.opening, game.must_leave(frame.positions))
-        return MapKey(frame.places, game.cue, wanted, frame.physics, self.noise)
+        return MapKey(frame.places, game.cue, wanted_of(frame), frame.physics, self.noise)
 
     def frame_of(self, drawn: Drawn) -> CaromFrame | None:
         """The table as it lay when a map was drawn of it; None if more than places has changed since."""

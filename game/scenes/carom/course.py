@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from game.billiards.game.arrangement import Stroke
 from game.billiards.map.hand import FEWEST
 from game.billiards.table.carom import BALL_MASS, BALL_RADIUS
@@ -33,6 +35,9 @@ class Course(CueCourse):
     def cue_ball(self) -> tuple[float, float]:
         """Where the ball lies that the player at turn plays, m."""
         return self.model.frame.places[self.model.frame.game.cue]
+
+    def ended(self, frame: Any) -> bool:
+        return bool(frame.game.ended)
 
     # -- strokes ------------------------------------------------------------------------------------
 

@@ -185,8 +185,12 @@ class CaromHand(Part):
             course.replay(from_side=name == "side")
         elif name in ("map", "explain", "ends", "eye"):
             setattr(parameters, name, not getattr(parameters, name))
+        elif name == "thoughts":
+            parameters.considered = not parameters.considered
         elif name == "breath":
             course.push.breathe()
+        elif name == "chalk":
+            course.messages.say(course.push.chalk())
         elif name == "demo":
             course.plays_itself = not course.plays_itself
         elif name == "centre":

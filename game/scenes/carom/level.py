@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 
 from game.billiards.game.carom_frame import Points, points_of
+from game.billiards.game.games.artistic import AnyCarom, Artistic
 from game.billiards.game.games.carom import Carom
 from game.billiards.game.games.carom_kinds import Kind
 from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
@@ -40,6 +41,9 @@ def game_of(content: CaromContent, target: int, innings: int) -> Carom:
     if content.saved:
         return read_game(content.saved)
     placed = content.white is not None
+    if content.game == "artistic":
+        match = Artistic(players=tuple(content.players))
+        return match.alone() if content.practice or placed else match
     game = Carom(
         kind=content.game,
         players=tuple(content.players),
@@ -53,7 +57,7 @@ def game_of(content: CaromContent, target: int, innings: int) -> Carom:
 def read_game(saved: dict[str, Any]) -> Carom:
     """A game from what `msgspec.to_builtins` made of it. ValueError says what is wrong."""
     try:
-        game = msgspec.convert(saved, Carom)
+        game: Carom = msgspec.convert(saved, AnyCarom)
     except (msgspec.ValidationError, TypeError) as error:
         raise ValueError(f"saved: {str(error).replace('`', '')}") from None
     count = len(game.players)

@@ -7,6 +7,7 @@ import msgspec
 from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, points_of, rows_of
+from game.billiards.game.games.carom import Carom
 from game.billiards.shot.cloths import CLOTHS
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
@@ -17,6 +18,7 @@ from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
 from game.scenes.carom.level import CaromContent, begun
 from game.scenes.carom.parameters import CaromParameters
+from game.scenes.shared.tables.choices import ahead
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.scenes.shared.tables.moments import Moments
 from game.scenes.shared.tables.outcome import Outcome
@@ -38,11 +40,18 @@ class CaromModel(Part):
         self.content = content
         self.parameters = parameters
         game, places = begun(content, int(parameters.target), int(parameters.innings))
+        game = self._opened(game, content)
         self.frame = CaromFrame(game, places, Table.carom(), self._physics(active))
         self.places = self.frame.positions
         self.turns = rotation_matrices(scattered_orientations(3, seed))
         self.turns_before = self.turns.copy()
         self._outcome = Outcome[CaromFrame, CaromPlayed](_said)
+
+    def _opened(self, game: Carom, content: CaromContent) -> Carom:
+        """A game at its beginning, with the head start of one of two players."""
+        if len(game.players) != 2 or (content.saved and not game.opening):
+            return game
+        return msgspec.structs.replace(game, points=ahead(self.parameters.head_start))
 
     def configure(self, active: EffectSet) -> None:
         """Let the cloth, the ends of the game and the effects act from the next stroke on."""
@@ -69,6 +78,10 @@ class CaromModel(Part):
     def word(self) -> str:
         """A word that stands for the frame, for the digest: equal frames, equal words."""
         return self._outcome.word(self.frame)
+
+    def word_of(self, frame: CaromFrame) -> str:
+        """The same of any frame."""
+        return self._outcome.word_of(frame)
 
     # -- strokes ------------------------------------------------------------------------------------
 
@@ -126,11 +139,12 @@ class CaromModel(Part):
     def next_game(self) -> None:
         """The next game if this one is over; else this level from its beginning."""
         if self.frame.game.ended:
-            self.frame = self.frame.next_game()
+            following = self.frame.next_game()
+            self.frame = following.replace(game=self._opened(following.game, self.content))
         else:
             content = msgspec.structs.replace(self.content, saved={})
             game, places = begun(content, int(self.parameters.target), int(self.parameters.innings))
-            self.frame = CaromFrame(game, places, self.frame.table, self.frame.physics)
+            self.frame = CaromFrame(self._opened(game, content), places, self.frame.table, self.frame.physics)
         self._lay_out()
 
     def begin_moving(self) -> bool:

@@ -12,6 +12,7 @@ from game.stage import Choice, Param, Parameters, Toggle
 
 KINDS: tuple[Kind, ...] = (
     "three-cushion", "one-cushion", "straight-rail", "balkline-47-2", "balkline-47-1", "balkline-71-2",
+    "artistic",
 )  # fmt: skip
 KIND_LABELS = tuple(TITLES[kind] for kind in KINDS)
 
@@ -22,10 +23,12 @@ class CaromParameters(Parameters):
     game = Choice(
         "level", ("level", *KINDS), labels=("As the level says", *KIND_LABELS), group="Game", rebuild=True
     )
-    first_player = choices.player("First player")
-    second_player = choices.player("Second player")
+    first_player = choices.player("First player", "carom")
+    second_player = choices.player("Second player", "carom")
+    head_start = choices.head_start("points")
     target = Param(15, 0, 200, whole=True, group="Game", label="Race to", help="points; 0: no end")
     innings = Param(0, 0, 100, whole=True, group="Game", label="Most innings", help="of each; 0: no limit")
+    considered = choices.thoughts()
     map = Toggle(True, group="Map", label="Show the map", help="all strokes that score, while you may play")
     odds = Choice(
         "club", (*GRADES, OWN), labels=(*GRADE_LABELS, "My own"), group="Map", label="Chance of a hand",
@@ -43,6 +46,7 @@ class CaromParameters(Parameters):
     sway = through.sway()
     miscues = through.miscues()
     chalk = through.chalk()
+    wear = through.wear()
     recoil = through.recoil()
     path = Toggle(True, group="Stroke", label="Path of the stroke", help="what the aimed stroke would do")
     eye = eyes.shown()

@@ -19,6 +19,7 @@ from game.scenes.carom import CAROM, layout, saving
 from game.scenes.carom.actions import ACTIONS, HINTS
 from game.scenes.carom.advisor import Advisor
 from game.scenes.carom.course import Course
+from game.scenes.carom.exchange import CaromExchange
 from game.scenes.carom.figure import draw_three_cushions
 from game.scenes.carom.hand import CaromHand
 from game.scenes.carom.level import CaromContent
@@ -87,8 +88,9 @@ class CaromScene(CueGameScene):
         self.advisor = Advisor(self.course)
         self.opponents = CaromOpponents(self.course)
         self.hand = CaromHand(self.course, self.advisor)
+        self.exchange = CaromExchange(self.name, self.course)
         self.sounds = StrokeSounds(self.course, (ROLLING, REPLAY), _cue_of)
-        self.view = CaromView(self.course, self.hand, self.advisor)
+        self.view = CaromView(self.course, self.hand, self.advisor, self.opponents)
 
     def parameter_changed(self, name: str) -> None:
         if name in ("cloth", "target", "innings"):

@@ -10,7 +10,7 @@ from game.scenes.fireplace import tables
 from game.scenes.fireplace.wood import Wood
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting import boards
-from game.worlds.painting.boards import paint_quads, placed
+from game.worlds.painting.boards import paint_quads, placed, placed_parts
 from game.worlds.painting.flames import glow_inks
 from game.worlds.painting.inks import packed, shaded
 
@@ -23,6 +23,23 @@ PATCHES = (9, 8)  # along and across a piece, each of which is as bright and war
 UNDER = 0.4  # of a patch that lies below the next ones, so that no seam between them shows what is behind
 VARIES = 220.0  # K from the coldest to the hottest of them, which is as hot as the piece
 SOFT = 0.35  # of the light that is about what glows
+
+
+def _patches() -> tuple[Floats, Floats]:
+    """Boxes (k, 4) of all patches, in shares of half sizes, and light (k, 1) on each of a round piece."""
+    along, across = PATCHES
+    boxes, light = [], []
+    for i in range(along):
+        for k in range(across):
+            right, high = min(i + 1 + UNDER, along), min(k + 1 + UNDER, across)
+            boxes.append((-1.0 + 2.0 * i / along, -1.0 + 2.0 * k / across,
+                          -1.0 + 2.0 * right / along, -1.0 + 2.0 * high / across))  # fmt: skip
+            middle = -1.0 + 2.0 * (k + 0.5) / across
+            light.append(1.0 - 0.62 * middle * middle)
+    return np.array(boxes), np.array(light)[:, None]
+
+
+PATCH_BOXES, ROUND = _patches()
 
 
 def adapted(power: float) -> float:
@@ -59,21 +76,10 @@ class WoodPicture:
         rim = sizes + canvas.px(1.0)
         paint_quads(canvas, placed(boards.WHOLE, rim, places, turned), shaded(inks, -0.6))
         numbers = np.arange(wood.count) % len(self._tints)
-        corners, colors = [], []
-        along, across = PATCHES
-        for i in range(along):
-            for k in range(across):
-                right, high = min(i + 1 + UNDER, along), min(k + 1 + UNDER, across)
-                box = (-1.0 + 2.0 * i / along, -1.0 + 2.0 * k / across,
-                       -1.0 + 2.0 * right / along, -1.0 + 2.0 * high / across)  # fmt: skip
-                middle = -1.0 + 2.0 * (k + 0.5) / across
-                lit = 1.0 - 0.62 * middle * middle + 0.13 * self._tints[numbers, i, k]
-                patch = _scaled(inks, lit)
-                seed = self._heats[numbers, i, k]
-                share = np.clip((kelvin + VARIES * seed - DARK) / (bright - DARK), 0.0, 1.0)
-                corners.append(placed(box, sizes, places, turned))
-                colors.append(_brighter(patch, glow_inks(share, DARK, bright)))
-        paint_quads(canvas, np.concatenate(corners), np.concatenate(colors))
+        tints, heats = (chance[numbers].reshape(len(numbers), -1).T for chance in (self._tints, self._heats))
+        share = np.clip((kelvin + VARIES * heats - DARK) / (bright - DARK), 0.0, 1.0)
+        colors = _brighter(_scaled(inks, ROUND + 0.13 * tints), glow_inks(share, DARK, bright))
+        paint_quads(canvas, placed_parts(PATCH_BOXES, sizes, places, turned), colors.reshape(-1))
         self._draw_cracks(canvas, sizes, at, kelvin, bright)
 
     def _bark(self, wood: Wood, kelvin: Floats, strength: float, dark: bool) -> Longs:
@@ -118,7 +124,7 @@ class WoodPicture:
 
 
 def _scaled(inks: Longs, shares: Floats) -> Longs:
-    """Colours (n,) with all channels times shares (n,)."""
+    """Colours (n,) with all channels times shares (..., n)."""
     channels = [np.clip((inks >> shift & 255) * shares, 0.0, 255.0).astype(np.int64) for shift in (16, 8, 0)]
     return channels[0] << 16 | channels[1] << 8 | channels[2]
 

@@ -77,12 +77,30 @@ def shifts_of(own: Floats) -> Floats:
     return own[:, model.DEPTH][:, None] * np.array(OF_DEPTH)
 
 
+class Seen(NamedTuple):
+    """Leaves as one picture has them: rows and own as `LeavesModel` has them, half chords (n,) m; corners
+    (p, 2) m of the `Cut`; colours of the halves (2 n,) and of the ribs (n,).
+    """
+
+    rows: Floats
+    own: Floats
+    halves: Floats
+    corners: Floats
+    inks: NDArray[np.int64]
+    veins: NDArray[np.int64]
+
+
 class Foliage:
     """Keeps the outlines of the leaves there are."""
 
     def __init__(self) -> None:
         self._cut = cut_outlines(np.zeros((0, 6)))
         self._shapes: Floats = np.zeros((0, len(OF_SHAPE)))
+
+    def seen(self, rows: Floats, own: Floats, halves: Floats, tint: tuple[float, float, float]) -> Seen:
+        """Where all leaves are seen, and in what light: worked out once for a picture."""
+        self._fit(own)
+        return Seen(rows, own, halves, self._corners(rows, own, halves), *_shades(rows, own, tint))
 
     def _fit(self, own: Floats) -> None:
         """Cut anew where a shape has changed; how deep a leaf is seen to lie changes within a picture."""
@@ -118,21 +136,18 @@ class Foliage:
         )
 
     def leaves(
-        self, canvas: Canvas, rows: Floats, own: Floats, halves: Floats, tint: tuple[float, float, float],
-        which: NDArray[np.bool_], basket: Basket | None = None,
-    ) -> None:  # fmt: skip
+        self, canvas: Canvas, seen: Seen, which: NDArray[np.bool_], basket: Basket | None = None
+    ) -> None:
         """Those leaves, the farthest first; ``basket``: between whose walls they are seen."""
-        self._fit(own)
+        rows, own, halves, places, inks, veins = seen
         order = np.flatnonzero(which)[np.argsort(-own[which, model.DEPTH], kind="stable")]
         if not len(order):
             return
         cut = self._cut
-        places = self._corners(rows, own, halves)
         if basket is not None:
             rows = rows.copy()
             rows[law.X] += self._pushed_in(places, basket)
             places = self._corners(rows, own, halves)
-        inks, veins = _shades(rows, own, tint)
         halves_of = (2 * order[:, None] + np.array((0, 1))).ravel()
         pieces = [places[cut.starts[k] : cut.starts[k + 1]] for k in halves_of.tolist()]
         starts = np.concatenate([[0], np.cumsum([len(piece) for piece in pieces])])
@@ -182,13 +197,13 @@ class Foliage:
         order: NDArray[np.int64],
     ) -> None:  # fmt: skip
         ends = self._cut.ribs[order]
-        a = self._bent(rows, order, ends[:, 0, 0], ends[:, 0, 1], own, halves)
-        b = self._bent(rows, order, ends[:, 1, 0], ends[:, 1, 1], own, halves)
         fold = ends[:, 0] + (ends[:, 1] - ends[:, 0]) * (
             ends[:, 0, :1]
             / np.where(np.abs(ends[:, :1, 0] - ends[:, 1:, 0]) > 1e-9, ends[:, :1, 0] - ends[:, 1:, 0], 1.0)
         ).clip(0.0, 1.0)
-        m = self._bent(rows, order, fold[:, 0], fold[:, 1], own, halves)
+        points = np.concatenate([ends[:, 0], fold, ends[:, 1]])
+        bent = self._bent(rows, np.tile(order, 3), points[:, 0], points[:, 1], own, halves)
+        a, m, b = bent.reshape(3, -1, 2)
         inks = veins[order].astype(np.uint32)
         canvas.segments(a, m, inks, 1.1, 0.75)
         canvas.segments(m, b, inks, 1.1, 0.75)

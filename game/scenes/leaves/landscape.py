@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -121,6 +121,22 @@ def crowns() -> tuple[Crown, ...]:
     return tuple(made)
 
 
+@cache
+def inks_of(number: int, day: bool) -> tuple[pygame.Color, NDArray[np.uint32]]:
+    """The colour of a tree's trunk, and those of its tufts (k,), by how much light falls on each."""
+    crown, hour = crowns()[number], DAY if day else DUSK
+    inks = hour.trees[crown.row]
+    ink = inks[crown.shade % len(inks)]
+    dark = ink.lerp(pygame.Color(24, 14, 16), 0.42)
+    lit = ink.lerp(pygame.Color(*channels(hour.light[0])), 0.38 if day else 0.20)
+    share = crown.tufts[:, 3:]
+    low, middle, high = (np.array((one.r, one.g, one.b), dtype=np.float64) for one in (dark, ink, lit))
+    hues = np.where(
+        share < 0.5, low + 2.0 * share * (middle - low), middle + (2.0 * share - 1.0) * (high - middle)
+    )
+    return dark, np.ascontiguousarray(hues.astype(np.uint32) @ np.array((65536, 256, 1), dtype=np.uint32))
+
+
 class Park:
     """Paints what is behind the leaves and before them."""
 
@@ -156,8 +172,8 @@ class Park:
         canvas.soft_glow([sun, sun, sun], np.array((0.22, 0.75, 2.2)), color,
                          np.array((1.0, 0.5, 0.22)) * (strength if lit else 0.35))  # fmt: skip
         canvas.bloom(1.0)
-        for crown in crowns():
-            self._draw_tree(canvas, hour, crown, SLIDES[crown.row] * shift)
+        for number, crown in enumerate(crowns()):
+            self._draw_tree(canvas, hour, number, SLIDES[crown.row] * shift)
         self._draw_lawn(canvas, hour)
         self._draw_bench(canvas, hour)
         self._draw_lamp(canvas, hour)
@@ -179,23 +195,14 @@ class Park:
             self._sky = sky_picture(hour.sky, 2 * height, min(width, 256))
         canvas.backdrop(self._sky, BEHIND, 2 * height - 1)
 
-    def _draw_tree(self, canvas: Canvas, hour: Hour, crown: Crown, slide: float) -> None:
-        seen = canvas.camera.visible()
+    def _draw_tree(self, canvas: Canvas, hour: Hour, number: int, slide: float) -> None:
+        crown, seen = crowns()[number], canvas.camera.visible()
         x = float(crown.trunk[0, 0]) + slide
         if not seen.left - 2.0 < x < seen.right + 2.0:
             return
-        inks = hour.trees[crown.row]
-        ink = inks[crown.shade % len(inks)]
         off = np.array((slide, 0.0))
-        dark = ink.lerp(pygame.Color(24, 14, 16), 0.42)
-        lit = ink.lerp(pygame.Color(*channels(hour.light[0])), 0.38 if hour is DAY else 0.20)
+        dark, colors = inks_of(number, hour is DAY)
         canvas.polygon(crown.trunk + off, fill=dark)
-        share = crown.tufts[:, 3:]
-        low, middle, high = (np.array((one.r, one.g, one.b), dtype=np.float64) for one in (dark, ink, lit))
-        hues = np.where(
-            share < 0.5, low + 2.0 * share * (middle - low), middle + (2.0 * share - 1.0) * (high - middle)
-        )
-        colors = np.ascontiguousarray(hues.astype(np.uint32) @ np.array((65536, 256, 1), dtype=np.uint32))
         canvas.discs(crown.tufts[:, :2] + off, crown.tufts[:, 2].copy(), colors)
 
     def _draw_lawn(self, canvas: Canvas, hour: Hour) -> None:

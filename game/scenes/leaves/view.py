@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 import pygame
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from game.arrays import Floats
 from game.physics.plates import law, watch
 from game.physics.plates.regimes import BORDERS
+from game.scenes.leaves.basket import Basket
 from game.scenes.leaves.foliage import Foliage, nearer, shifts_of
 from game.scenes.leaves.landscape import DAY, Hour, Park
 from game.scenes.leaves.model import DEPTH, LeavesModel, LeavesState
@@ -24,6 +26,18 @@ COLORS = {watch.NOTHING: "text2", watch.FLUTTER: "chalk", watch.TUMBLE: "amber",
 MAP = (0.12, 1.05, 1.55, 0.62)  # m from the view's upper left corner: right, down; width, height of the map
 LEAST, MOST = 0.3, 4.0  # inertias on it
 RIM = 0.13  # m, half the depth of the basket's rim as it is seen
+
+
+@lru_cache(maxsize=32)
+def ring_of(basket: Basket, height: float, front: bool) -> Floats:
+    """Half an ellipse (25, 2) about a basket at a height, m, before or behind its middle; read only."""
+    turn = np.linspace(0.0, math.pi, 25)
+    sign = -1.0 if front else 1.0
+    places = np.stack(
+        [basket.x + basket.half_at(height) * np.cos(turn), height + sign * RIM * np.sin(turn)], axis=1
+    )
+    places.flags.writeable = False
+    return places
 
 
 class LeavesView:
@@ -58,11 +72,12 @@ class LeavesView:
         own = nearer(model.basket, rows, own)
         within = model.basket.holds(rows[law.X], rows[law.Y])
         back = ~within & (own[:, DEPTH] > 0.1)
-        self.foliage.leaves(canvas, rows, own, halves, hour.leaves, back)
+        seen = self.foliage.seen(rows, own, halves, hour.leaves)
+        self.foliage.leaves(canvas, seen, back)
         self._basket_back(canvas, hour)
-        self.foliage.leaves(canvas, rows, own, halves, hour.leaves, within, model.basket)
+        self.foliage.leaves(canvas, seen, within, model.basket)
         self._basket_front(canvas, hour)
-        self.foliage.leaves(canvas, rows, own, halves, hour.leaves, ~within & ~back)
+        self.foliage.leaves(canvas, seen, ~within & ~back)
         if model.parameters.streaks:
             self._dust(canvas, hour)
         self.park.grass(canvas, blades, front=True)
@@ -75,15 +90,8 @@ class LeavesView:
 
     # -- the basket -----------------------------------------------------------------------------------
 
-    def _ring(self, height: float, share: float, front: bool) -> Floats:
-        """Half an ellipse about the basket at a height, before or behind its middle."""
-        basket = self.model.basket
-        turn = np.linspace(0.0, math.pi, 25)
-        sign = -1.0 if front else 1.0
-        half = basket.half_at(height)
-        return np.stack(
-            [basket.x + share * half * np.cos(turn), height + sign * share * RIM * np.sin(turn)], axis=1
-        )
+    def _ring(self, height: float, front: bool) -> Floats:
+        return ring_of(self.model.basket, height, front)
 
     def _basket_back(self, canvas: Canvas, hour: Hour) -> None:
         basket = self.model.basket
@@ -91,9 +99,9 @@ class LeavesView:
         shadow = np.array([(basket.x - 1.0 * foot, -0.05), (basket.x + 0.9 * foot, -0.07),
                            (basket.x + 0.2 * foot, 0.05), (basket.x - 2.1 * foot, 0.02)])  # fmt: skip
         canvas.polygon(shadow, fill=pygame.Color(20, 16, 8), fill_alpha=0.28)
-        inside = np.concatenate([self._ring(basket.height, 1.0, False), self._ring(0.02, 1.0, True)[::-1]])
+        inside = np.concatenate([self._ring(basket.height, False), self._ring(0.02, True)[::-1]])
         canvas.polygon(inside, fill=hour.metal.lerp(pygame.Color(0, 0, 0), 0.55), fill_alpha=0.55)
-        canvas.polyline(self._ring(basket.height, 1.0, False), hour.metal, 4.0)
+        canvas.polyline(self._ring(basket.height, False), hour.metal, 4.0)
         self._slats(canvas, hour.metal.lerp(pygame.Color(0, 0, 0), 0.25), False)
 
     def _basket_front(self, canvas: Canvas, hour: Hour) -> None:
@@ -101,13 +109,13 @@ class LeavesView:
         lit = hour.metal.lerp(pygame.Color(255, 230, 180), 0.22 if hour is DAY else 0.12)
         self._slats(canvas, hour.metal, True)
         for height in (0.03, 0.5 * basket.height):
-            canvas.polyline(self._ring(height, 1.0, True), hour.metal, 4.0)
-        canvas.polyline(self._ring(basket.height, 1.0, True), hour.metal, 6.0)
-        canvas.polyline(self._ring(basket.height + 0.006, 1.0, True), lit, 2.0)
+            canvas.polyline(self._ring(height, True), hour.metal, 4.0)
+        canvas.polyline(self._ring(basket.height, True), hour.metal, 6.0)
+        canvas.polyline(self._ring(basket.height + 0.006, True), lit, 2.0)
 
     def _slats(self, canvas: Canvas, ink: pygame.Color, front: bool) -> None:
         basket = self.model.basket
-        top, foot = self._ring(basket.height, 1.0, front), self._ring(0.0, 1.0, front)
+        top, foot = self._ring(basket.height, front), self._ring(0.0, front)
         canvas.segments(top[1:-1:2], foot[1:-1:2], ink, 3.0 if front else 2.0)
         if front:
             lit = ink.lerp(pygame.Color(255, 235, 190), 0.2)

@@ -16,10 +16,13 @@ from game.stage import Decision
 
 
 class Thought(NamedTuple):
-    """What a player has come to: decisions in order, and what was considered, the best first."""
+    """What a player has come to: decisions in order; what was considered, the best first; and that told in
+    words, as of `tables.thoughts`.
+    """
 
     decisions: tuple[Decision, ...]
     considered: tuple[Any, ...] = ()
+    told: Any = None
 
 
 class Question(NamedTuple):

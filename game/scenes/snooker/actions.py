@@ -34,6 +34,8 @@ ACTIONS = (
     keys.PLAY_ITSELF,
     keys.CENTRE,
     keys.HOLD_BREATH,
+    keys.CHALK,
+    keys.THOUGHTS,
     SceneAction("concede", "concede the frame, or claim it", "Q"),
     SceneAction("restart", "agree on a stalemate: the frame begins again", "T"),
     keys.LOCK,

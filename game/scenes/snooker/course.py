@@ -59,6 +59,11 @@ class Course(CueCourse):
         """The guide after the present one, round the end."""
         self.parameters.guide = following(self.guide, GUIDES)
 
+    @property
+    def match_over(self) -> bool:
+        """Whether a player has won the match."""
+        return bool(self.model.game.match_over)
+
     # -- the stroke that is set, and what is nominated ----------------------------------------------
 
     @property

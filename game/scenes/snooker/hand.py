@@ -263,6 +263,10 @@ class SnookerHand(Part):
             self._strike_or_skip()
         elif name == "breath":
             course.push.breathe()
+        elif name == "chalk":
+            course.messages.say(course.push.chalk())
+        elif name == "thoughts":
+            course.parameters.considered = not course.parameters.considered
         elif name == "undo":
             course.undo()
         elif name == "replay":

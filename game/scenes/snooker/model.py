@@ -17,6 +17,7 @@ from game.billiards.shot_effects import physics_of, table_of
 from game.billiards.table.snooker import BALLS
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
+from game.scenes.shared.tables.choices import ahead
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.scenes.shared.tables.moments import Moments
 from game.scenes.shared.tables.outcome import Outcome
@@ -47,9 +48,15 @@ class SnookerModel(Part):
 
     def _begin(self, table: Table, physics: Physics) -> SnookerFrame:
         game, places = begun(self.content, self.seed_of_lots)
-        frame = new_snooker_frame(self._set(game), places, table, physics)
+        frame = new_snooker_frame(self._opened(game), places, table, physics)
         before = {ball.number: ball.position for ball in self.content.put_back}
         return self._as_snooker(frame.replace(put_back=snooker_layout(before) if before else None))
+
+    def _opened(self, game: Snooker) -> Snooker:
+        """A match at its beginning, with the head start of one of two players."""
+        if len(game.players) != 2 or self.content.saved:
+            return self._set(game)
+        return msgspec.structs.replace(self._set(game), won=ahead(self.parameters.head_start))
 
     def _set(self, game: Snooker) -> Snooker:
         """The game with what the parameters say of it."""
@@ -95,6 +102,10 @@ class SnookerModel(Part):
     def word(self) -> str:
         """A word that stands for the frame, for the digest: equal frames, equal words."""
         return self._outcome.word(self.frame)
+
+    def word_of(self, frame: SnookerFrame) -> str:
+        """The same of any frame."""
+        return self._outcome.word_of(frame)
 
     def _lay_out(self) -> None:
         self.places[list(self.frame.layout.numbers)] = self.frame.layout.positions
@@ -160,7 +171,11 @@ class SnookerModel(Part):
         """The next frame if this one is over; a drill, or a frame that is not, from its beginning."""
         game = self.game
         if game.over and not game.drill and len(game.players) == 2:
-            self.frame = self._as_snooker(self.frame.next_rack().with_cue_ball())
+            following = self._as_snooker(self.frame.next_rack().with_cue_ball())
+            won = ahead(self.parameters.head_start) if game.match_over else following.game.won
+            self.frame = self._as_snooker(
+                following.replace(game=msgspec.structs.replace(following.game, won=won))
+            )
         else:
             content = self.content
             if not game.drill:

@@ -9,26 +9,29 @@ import numpy as np
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.game.snooker.frame import SnookerFrame
+from game.billiards.players.ladder import SNOOKER, ladder_of
 from game.billiards.shot.cue import strike as struck_ball
-from game.billiards.table.snooker import COLOURS
+from game.billiards.table.snooker import COLOURS, name_of
 from game.physics.kernels import elementwise, linear
 from game.scenes.shared.tables.choices import GRADES
 from game.scenes.shared.tables.course import AIMING
 from game.scenes.shared.tables.demo_shots import choose_stroke
+from game.scenes.shared.tables.minds.thoughts import called, told_of
 from game.scenes.shared.tables.opponents import TableOpponents, check_option
 from game.scenes.shared.thinker import Question, Thought
 from game.scenes.snooker.course import BALL_PER_CUE, Course
 from game.stage import Decision
 
-THINK_S = 3.0  # s, that a player thinks at most
+THINK_S = 1.4  # s, after which a player begins nothing more; what is under way is finished within 0.6 s
 HAND_SEED = 50_021
 
 
 def think(question: Question) -> Thought:
     """The decisions of a player of some grade. One in a hurry uses one processor: the other one draws."""
-    from game.billiards.players.snooker import SNOOKER_GRADES, decide_snooker, hand_of
+    from game.billiards.players.graded import snooker_players
+    from game.billiards.players.snooker import decide_snooker, hand_of
 
-    frame, grade = question.frame, SNOOKER_GRADES[question.grade]
+    frame, grade = question.frame, snooker_players()[question.grade]
     limits = (None, None) if question.patient else (THINK_S, 1)
     made = decide_snooker(frame, grade, question.seed, *limits)
     if made.option == "concede":
@@ -39,7 +42,11 @@ def think(question: Question) -> Thought:
     decisions = [Decision("white", made.place)] if made.place is not None else []
     if made.stroke is not None:
         decisions.append(decision_of(hand_of(made.stroke, grade, question.seed + HAND_SEED), made.call))
-    return Thought(tuple(decisions), made.considered)
+    on = frame.snooker.balls_on()
+    ball = made.call.ball if made.call.ball is not None else on[0] if on else None
+    pot = f"the {name_of(ball)}" if ball is not None else "a pot"
+    told = told_of(called(question.grade, frame.game.shooter), made, pot, in_points=True)
+    return Thought(tuple(decisions), made.considered, told)
 
 
 def warm_up(grade: str) -> None:
@@ -81,7 +88,7 @@ class SnookerOpponents(TableOpponents):
     """Computer players of snooker, and the table by itself."""
 
     def __init__(self, course: Course, seed: int) -> None:
-        super().__init__(course, think, WARM_UPS, GRADES)
+        super().__init__(course, think, WARM_UPS, (*GRADES, *(one.name for one in ladder_of(SNOOKER))))
         self._seed = seed
 
     def instead(self) -> list[Decision]:

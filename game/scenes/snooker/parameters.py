@@ -6,7 +6,7 @@ from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.through import choices as through
-from game.stage import Choice, Parameters, Toggle
+from game.stage import Choice, Parameters
 
 
 class SnookerParameters(Parameters):
@@ -16,8 +16,9 @@ class SnookerParameters(Parameters):
         "level", ("level", "snooker", "six-red"), labels=("As the level says", "Snooker", "Six-red"),
         group="Game", rebuild=True,
     )  # fmt: skip
-    first_player = choices.player("First player")
-    second_player = choices.player("Second player")
+    first_player = choices.player("First player", "snooker")
+    second_player = choices.player("Second player", "snooker")
+    head_start = choices.head_start("frames")
     best_of = Choice(
         "open", ("open", "1", "3", "5", "7", "9"),
         labels=("No end", "1 frame", "3 frames", "5 frames", "7 frames", "9 frames"),
@@ -27,9 +28,7 @@ class SnookerParameters(Parameters):
         "professional", ("professional", "club", "off"), labels=("Professional", "Club", "None called"),
         group="Game", label="Miss", help="how good an attempt the referee expects (rule 3.14)",
     )  # fmt: skip
-    considered = Toggle(
-        False, group="Game", label="Show its thoughts", help="the pots that a computer player considered"
-    )
+    considered = choices.thoughts()
     power = choices.power(3.0)
     tip_left = choices.tip("Tip left")
     tip_up = choices.tip("Tip up", "follow above, draw below")
@@ -48,6 +47,7 @@ class SnookerParameters(Parameters):
     sway = through.sway()
     miscues = through.miscues()
     chalk = through.chalk()
+    wear = through.wear()
     recoil = through.recoil()
     eye = eyes.shown()
     eye_size = eyes.size()

@@ -17,6 +17,7 @@ from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.scenes.snooker import SNOOKER, layout, saving
 from game.scenes.snooker.actions import ACTIONS, HINTS
 from game.scenes.snooker.course import Course
+from game.scenes.snooker.exchange import SnookerExchange
 from game.scenes.snooker.figure import draw_table_of_values
 from game.scenes.snooker.hand import SnookerHand
 from game.scenes.snooker.level import SnookerContent
@@ -79,6 +80,7 @@ class SnookerScene(CueGameScene):
         self.course = Course(self.parameters, self.model, self.seed)
         self.hand = SnookerHand(self.course)
         self.opponents = SnookerOpponents(self.course, self.seed)
+        self.exchange = SnookerExchange(self.name, self.course)
         self.sounds = StrokeSounds(self.course, (ROLLING, REPLAY))
         title = level.title if level is not None else ""
         self.view = SnookerView(self.course, self.hand, self.opponents, title)

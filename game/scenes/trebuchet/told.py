@@ -15,9 +15,9 @@ from game.worlds.hands.hand import NOBODY, Hand
 from game.worlds.hearing import ROOM, wind
 from game.worlds.rubbing import rubbing_heard
 
-NAMES = {world.EARTH: "thud", world.STONES: "stone"}
+NAMES = {world.EARTH: "thud", world.STONES: "stone", world.LANDING: "ground"}
 FARTHEST = (-400.0, -50.0), (1000.0, 400.0)  # m
-LOWEST = 4.0  # m, of a camera that goes with the stone: else the ground would fill half of the picture
+LOWEST = 4.6  # m, of a camera that goes with the stone: else the ground would fill half of the picture
 LOUD, HALF, CREAK = 20000.0, 40.0, 3.0  # W of rubbing; m to either side; rad/s of an arm that is loudest
 
 
@@ -77,7 +77,7 @@ def names(model: TrebuchetWorld) -> list[tuple[Point, str]]:
 def hearing(model: TrebuchetWorld) -> Hearing:
     """Impacts, what slides, the creak of axle and winch, the stone in the air."""
     machine, rows = model.machine, model.world.bodies
-    middle = model.content.wall if model.landing else 0.0
+    middle = model.landing[0] if model.landing else 0.0
     steady = rubbing_heard(model.world, model.parameters.values["step_length"], LOUD, HALF, middle)
     turning = 0.3 * math.sqrt(min(abs(float(rows.spins[machine.arm])) / CREAK, 1.0))
     if not any(one.kind == "rolling" for one in steady):

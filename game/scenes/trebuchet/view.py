@@ -38,12 +38,14 @@ TONES = (
 DUST = ((0xF0E0C0, 0xB8A890), (0xFFC890, 0x8A6A66))  # lit and in the shade, by day and late
 SPREAD = 2.2  # m: of the frame's legs
 STAKES, STAKE_M, FAR_STAKE = 15, 10.0, 50.0  # along the field; m from one to the next, m between tall ones
+NUMBERED = 90.0  # design px between stakes that all have their numbers
 SHARES = (1.0, 0.93, 1.06, 0.88, 0.98, 1.04)  # of the wall's colour, block after block
-# of the castle far behind the wall: left, right, top m, beside CASTLE_AT; merlons on top; windows
-CASTLE = ((-16.0, 34.0, 6.0), (-18.0, -13.0, 10.5), (2.0, 14.0, 13.5), (5.0, 9.0, 17.0), (30.0, 36.0, 11.5))
-CASTLE_AT, CASTLE_NEAR, CASTLE_FAR, CASTLE_INK = 112.0, 0.45, 0.7, (0x8A9098, 0x4A3650)
+# of the castle behind the wall: left, right, top m, beside CASTLE_AT; merlons on top; windows
+CASTLE = ((-5.0, 34.0, 4.6), (-7.0, -2.5, 7.6), (7.0, 13.0, 11.6), (3.0, 17.0, 8.6), (30.0, 36.0, 8.4))
+CASTLE_AT, CASTLE_INK = 112.0, (0x8A9098, 0x4A3650)
 WINDOWS = [
-    (x, y, x + 0.3, y + 0.8) for x, y in ((-15.8, 8), (4.5, 10), (7, 14), (11, 10), (32.5, 9), (7.5, 7))
+    (x, y, x + 0.25, y + 0.7)
+    for x, y in ((-5.0, 5.8), (5.0, 6.4), (9.8, 9.4), (14.6, 6.4), (32.8, 6.6), (9.8, 5.0))
 ]
 
 
@@ -87,24 +89,30 @@ class TrebuchetView:
             canvas.ring(self.hand.point, 9.0, "amber", 2.0)
 
     def _draw_castle(self, canvas: Canvas, late: bool) -> None:
-        """What the wall is for: towers far behind it, and light in their windows."""
-        size = (canvas.camera.visible().right - canvas.camera.visible().left) / 100.0
-        far = np.array((CASTLE_AT + (1.0 - CASTLE_NEAR) * (canvas.camera.center[0] - CASTLE_AT), 0.0))
-        parts = [(left, -0.4, right, top) for left, right, top in CASTLE]
-        for left, right, top in CASTLE:  # merlons, as wide as what is between them
-            parts += [(one, top, one + 0.5, top + 0.7) for one in np.arange(left, right - 0.4, 1.0).tolist()]
-        size = size**CASTLE_FAR  # as hills, it does not grow as what is near
-        paint_quads(canvas, far + size * rects(parts), CASTLE_INK[late])
-        paint_quads(canvas, far + size * rects(WINDOWS), 0xFFC060, 0.9 if late else 0.1)
+        """What the wall is for: towers behind it, lit from the side, and light in their windows."""
+        at, ink = np.array((CASTLE_AT, 0.0)), CASTLE_INK[late]
+        for left, right, top in CASTLE:
+            merlons = np.arange(left, right - 0.4, 1.0).tolist()  # as wide as what is between them
+            parts = [(left, 0.0, right, top), *((one, top, one + 0.5, top + 0.7) for one in merlons)]
+            edge = [(right - 0.12 * (right - left), 0.0, right, top)]  # the low sun is on the right
+            courses = [(left, y, right, y + 0.06) for y in np.arange(1.2, top, 1.2).tolist()]
+            paint_quads(canvas, at + rects(parts), ink)
+            paint_quads(canvas, at + rects(courses), TONES[late][2], 0.25)
+            paint_quads(canvas, at + rects(edge), TONES[late][7], 0.16)
+        paint_quads(canvas, at + rects(WINDOWS), 0xFFC060, 0.9 if late else 0.1)
 
     def _draw_field(self, canvas: Canvas, tones: tuple[int, ...]) -> None:
-        """Stakes every ten metres of range; those at fifty are taller and banded."""
+        """Stakes every ten metres from the axle, with their numbers; those at fifty are taller and banded."""
         far = STAKE_M * np.arange(1.0, STAKES + 1.0)
         tall = np.where(far % FAR_STAKE == 0.0, 1.8, 0.9)
         feet, heads = np.stack([far, 0.0 * far], axis=1), np.stack([far, tall], axis=1)
         paint_timber(canvas, np.stack([feet, heads], axis=1), 0.16, (tones[0], tones[1], tones[2]))
         bands = np.stack([heads - (0.0, 0.3), heads], axis=1)
         paint_quads(canvas, beams(bands, 0.2), tones[3], edges=tones[2])
+        apart = STAKE_M * canvas.pixels_per_unit / canvas.k
+        for x, (_, high) in zip(far.tolist(), heads.tolist(), strict=True):
+            if apart > NUMBERED or x % FAR_STAKE == 0.0:
+                canvas.label((x, high), f"{x:.0f} m", "text1", offset=(0.0, -10.0))
 
     def _draw_wall(self, canvas: Canvas, at: Floats, turn: Floats, tones: tuple[int, ...]) -> None:
         sizes = 0.5 * self.model.sizes

@@ -24,9 +24,14 @@ from game.worlds.world import World
 WIDE, TALL, DENSITY = 0.8, 0.55, 690.0  # m; kg/m² of a block, 0.3 m deep
 MOVED = 0.3  # m: a block that is farther from its place than that is out of place
 EVERY, MOST = 0.15, 200  # s between two points of the trail, and how many there are
-EARTH, STONES = range(2)  # sounds
+EARTH, STONES, LANDING = range(3)  # sounds
 LEAST_HEARD, USUAL = 0.3, 60.0  # m/s of approach; kg that sounds as it is
-DUSTY, QUICK = 80.0, 6.0  # N s for a puff of dust; m/s, of the quickest
+DUSTY, MANY, HANGS, QUICK = (
+    240.0,
+    14,
+    2.2,
+    6.0,
+)  # N s for a puff of dust; of one blow; s; m/s, of the quickest
 ROLLS = (
     0.3  # rolling resistance on turf: that of wheels in sand (0.2 to 0.4), so that no stone rolls to the wall
 )
@@ -111,18 +116,19 @@ class TrebuchetWorld(World):
         loud = found.take(found.rows[:, 3] > LEAST_HEARD)
         kinds = np.where((loud.shapes == SEGMENT).any(axis=1), EARTH, STONES)
         self._raise_dust(loud, kinds == EARTH)
+        kinds[(kinds == EARTH) & np.isin(loud.bodies, self.machine.stones).any(axis=1)] = LANDING
         self.heard.remember(loud.heard(self.time - dt, kinds, loud.by_impulse(USUAL, 3.0)), self.time - dt)
         return said
 
     def _raise_dust(self, loud: Impacts, earth: Any) -> None:
         """What strikes hard raises dust, the more the greater its impulse; from earth it goes upwards."""
-        counts = np.minimum(loud.rows[:, 2] / DUSTY, 30.0).astype(np.int64)
+        counts = np.minimum(loud.rows[:, 2] / DUSTY, MANY).astype(np.int64)
         rows, up = np.repeat(loud.rows, counts, axis=0), np.repeat(earth, counts)
         random = np.random.default_rng((self.seed, round(1e4 * self.time)))
         aim = linear.uniform(random, -1.0, 1.0, (len(rows), 2)) * np.minimum(rows[:, 3:4], QUICK)
         aim[:, 1] = np.where(up, np.abs(aim[:, 1]), 0.5 * aim[:, 1])
         if len(rows):
-            self.dust.add(rows[:, :2] + 0.1 * aim, aim, 0.36, 4.0, random)
+            self.dust.add(rows[:, :2] + 0.1 * aim, aim, 0.36, HANGS, random)
 
     def range_by_law(self) -> float:
         """m from where the sling let go to the height of landing, by the parabola without air; NaN before."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.lab.studies.waves import dam_study
+from game.lab.studies.water.waves import dam_study
 from game.physics.waves.effects import WAVES as ROOM
 from game.scenes.waves import WAVES
 from game.scenes.waves.figure import draw_fan

@@ -98,8 +98,9 @@ class Chart(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     measured: a readout. expected: another, or a number. over: the readout along which both are drawn; "time"
     is that of the simulation, s, if no readout is called so; "" for two marks on an axis. since: a moment
     from which on they are drawn; a curve begins again where ``over`` does. mean: what is drawn is the mean of
-    the notes of so much of ``over`` before. names: of both, if not those of the readouts. shows: what the
-    scene calls so (`Scene.story_charts`), in place of all these.
+    the notes of so much of ``over`` before. names: of both, if not those of the readouts. limit: a value that
+    is ruled across a curve, limited: what that is called. shows: what the scene calls so
+    (`Scene.story_charts`), in place of all these.
     """
 
     measured: Annotated[str, msgspec.Meta(max_length=60)] = ""
@@ -108,6 +109,8 @@ class Chart(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     since: Annotated[str, msgspec.Meta(max_length=60)] = ""
     mean: Annotated[float, msgspec.Meta(ge=0.0, le=1e9)] = 0.0
     names: tuple[Name, Name] | None = None
+    limit: float | None = None
+    limited: Annotated[str, msgspec.Meta(max_length=20)] = "limit"
     shows: Annotated[str, msgspec.Meta(max_length=60)] = ""
     corner: Literal["top right", "top left", "bottom right", "bottom left"] = "top right"
 

@@ -107,6 +107,7 @@ class ChartWatch:
             self._units.get(chart.measured, ""),
             chart.over,
             self._units.get(chart.over, "s" if chart.over == TIME else ""),
+            limit=(chart.limited, chart.limit) if chart.limit is not None else None,
         )
 
 
@@ -139,6 +140,8 @@ def check_chart(chart: Chart, moments: Sequence[str]) -> None:
         raise ValueError("chart: expected measured and expected, or shows")
     if chart.mean and not chart.over:
         raise ValueError("chart.mean: along what is not said (over)")
+    if chart.limit is not None and not (chart.over and math.isfinite(chart.limit)):
+        raise ValueError("chart.limit: expected a finite number, across a curve (over)")
     if isinstance(chart.expected, float) and not math.isfinite(chart.expected):
         raise ValueError("chart.expected: not a finite number")
     if chart.since and chart.since not in moments:

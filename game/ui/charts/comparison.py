@@ -22,10 +22,11 @@ SHARE = (0.25, 0.3)  # of the picture's size
 LEAST = (216, 132)  # design px
 EDGE = 0.03  # of the picture's height, to its edges
 GROUND = 232  # of 255: how much of the picture the card hides
-MEASURED, EXPECTED = "amber", "text1"
+MEASURED, EXPECTED, LIMIT = "amber", "text1", "vermilion"
 LINE = 2.0  # design px
 DASH = (5.0, 4.0)
 SMALL = 12  # design px, of letters
+STEPS = (1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0, 20.0)  # round ones
 MANY = 24  # points that are still marked one by one
 
 
@@ -67,6 +68,18 @@ def _axis(values: Floats) -> Axis:
     return axis_for(float(finite.min()), float(finite.max()), None) if len(finite) else Axis(0.0, 1.0)
 
 
+def close_axis(values: Floats) -> Axis:
+    """Round ends about what is shown, with a round number midway; they need not hold 0."""
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    wide = max(high - low, 1e-3 * abs(high), 1e-9)
+    power = 10.0 ** math.floor(math.log10(0.5 * wide))
+    for step in (share * power for share in STEPS):
+        bottom = step * math.floor(low / step)
+        if bottom + 2.0 * step >= high:
+            break
+    return Axis(bottom, bottom + 2.0 * step)
+
+
 def _place_axis(places: Floats) -> Axis:
     """Along the bottom: from the first place to the last, or from nothing where that is near."""
     low, high = float(places.min()), float(places.max())
@@ -79,11 +92,14 @@ def _draw_curves(card: pygame.Surface, look: Look, body: pygame.Rect, shown: Com
     """Two axes, a key above; dashes of the expected curve lie on the measured one, its points on both."""
     px = look.px
     both = np.concatenate([shown.measured, shown.expected])
-    axis, across = _axis(both[:, 1]), _place_axis(both[:, 0])
+    across = _place_axis(both[:, 0])
+    axis = _axis(both[:, 1]) if shown.limit is None else close_axis(np.append(both[:, 1], shown.limit[1]))
     box = pygame.Rect(body.x + px(34), body.y + px(38), body.w - px(40), body.h - px(74))
     _draw_key(card, look, body, shown.names)
     _draw_axes(card, look, box, axis, across, shown)
     brush = Brush(card, box.inflate(2 * px(6), 2 * px(6)), look)
+    if shown.limit is not None:
+        _draw_limit(card, look, box, axis, shown.limit)
     measured = _placed(shown.measured, box, axis, across)
     if not shown.single:
         brush.chain(measured, LINE, MEASURED)
@@ -91,6 +107,16 @@ def _draw_curves(card: pygame.Surface, look: Look, body: pygame.Rect, shown: Com
     if len(measured) <= MANY or shown.single:
         for x, y in measured:
             brush.mark("disc", x, y, MEASURED)
+
+
+def _draw_limit(
+    card: pygame.Surface, look: Look, box: pygame.Rect, axis: Axis, limit: tuple[str, float]
+) -> None:
+    """A rule from side to side, its name at the left end above it."""
+    y = box.bottom - box.h * (limit[1] - axis.low) / (axis.high - axis.low)
+    Brush(card, card.get_rect(), look).chain(((float(box.x), y), (float(box.right), y)), LINE, LIMIT)
+    at = (box.x + look.px(4), round(y) - look.px(8))
+    look.text(card, limit[0], at, SMALL, "semibold", LIMIT, "left")
 
 
 def _draw_key(card: pygame.Surface, look: Look, body: pygame.Rect, names: tuple[str, str]) -> None:

@@ -58,12 +58,16 @@ def moved(shapes: Shapes, by: Floats) -> Shapes:
 def placed(box: tuple[float, float, float, float], sizes: Floats, places: Floats, turned: Floats) -> Floats:
     """Corners (4 n, 2) m of a part of n boxes: ``box`` in shares of half sizes (n, 2), at places and cosine
     and sine (n, 2)."""
-    x0, y0, x1, y1 = box
-    unit = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
-    own = sizes[:, None, :] * unit[None]
+    return placed_parts(np.array((box,)), sizes, places, turned)
+
+
+def placed_parts(boxes: Floats, sizes: Floats, places: Floats, turned: Floats) -> Floats:
+    """Corners (4 k n, 2) m of k parts of n boxes, the first part of all boxes first; ``boxes`` (k, 4), and
+    the rest as `placed` has it."""
+    unit = boxes[:, [0, 1, 2, 1, 2, 3, 0, 3]].reshape(-1, 1, 4, 2)
+    x, y = (unit[..., axis] * sizes[:, None, axis] for axis in (0, 1))
     c, s = turned[:, 0, None], turned[:, 1, None]
-    x, y = own[..., 0], own[..., 1]
-    corners = np.stack([c * x - s * y, s * x + c * y], axis=2) + places[:, None, :]
+    corners = np.stack([c * x - s * y, s * x + c * y], axis=-1) + places[:, None, :]
     return corners.reshape(-1, 2)
 
 

@@ -19,7 +19,7 @@ from game.app.fuzz.session import FuzzSession
 from game.app.fuzz.values import any_value
 from game.app.window.settings import load_settings
 from game.levels import LevelError, load_level, parse_level
-from game.stage import ParameterError
+from game.stage import ParameterError, SetEffect, SetParameter
 from game.stage.records.recording import Recording, RecordingError
 from tests.app.tests_app import CATALOGUE, example_entry
 from tests.paths import ROOT
@@ -53,6 +53,25 @@ def test_what_a_scene_raises_is_told_with_the_event(home: Path, monkeypatch: pyt
     monkeypatch.setattr(entry.load(), "pointer", slip)
     report = FuzzSession(CATALOGUE, "example", 1, home).run(400)
     assert report.trouble.startswith("event ") and "a slip" in report.trouble
+
+
+def test_a_random_hand_turns_every_parameter_and_every_effect(home: Path, monkeypatch: pytest.MonkeyPatch):
+    session, posted = FuzzSession(CATALOGUE, "example", 5, home), []
+    try:
+        session._open()
+        play = session.driver.top.play
+        monkeypatch.setattr(play, "post", lambda event: posted.append(event) or True)
+        for _ in range(300):
+            session._set_something(play)
+    finally:
+        session.driver.close()
+    scene = play.stage.scene
+    effects = [event for event in posted if isinstance(event, SetEffect)]
+    assert {event.name for event in effects} == set(scene.effects.names)
+    assert {event.on for event in effects} == {False, True}
+    others = {event.name for event in posted if isinstance(event, SetParameter)}
+    assert others == set(scene.declared_parameters())
+    assert 0.1 * len(posted) < len(effects) < 0.35 * len(posted)
 
 
 def test_values_at_and_beyond_the_limits(home: Path):

@@ -162,6 +162,25 @@ def test_panel_keys_and_defaults_cannot_change_what_is_locked(driver, tmp_path, 
     assert effect.idle == "Locked by this level."
 
 
+def test_nothing_is_judged_without_a_task_or_while_the_scene_is_being_changed(driver, tmp_path, monkeypatch):
+    sheet = begin(driver, tmp_path)
+    play = driver.top.play
+    play.lesson.check(1)
+    assert set(sheet.verdicts) == {1}
+    sheet.verdicts.clear()
+    with monkeypatch.context() as patch:
+        patch.setattr(type(play.record.errands), "inside", True)
+        play.lesson.check(1)
+    assert not sheet.verdicts
+    path = tmp_path / "plain.toml"
+    path.write_text('scene = "example"\ntitle = "No task"\n')
+    play.open_file(path)
+    driver.frames(40)
+    assert sheet.teaching is None
+    play.lesson.check(0)
+    assert not sheet.verdicts
+
+
 def test_another_level_has_another_task_and_shows_all_again(driver, tmp_path):
     sheet = begin(driver, tmp_path)
     sheet.answers[0] = "3"

@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 
@@ -13,7 +14,9 @@ from game.billiards.game.goals import Goal, Pot
 from game.billiards.game.rules import Pocketing, ShotSummary
 from game.billiards.game.table_lengths import table_lengths
 from game.billiards.shot.physics import Physics
-from game.billiards.table.rack import BALL_RADIUS
+from game.billiards.shot.shot import make_shot
+from game.billiards.simulation import simulate
+from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, Table
 
 PLACES = ((0, 0.3, 0.6), (1, 0.4, 1.0), (2, 0.6, 1.2), (3, 0.8, 1.4))
@@ -101,6 +104,23 @@ class TestTableLengths:
             assert table_lengths(speed, cloth, BED_WIDTH, BED_LENGTH) == pytest.approx(
                 way / BED_LENGTH, rel=1e-9
             )
+
+    @pytest.mark.parametrize("speed", [1.9, 2.6, 3.7, 5.1])
+    def test_across_cushions_it_is_the_way_that_the_ball_is_seen_to_run(self, speed):
+        """The same ball, looked at 4,000 times: its places are between its cushions, and added up."""
+        table = Table.bare(BED_WIDTH, BED_LENGTH, Table.pool().cushion_height)
+        start = [[0.5 * BED_WIDTH, BALL_RADIUS]]
+        ball = make_shot(table, start, radii=BALL_RADIUS, masses=BALL_MASS, physics=Physics(), ids=("0",))
+        course = simulate(ball.struck(0, (0.0, speed, 0.0), (0.0, 0.0, 0.0)))
+        times = np.linspace(0.0, course.end_time, 4_000)
+        way = np.array([course.state_at(float(time)).positions[0, 1] for time in times])
+        seen = float(np.abs(np.diff(way)).sum()) / BED_LENGTH
+        # of each meeting with a cushion at most twice what is run between two looks is missed
+        turns = int((np.diff(np.sign(np.diff(way))) != 0).sum())
+        unseen = 2.0 * turns * speed * (times[1] - times[0]) / BED_LENGTH
+        assert turns >= 1
+        told = table_lengths(speed, Physics(), BED_WIDTH, BED_LENGTH)
+        assert seen <= told + 1e-9 and told <= seen + unseen + 1e-9
 
     def test_it_grows_evenly_with_the_speed_across_the_cushions(self):
         speeds = [0.5 + 0.05 * k for k in range(80)]

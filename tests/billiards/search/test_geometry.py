@@ -170,6 +170,30 @@ def test_banks_and_kicks_are_mirror_images():
     assert abs(dx * path[1] - dy * path[0]) < 2 * R and dx * path[0] + dy * path[1] > 0.0
 
 
+@pytest.mark.parametrize("kinds", [("direct",), ("bank",), ("kick",), ("combination",)])
+@pytest.mark.parametrize("turned", [(1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)])
+def test_a_table_seen_in_a_mirror_has_the_mirrored_candidates(kinds, turned):
+    """All four rails and six pockets alike: what is said of one is said of its image."""
+    size, signs = np.array([POOL.width, POOL.length]), np.array(turned)
+    places = {0: (0.8, 0.7), 1: (0.5, 1.3), 2: (0.95, 1.9), 3: (0.25, 0.45)}
+    there = {number: tuple(np.where(signs < 0.0, size - place, place)) for number, place in places.items()}
+
+    def told(found, back):
+        """Ball, ball by way of, pocket's place, aim and numbers, those of a mirror turned back."""
+        rows = []
+        for one in found:
+            pocket = np.where(
+                back < 0.0, size - POOL.pockets[int(one[INTO]), :2], POOL.pockets[int(one[INTO]), :2]
+            )
+            aim = back * (math.cos(one[AIM]), math.sin(one[AIM]))
+            rows.append((one[BALL], one[VIA], *pocket, *aim, one[SPREAD], one[WINDOW], one[CHANCE]))
+        return sorted(np.round(rows, 7).tolist())
+
+    here, mirrored = (candidates(at, kinds)[1] for at in (places, there))
+    assert len(here) > 0
+    np.testing.assert_allclose(told(mirrored, signs), told(here, np.ones(2)), rtol=0.0, atol=1e-6)
+
+
 def test_combinations_only_by_way_of_what_may_be_hit():
     places = {0: (0.9, 1.27), 1: (0.5, 1.27), 2: (0.3, 1.27)}
     _, found = candidates(places, ("combination",))

@@ -15,7 +15,7 @@ from numba.core.errors import TypingError
 
 from game.compiler.decorator import inner_kernel, kernel, lean_kernel
 from game.compiler.progress import compiling
-from game.compiler.target.linking import InnerLibrary, environments_of, kept_form
+from game.compiler.target.linking import InnerLibrary, KernelLibrary, environments_of, kept_form
 from game.physics.kernels.elementary import linking
 from tests.compiler.test_decorator import Copy
 
@@ -208,6 +208,46 @@ class TestNew:
     def test_two_that_call_each_other_are_refused(self) -> None:
         with pytest.raises((NotImplementedError, TypingError), match="in a circle"):
             is_even(4)
+
+
+class TestFinished:
+    """Of a finished kernel no module of LLVM's stays in memory."""
+
+    def test_it_is_linked_in_and_looked_at_all_the_same(self) -> None:
+        @kernel
+        def grown(n):
+            return 2.0 * np.ones(n)
+
+        @kernel
+        def over(n):
+            return grown(n).sum()
+
+        assert over(3) == 6.0
+        assert over(4) == 8.0
+        for result in (*grown.overloads.values(), *over.overloads.values()):
+            library = result.library
+            assert not [*library._final_module.functions]
+            assert library._shared_module is None
+            held = {function.name for function in library.get_defined_functions()}
+            assert result.fndesc.llvm_func_name in held
+            assert result.fndesc.llvm_func_name in library.get_llvm_str()
+            assert result.fndesc.llvm_func_name in library.get_asm_str()
+
+    def test_its_machine_code_is_handed_over_once(self) -> None:
+        @kernel
+        def told(x):
+            return x + 1.0
+
+        assert told(1.0) == 2.0
+        [result] = told.overloads.values()
+        _, parts = kept_form(result)
+        code, bitcode = parts[0][2]
+        assert code and bitcode
+        again = KernelLibrary.from_object(result.library.codegen, "again", code, bitcode)
+        assert [one.name for one in again.get_defined_functions()] == [
+            one.name for one in result.library.get_defined_functions()
+        ]
+        assert kept_form(result)[1][0][2][0] == b""
 
 
 class TestCollecting:

@@ -121,6 +121,24 @@ def test_the_time_of_an_impact_is_known_within_the_step():
     assert places[0, 3] == pytest.approx(20.0)
 
 
+@pytest.mark.parametrize("room", [0, 1, 3, 4, 5])
+def test_contacts_that_begin_are_counted_and_written_down_while_there_is_room(room):
+    """Four discs meet the wall in one step; what lies behind the room is nobody's to write to."""
+    world = wall_world()
+    for k in range(4):
+        world.add_body(Disc(0.1), (-0.6, 2.0 * k), velocity=(20.0, 0.0))
+    for _ in range(2):
+        world.step(1.0 / 60.0)
+        assert len(world.contacts_begun()[0]) == 0
+    shapes, places = np.full((8, 2), -7, np.int32), np.full((8, 5), -7.0)
+    world._scratch = world._scratch._replace(begun=shapes[:room], begun_places=places[:room])
+    world.step(1.0 / 60.0)
+    assert len(world.contacts_begun()[0]) == min(room, 4)
+    written = min(room, 4)
+    assert (shapes[:written] >= 0).all() and (places[:written, 3] > 19.0).all()
+    assert (shapes[written:] == -7).all() and (places[written:] == -7.0).all()
+
+
 def test_a_box_falling_on_the_ground_never_gains_energy():
     world = SolidWorld(SolidSettings())
     world.add_body(box(40.0, 0.02), (0.0, 0.0), kind="fixed")

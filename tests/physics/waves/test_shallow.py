@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from game.lab.studies.waves import DamTrial
+from game.lab.studies.water.waves import DamTrial
 from game.lab.study import Setting
 from game.physics.waves import (
     Bowl,

@@ -195,3 +195,33 @@ def test_the_noise_of_pushed_strokes_is_measured_and_told():
 def test_the_picture_gives_way_more_for_a_harder_stroke_and_comes_back():
     assert recoil(6.0, 0.0) == FARTHEST > recoil(2.0, 0.0) > recoil(2.0, 0.05) * -1.0 > 0.0
     assert recoil(6.0, LASTS_S) == 0.0 == recoil(6.0, -0.01)
+
+
+def test_chalk_wears_off_from_stroke_to_stroke_and_is_put_on_again():
+    stage = ready(wear=True, chalk=0.65)
+    tip = stage.scene.play.push
+    frictions = []
+    for _ in range(4):
+        frictions.append(tip.friction)
+        tip.after_the_tip(stage.scene.aiming.stroke)
+    assert frictions[0] == 0.65 and frictions == sorted(set(frictions), reverse=True)
+    tip.since_chalk = 10_000
+    assert tip.friction == pytest.approx(0.25)
+    stage.post(Action("chalk"))
+    assert tip.friction == 0.65 and any("chalked" in words for words in stage.scene.messages())
+
+
+def test_a_worn_tip_slips_where_a_chalked_one_holds():
+    offset = slip_limit(0.5)
+    for since, slipped in ((0, False), (8, True)):
+        stage = ready(wear=True, chalk=0.65, tip_left=-offset)
+        stage.scene.play.push.since_chalk = since
+        pushed(stage, 1.5)
+        said = " ".join(stage.scene.messages())
+        assert ("too far right" in said) is slipped
+
+
+def test_without_wear_the_friction_is_the_one_chosen():
+    stage = ready(chalk=0.65)
+    stage.scene.play.push.after_the_tip(stage.scene.aiming.stroke)
+    assert stage.scene.play.push.friction == 0.65 and stage.scene.play.push.since_chalk == 0

@@ -261,5 +261,5 @@ def test_after_ten_racks_the_ghosts_card_rates_the_player(monkeypatch):
     words = []
     look = Look(DARK)
     monkeypatch.setattr(look, "text", lambda surface, said, *more, **options: words.append(said))
-    end_card._draw_figures(pygame.Surface((10, 10)), look, frame, 0.0, 0.0, 300)
+    end_card._draw_figures(pygame.Surface((10, 10)), look, frame, 0.0, 0.0, 300, "0:01 min")
     assert "Rating" in words and rating_words(4, 6) in words

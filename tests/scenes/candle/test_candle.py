@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import functools
+import math
 from typing import Any
 
+import msgspec
 import numpy as np
 import pygame
 import pytest
 
 from game.levels import level_files, load_level
-from game.scenes.candle.air import AIR, TOP, UP, VAPOUR
+from game.scenes.candle.air import AIR, COMES, SUPPLY, TOP, UP, VAPOUR
 from game.scenes.candle.parameters import CandleContent
 from game.scenes.candle.scene import Candle
+from game.scenes.candle.view import SHORTEST
 from game.stage import Action, Frame, Pointer, SetEffect, SetParameter, Stage
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
@@ -98,13 +101,13 @@ def test_nothing_goes_through_a_glass_that_stands() -> None:
 
 
 @pytest.mark.parametrize("half_width", [0.05, 0.06, 0.08])
-def test_it_is_out_when_the_law_says(half_width: float) -> None:
-    """By the law all gas under the glass is mixed. It nearly is: spent gas gathers above, fresh gas below
-    feeds the flame longer. 1.5 % of oxygen in the mean are 0.3 of the way from 20.9 to 16 %, so of the time.
+def test_it_is_out_no_later_than_the_law_says(half_width: float) -> None:
+    """By the law all gas under the glass is mixed. Spent gas comes back to the flame before it is: the air
+    beside it is at the limit while that farther off has more, by up to 0.35 of the way from 20.9 to 16 %.
     """
     found = starved(half_width)
-    assert found["burns"] == 0 and found["flame lived"] == pytest.approx(found["time by the law"], rel=0.3)
-    assert found["oxygen in all"] == pytest.approx(16.0, abs=1.5)
+    assert found["burns"] == 0 and found["oxygen beside it"] < 16.0 < found["oxygen in all"] < 17.7
+    assert 0.65 * found["time by the law"] < found["flame lived"] < found["time by the law"]
 
 
 def test_a_wider_glass_lasts_longer_by_its_air() -> None:
@@ -114,12 +117,12 @@ def test_a_wider_glass_lasts_longer_by_its_air() -> None:
     assert large["flame lived"] / small["flame lived"] == pytest.approx(air, rel=0.2)
 
 
-def test_without_a_limit_it_burns_until_no_oxygen_is_left() -> None:
+def test_without_a_limit_it_burns_until_no_oxygen_is_left_beside_it() -> None:
     stage = shut(half_width=0.04, limit=0.0)
     while read(stage)["burns"] and stage.scene.model.time < 60.0:
         run(stage, 0.25)
     found = read(stage)
-    assert found["oxygen left"] < 12.0 and found["flame lived"] > 3.0 * starved(0.05)["flame lived"]
+    assert found["oxygen beside it"] < 1.0 and found["flame lived"] > 3.0 * starved(0.05)["flame lived"]
 
 
 def test_the_law_is_the_oxygen_over_the_rate() -> None:
@@ -132,6 +135,29 @@ def test_the_law_is_the_oxygen_over_the_rate() -> None:
     assert found["time by the law"] == pytest.approx(spare / (3.4 * 40e-6), rel=1e-9)
     assert found["oxygen for"] == pytest.approx(oxygen / (3.4 * 40e-6), rel=1e-9)
     assert 0.5 * 0.16 * 0.13 < 1e-4 * found["air in the glass"] < 0.16 * 0.13
+
+
+@pytest.mark.parametrize(("wait", "half_width"), [(0.0, 0.08), (3.3, 0.05)])
+def test_no_gas_is_hotter_than_burning_can_make_it(wait: float, half_width: float) -> None:
+    """The adiabatic temperature of cold air and as much vapour as it can burn, whenever the glass comes.
+
+    The capacity is that of a volume, and the volume grows with the temperature: T dT = T0 dq / c. What the
+    wick warms begins at 700 K. Under the glass density times temperature is the pressure everywhere, but for
+    what a step has just warmed.
+    """
+    heat = FRESH / VAPOUR["oxygen"] * VAPOUR["heat"] / VAPOUR["capacity"]  # K that cold gas would be warmed
+    hottest = math.sqrt(700.0**2 + 2.0 * VAPOUR["ambient"] * heat)
+    assert hottest < VAPOUR["ambient"] + heat
+    stage = open_level(half_width=half_width)
+    run(stage, max(wait, stage.dt))
+    stage.post(Action("glass"))
+    run(stage, DOWN_S)
+    while read(stage)["burns"]:
+        found = run(stage, 0.1)
+        assert found["shut"] == 1 and found["hottest"] < hottest
+        air = stage.scene.model.air
+        pressure = (air.temperature * air.gas.field("air"))[air.under()]
+        assert np.quantile(np.abs(pressure / np.median(pressure) - 1.0), 0.95) < 0.25
 
 
 def test_the_share_of_oxygen_lies_between_none_and_that_of_air() -> None:
@@ -227,7 +253,7 @@ def test_it_is_heard() -> None:
     assert {one.kind for one in stage.scene.hearing().steady} == {"room", "flame", "hiss", "wind"}
     stage.post(Action("glass"))
     heard = heard_in(stage, [4] * 320)
-    assert {kind for kind, _ in heard} == {"steel", "wind"}
+    assert {kind for kind, _ in heard} == {"glass", "wind"}
 
 
 def test_a_step_back_leads_on_the_same() -> None:
@@ -242,19 +268,57 @@ def test_a_step_back_leads_on_the_same() -> None:
         assert stage.digest() == digest
 
 
-def test_the_flame_that_is_drawn_is_as_high_as_gas_is_hot_and_bends_with_it() -> None:
+def test_the_flame_that_is_drawn_bends_with_the_gas_and_is_as_high_as_vapour_comes() -> None:
     stage = open_level()
     run(stage, 3.0)
     view, air = stage.scene.view, stage.scene.model.air
     high, bent = view.axis(120)
     assert TOP + high == pytest.approx(air.flame_height(), abs=2.0 * air.cell)
+    air.flows[SUPPLY] *= 0.6  # half of what is more than what a flame needs
+    assert view.axis(120)[0] == pytest.approx(0.5 * (high + SHORTEST), rel=0.1)
+    air.flows[SUPPLY] /= 0.6
     assert np.abs(bent).max() < 0.1 * air.cell
     above = air.gas.grid.centres()[1] > TOP + 0.02
     air.temperature[:] = np.where(above, np.roll(air.temperature, 2, axis=1), air.temperature)
     _, bent = view.axis(120)
     assert bent[-20] == pytest.approx(2.0 * air.cell, rel=0.2) and bent[10] == pytest.approx(0.0, abs=1e-4)
-    air.temperature[:] = 293.15
-    assert view.axis(120)[0] < 0.5 * high
+
+
+def test_no_flame_is_drawn_once_it_is_out() -> None:
+    """Not for a step: its brightness goes to nothing with the vapour that comes, and is little before."""
+    stage, seen = shut(half_width=0.05), [1.0]
+    while read(stage)["burns"]:
+        seen.append(stage.scene.model.air.strength())
+        stage.run(1)
+    assert stage.scene.model.air.strength() == 0.0
+    assert seen[-1] < 0.05 and max(seen) > 0.9 and min(seen) > 0.0
+
+
+def test_a_match_comes_to_the_wick_before_it_burns() -> None:
+    content = CandleContent(lit=False)
+    level = msgspec.structs.replace(load_level(LEVELS["default"], "candle", CandleContent), content=content)
+    stage = Stage(Candle, level=level)
+    assert run(stage, 1.0)["burns"] == 0 and stage.scene.model.air.match() == (0.0, False)
+    stage.post(Action("light"))
+    nearer = []
+    while not read(stage)["burns"]:
+        stage.run(1)
+        nearer.append(stage.scene.model.air.match()[0])
+    assert nearer == sorted(nearer) and nearer[-1] == pytest.approx(1.0)
+    assert len(nearer) * stage.dt == pytest.approx(COMES, abs=2.0 * stage.dt)
+    run(stage, 3.0)
+    assert stage.scene.model.air.match() == (0.0, False) and read(stage)["burns"] == 1
+
+
+def test_each_glass_is_a_point_beside_the_law() -> None:
+    """One for each flame that went out, at the air of its glass; the law is a line from nothing."""
+    stage = shut(half_width=0.05)
+    while read(stage)["burns"]:
+        run(stage, 0.1)
+    found, chart = run(stage, 1.0), stage.scene.story_charts()["lives"]
+    assert chart.measured.tolist() == [[found["air in the glass"], found["flame lived"]]]
+    expected = np.interp(found["air in the glass"], *chart.expected.T)
+    assert found["time by the law"] == pytest.approx(expected, rel=0.05) and not chart.expected[0].any()
 
 
 def test_the_flame_lights_the_room_and_the_room_is_not_black_without_it() -> None:

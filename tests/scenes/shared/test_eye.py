@@ -239,3 +239,9 @@ def test_a_camera_follows_only_if_it_is_chosen_and_only_while_balls_roll(table):
     assert differ(pictures["off"][0], pictures["perspective"][0]) == 0.0
     assert differ(pictures["off"][1], pictures["perspective"][1]) > 0.3
     assert pictures["off"][2] == pictures["perspective"][2]
+
+
+@pytest.mark.parametrize("table", OPEN)
+def test_no_two_actions_of_a_table_have_one_key(table):
+    keys = [action.key for action in OPEN[table]().scene.actions]
+    assert len(keys) == len(set(keys))

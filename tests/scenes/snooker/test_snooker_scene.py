@@ -73,6 +73,13 @@ def test_the_cue_ball_is_dragged_within_the_d():
     assert stage.scene.course.phase == "aiming"
 
 
+@pytest.mark.parametrize("to", [(0.8, 0.6), (1.05, 0.7), (0.889, 0.5)])
+def test_within_the_d_the_cue_ball_lies_where_it_was_let_go(to):
+    stage = open_level()
+    drag(stage, stage.scene.model.frame.cue_ball, (0.85, 0.65), to)
+    assert stage.scene.model.frame.cue_ball == pytest.approx(to, abs=1e-9)
+
+
 def test_the_colour_aimed_at_is_nominated_and_potted():
     stage = level_of(AFTER_RED.replace("[0.4, 2.3]", "[0.36, 3.2]").replace(", 21]", "]").replace(
         "balls = [", "balls = [{ number = 21, position = [0.18, 3.38] }, "))  # fmt: skip

@@ -278,7 +278,7 @@ def test_it_is_heard() -> None:
     stage = open_level("default", release=19.0)
     stage.post(Action("trigger"))
     heard = heard_in(stage, [4] * 500)
-    assert {kind for kind, _ in heard} == {"thud", "stone"}
+    assert {kind for kind, _ in heard} == {"ground", "thud", "stone"}
     stage = open_level("default")
     stage.post(Action("trigger"))
     stage.run(60)

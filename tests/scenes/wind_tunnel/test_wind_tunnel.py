@@ -152,6 +152,27 @@ def test_a_sweep_measures_fits_checks_and_lets_three_fly():
     assert len(model.flights.kinds) == 1
 
 
+def test_each_angle_of_a_sweep_is_settled_and_averaged_anew(monkeypatch):
+    stage = Stage(WindTunnel, parameters=QUICK)
+    stage.post(Action("sweep"))
+    model, spent = stage.scene.model, [0.0]
+    take, keep = model.average.take, model.sweep.keep
+
+    def timed(reading, dt):
+        spent[-1] += dt
+        take(reading, dt)
+
+    def parted(mean):
+        spent.append(0.0)
+        return keep(mean)
+
+    monkeypatch.setattr(model.average, "take", timed)
+    monkeypatch.setattr(model.sweep, "keep", parted)
+    run_until(stage, lambda: not model.sweep.running)
+    whole, step = model.average.settle + model.average.window, model.tunnel.step_length
+    assert len(spent) > 3 and spent[:-1] == pytest.approx([whole] * (len(spent) - 1), abs=1.5 * step)
+
+
 def test_a_sweep_can_be_stopped_and_takes_no_hand():
     stage = Stage(WindTunnel, parameters=QUICK)
     stage.post(Action("sweep"))

@@ -177,6 +177,8 @@ class TestHostileTexts:
         monkeypatch.setattr(run_text, "MOST_EVENTS", len(recording.events) - 1)
         with pytest.raises(RecordingError, match=r"events: \d+, and a text holds \d+"):
             text_of(recording)
+        monkeypatch.setattr(run_text, "MOST_EVENTS", len(recording.events))
+        assert text_of(recording)
         monkeypatch.undo()
         monkeypatch.setattr(run_text, "MOST_BYTES", 100)
         with pytest.raises(RecordingError, match="and a text holds 100"):

@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from game.stage import Comparison
-from game.ui.charts.comparison import EXPECTED, MEASURED, chart_rect, draw_comparison
+from game.ui.charts.comparison import EXPECTED, LIMIT, MEASURED, chart_rect, close_axis, draw_comparison
 from game.ui.look.layout import auto_scale
 from game.ui.look.look import Look
 from game.ui.look.theme import theme_named
@@ -51,6 +51,32 @@ def test_a_value_lies_on_its_place_of_the_axis():
     left, right = inked(pixels[60:150], MEASURED), inked(pixels[200:280], MEASURED)
     foot = inked(pixels[60:280], EXPECTED)[:, 1].mean()
     assert foot - np.median(left[:, 1]) == pytest.approx(0.5 * (foot - np.median(right[:, 1])), abs=2.0)
+
+
+def test_a_limit_is_ruled_across_at_its_value_and_the_axis_keeps_near():
+    """From 21 to 17 beside a limit of 16 the curve falls over most of the chart, to just above the rule."""
+    shown = curve(21.0 - 2.0 * X, 21.0 - 2.0 * X)._replace(limit=("limit", 16.0))
+    pixels, plain = drawn(shown), drawn(shown._replace(limit=None))
+    rule = inked(pixels[150:], LIMIT)[:, 1]
+    assert (
+        len(rule) > 100
+        and np.ptp(np.quantile(rule, [0.1, 0.9])) < 4.0
+        and len(inked(plain[150:], LIMIT)) < 30
+    )
+    heights = [inked(one[60:300], MEASURED)[:, 1] for one in (pixels, plain)]
+    assert np.ptp(heights[0]) > 2.5 * np.ptp(heights[1])
+    low, high = close_axis(np.array([21.0, 17.0, 16.0]))
+    foot, head = heights[0].max(), heights[0].min()
+    unit = (foot - head) / 4.0
+    assert np.median(rule) - foot == pytest.approx(unit, abs=4.0) and (low, high) == (15.0, 21.0)
+
+
+@pytest.mark.parametrize("values", [(0.0, 0.001), (-3.0, 8.0), (15.9, 20.95), (1e6, 1e6), (99.0, 101.0)])
+def test_a_close_axis_holds_its_values_and_its_middle_is_round(values: tuple[float, float]):
+    axis = close_axis(np.array(values))
+    assert axis.low <= values[0] and values[1] <= axis.high and axis.high > axis.low
+    middle = 0.5 * (axis.low + axis.high)
+    assert float(f"{middle:.5g}") == pytest.approx(middle, rel=1e-9)
 
 
 def test_bars_are_as_long_as_their_values():

@@ -8,7 +8,7 @@ import pytest
 
 from game.ui.charts.plot import WorkPrecisionPlot
 from game.ui.charts.plot_data import PlotPoint, PlotSeries, Present
-from game.ui.charts.plot_marks import Brush
+from game.ui.charts.plot_marks import _CORNERS, Brush
 from game.ui.charts.plot_words import PlotWords
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
@@ -73,3 +73,20 @@ def test_the_leader_runs_from_the_ring_straight_to_the_words(present, monkeypatc
     ring = plot.place(0, series[0].points[present])
     assert math.dist(ring, begin) == pytest.approx(10.5, abs=1e-6)
     assert math.dist(ring, begin) + math.dist(begin, end) == pytest.approx(math.dist(ring, end), abs=1e-6)
+
+
+@pytest.mark.parametrize("name", sorted(_CORNERS))
+def test_marks_are_their_own_mirror_images_and_of_one_weight(name):
+    """A point lies in the middle of its mark, and no method's mark is much larger than another's."""
+    corners = _CORNERS[name]
+    assert sorted((-x, y) for x, y in corners) == sorted(corners)
+    turned = zip(corners, corners[1:] + corners[:1], strict=True)
+    area = 0.5 * abs(sum(x * v - y * u for (x, y), (u, v) in turned))
+    assert 2.5 < area < 4.1
+    inside = [min(x for x, _ in corners), min(y for _, y in corners)]
+    assert all(-1.4 < low < -0.9 for low in inside)
+
+
+def test_one_triangle_is_the_other_upside_down():
+    up, down = (_CORNERS[f"triangle-{way}"] for way in ("up", "down"))
+    assert sorted((x, -y) for x, y in up) == sorted(down)

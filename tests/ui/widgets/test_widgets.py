@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from game.ui.look import motion
 from game.ui.look.layout import arrange
 from game.ui.look.look import Look
 from game.ui.look.motion import Fade
@@ -288,6 +289,26 @@ def test_a_message_comes_stays_and_goes(look):
     assert toasts.shown is not None
     toasts.update(0.5)
     assert toasts.shown is None
+
+
+def test_a_message_grows_clear_stays_clear_and_fades(look):
+    """How much of it is seen, frame by frame: up, then all of it for its time, then down."""
+    toasts, ground = Toasts(look), pygame.Rect(0, 88, 960, 32)
+    toasts.add("Saved.", "Picture in the pictures folder.")
+    seen = []
+    while toasts.shown is not None:
+        surface = pygame.Surface((960, 120), 0, 32)
+        toasts.draw(surface, ground)
+        seen.append(int(pygame.surfarray.array3d(surface).astype(np.int64).sum()))
+        toasts.update(1.0 / 60.0)
+    most = max(seen)
+    clear = [number for number, light in enumerate(seen) if light == most]
+    assert seen[0] < 0.1 * most and seen[-1] < 0.5 * most
+    assert clear == list(range(clear[0], clear[-1] + 1))
+    assert clear[0] / 60.0 == pytest.approx(motion.TOAST_IN_S, abs=0.05)
+    assert len(clear) / 60.0 >= motion.TOAST_STAY_S
+    rising, falling = seen[: clear[0] + 1], seen[clear[-1] :]
+    assert rising == sorted(rising) and falling == sorted(falling, reverse=True)
 
 
 @pytest.mark.parametrize("height", [28, 32, 40, 80])

@@ -7,7 +7,13 @@ from typing import Literal, NamedTuple
 from game.billiards.table.balk import BALKLINE_47_1, BALKLINE_47_2, BALKLINE_71_2, FREE, STRAIGHT_RAIL, Barred
 
 Kind = Literal[
-    "straight-rail", "one-cushion", "three-cushion", "balkline-47-2", "balkline-47-1", "balkline-71-2"
+    "straight-rail",
+    "one-cushion",
+    "three-cushion",
+    "balkline-47-2",
+    "balkline-47-1",
+    "balkline-71-2",
+    "artistic",
 ]
 
 
@@ -26,6 +32,7 @@ RULES: dict[Kind, Rule] = {
     "balkline-47-2": Rule("Balkline 47/2", 0, BALKLINE_47_2),
     "balkline-47-1": Rule("Balkline 47/1", 0, BALKLINE_47_1),
     "balkline-71-2": Rule("Balkline 71/2", 0, BALKLINE_71_2),
+    "artistic": Rule("Artistic"),
 }
 CUSHIONS = {kind: rule.cushions for kind, rule in RULES.items()}
 TITLES = {kind: rule.title for kind, rule in RULES.items()}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
+from game.billiards.players.ladder import POOL, ladder_of
 from game.billiards.shot.cue import strike as struck_ball
 from game.scenes.billiards.opponents.thinking import WARM_UPS, decision_of, simple_stroke, think
 from game.scenes.billiards.play import AIMING, Play
@@ -22,7 +23,7 @@ class Opponents(TableOpponents):
     seed_bytes = 7
 
     def __init__(self, play: Play, seed: int) -> None:
-        super().__init__(play, think, WARM_UPS, GRADES)
+        super().__init__(play, think, WARM_UPS, (*GRADES, *(one.name for one in ladder_of(POOL))))
         self._seed = seed
 
     def instead(self) -> list[Decision]:

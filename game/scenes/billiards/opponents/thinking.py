@@ -9,22 +9,24 @@ import numpy as np
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
+from game.scenes.billiards.layout import pocket_words
 from game.scenes.shared.tables.choices import GRADES
 from game.scenes.shared.tables.demo_shots import choose_stroke
+from game.scenes.shared.tables.minds.thoughts import called, told_of
 from game.scenes.shared.thinker import Question, Thought
 from game.stage import Decision
 
-THINK_S = 3.0  # s, that a player thinks at most
+THINK_S = 1.4  # s, after which a player begins nothing more; what is under way is finished within 0.6 s
 SWING_RATIO = 0.65  # speed of the cue over that of the ball that a simple stroke is meant to give
 HAND_SEED = 50_021
 
 
 def think(question: Question) -> Thought:
     """The decisions of a player of some grade. One in a hurry uses one processor: the other one draws."""
-    from game.billiards.players.opponents import GRADES as PLAYERS
+    from game.billiards.players.graded import pool_players
     from game.billiards.players.opponents import decide, stroke_of_hand
 
-    frame, grade = question.frame, PLAYERS[question.grade]
+    frame, grade = question.frame, pool_players()[question.grade]
     limits = (None, None) if question.patient else (THINK_S, 1)
     made = decide(frame, grade, question.seed, *limits)
     if made.option:
@@ -35,7 +37,11 @@ def think(question: Question) -> Thought:
         radius = float(frame.layout.balls.radii[CUE_BALL])
         stroke = stroke_of_hand(made.stroke, grade, question.seed + HAND_SEED, radius)
         decisions.append(decision_of(stroke, made.call))
-    return Thought(tuple(decisions), made.considered)
+    call = made.call
+    where = f" into the {pocket_words(call.pocket)}" if call.pocket is not None else ""
+    pot = f"the {call.ball}{where}" if call.ball else "a pot"
+    told = told_of(called(question.grade, frame.game.shooter), made, pot)
+    return Thought(tuple(decisions), made.considered, told)
 
 
 def warm_up(grade: str) -> None:

@@ -13,6 +13,7 @@ from game.billiards.table.table import Table
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, Play
 from game.scenes.billiards.view.beside.record import rating_words
+from game.scenes.shared.tables.referee.card import time_words
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.view import draw_balls, draw_table, frame_of
 from game.ui.canvas.camera import Camera
@@ -79,7 +80,7 @@ class EndCard:
         space = rect.w - px(TABLE_WIDTH + 72)
         title = look.fonts.fit(f"{game.players[game.winner]} wins the rack", 20, "display", space)
         look.text(canvas.surface, title, (x, y), 20, "display", "text1")
-        _draw_figures(canvas.surface, look, frame, x, y + px(44), space)
+        _draw_figures(canvas.surface, look, frame, x, y + px(44), space, time_words(play.rack_s))
         words = "Enter: next rack     U: undo"
         look.text(canvas.surface, words, (x, rect.bottom - px(24)), 12, "medium", "text3")
         if frame.best is not None:
@@ -124,8 +125,10 @@ def _camera_on(table: Table, place: pygame.Rect, canvas: Canvas) -> Camera:
     return camera
 
 
-def _draw_figures(surface: pygame.Surface, look: Look, frame: Frame, x: float, y: float, space: int) -> None:
-    """A row for each thing that is counted, a column for each player."""
+def _draw_figures(
+    surface: pygame.Surface, look: Look, frame: Frame, x: float, y: float, space: int, time: str
+) -> None:
+    """A row for each thing that is counted, a column for each player. time: that the rack took, in words."""
     px = look.px
     columns = x + 0.62 * space, x + space
     for column, name in zip(columns, frame.game.players, strict=True):
@@ -138,6 +141,7 @@ def _draw_figures(surface: pygame.Surface, look: Look, frame: Frame, x: float, y
             rows.append(("Rating", rating_words(won, lost), ""))
     elif frame.tallies != frame.rack_tallies:
         rows.append((IN_MATCH, *(figures_of(tally)[0] for tally in frame.tallies)))
+    rows.append(("Time", "", time))
     for row, (head, *figures) in enumerate(rows, start=1):
         height = y + px(28) * row
         look.text(surface, head, (x, height), 13, "medium", "text2")

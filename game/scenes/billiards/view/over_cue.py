@@ -9,11 +9,11 @@ from game.scenes.billiards.play import REPLAY, ROLLING, Play
 from game.scenes.billiards.view.cue import SEEN, cue_seen
 from game.scenes.billiards.view.words import foul_of
 from game.scenes.shared.tables.boxes import rect_of
-from game.scenes.shared.tables.eye.choices import OFF
 from game.scenes.shared.tables.eye.inset import Inset
 from game.scenes.shared.tables.eye.lines import lines_of
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.eye.view import Aimed, EyeView, Shown, ghost_of
+from game.scenes.shared.tables.moments import OFF
 from game.scenes.shared.tables.prediction import Sight
 from game.scenes.shared.tables.view import Balls
 from game.ui.canvas.canvas import Canvas

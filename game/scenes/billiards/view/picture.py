@@ -27,8 +27,11 @@ from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables import boxes, grip
 from game.scenes.shared.tables.choices import FIRST, NONE
+from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
+from game.scenes.shared.tables.referee.banner import draw_call
+from game.scenes.shared.tables.referee.calls import pool_call
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.shared.tables.through.recoil import draw_recoil
@@ -117,6 +120,8 @@ class BilliardsView:
             shots = self.opponents.considered
             draw_considered(canvas, shots, frame.layout.places, frame.table, played=False)
         draw_players_cue(canvas, play, time)
+        if self.opponents.walks:
+            draw_walk(canvas, frame.table, self.opponents.walk)
         return sight
 
     def _odds_of(self, sight: Sight | None) -> Odds | None:
@@ -183,17 +188,27 @@ class BilliardsView:
             if len(points) > 1:
                 canvas.polyline(points, FELT_WARM, 2.0, alpha=0.75)
 
+    def _draw_call(self, canvas: Canvas, look: Look) -> None:
+        """What the referee calls after a stroke."""
+        play, played = self.play, self.play.model.played
+        if play.phase != AIMING or played is None:
+            return
+        run = played.frame.tallies[played.frame.game.turn].run
+        spoken = pool_call(played.verdict, run, play.match_over)
+        draw_call(canvas, look, layout.TABLE, spoken, play.called_s)
+
     def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""
         play = self.play
         title = drill_title(play.model.frame.game, self.level)
         draw_board(canvas, look, standing_of(play, self.opponents.thinker, title))
         if play.phase not in (SET_UP, REPLAY):
-            line = line_of(play, self.hint)
+            line = self.opponents.words_of_thoughts.beside(line_of(play, self.hint))
             shaky = play.parameters.hand != "none"
             if not play.asked:  # the options stand there then
                 draw_line(canvas, look, line, key_rows(play.guide, shaky) if play.may_aim else ())
         self.instruments.draw(canvas, look, odds)
+        self._draw_call(canvas, look)
         if is_shown(play):
             self._end_card.draw(canvas, look, play)
 

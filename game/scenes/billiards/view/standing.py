@@ -18,6 +18,7 @@ from game.billiards.game.games import (
 from game.billiards.game.games.eight_ball import GROUPS
 from game.billiards.game.games.rotation import Rotation
 from game.billiards.game.rules import Game, listed
+from game.billiards.players.ladder import BY_NAME
 from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
 from game.scenes.billiards.practice.sets import GHOST_TITLES
 from game.scenes.shared.thinker import Thinker
@@ -111,10 +112,19 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
         )
     if game.fouls_in_row[player] and isinstance(game, Rotation | StraightPool):
         parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
+    run, longest = play.model.frame.tallies[player].run, play.model.frame.tallies[player].longest
+    if active and run > 1:
+        parts.append(f"run {run}")
+    elif longest > 1 and not won:
+        parts.append(f"high run {longest}")
     if doing:
         parts.insert(0, doing)  # first, since what is too long is cut at its end
     grade = play.grade_of(player)
-    name = game.players[player] if grade == "person" else f"{game.players[player]} ({grade})"
+    name = game.players[player]
+    if grade in BY_NAME:
+        name = BY_NAME[grade].title
+    elif grade != "person":
+        name = f"{name} ({grade})"
     return Card(name, " · ".join(parts), active or won, chips)
 
 

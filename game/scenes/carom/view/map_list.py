@@ -7,11 +7,13 @@ import math
 import numpy as np
 import pygame
 
+from game.billiards.game.games.artistic import Artistic
 from game.billiards.map.tolerance import AS_MEANT, OTHERWISE, TIP_REACH
 from game.billiards.map.words import rails_words, route_words, tip_words
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor, Drawn, Studied
 from game.scenes.carom.course import Course
+from game.scenes.carom.view.figure_list import draw_figures
 from game.scenes.shared.tables.boxes import Box, rect_of
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
@@ -20,7 +22,10 @@ from game.ui.look.shapes import draw_box, draw_disc
 
 def draw_list(canvas: Canvas, look: Look, course: Course, advisor: Advisor, drawn: Drawn | None) -> None:
     """Heading, and a row for each group: its chance, the order of touches, how it is struck."""
-    rect = rect_of(canvas, layout.LIST)
+    rect, game = rect_of(canvas, layout.LIST), course.model.frame.game
+    if isinstance(game, Artistic) and not course.parameters.map:
+        draw_figures(canvas, look, game)
+        return
     draw_box(canvas.surface, rect, look.px(8), look.theme.panel, look.theme.line, look.border)
     head = (rect.x + look.px(12), rect.y + look.px(14))
     look.text(canvas.surface, "Every stroke that scores", head, 14, "semibold", "text1")

@@ -71,6 +71,12 @@ def draw_sight(canvas: Canvas, sight: Sight, chosen: bool) -> None:
         canvas.polyline(flight[:, :2], FELT, 2.4, dash=(4.0, 7.0))  # gaps in the line: it flies
 
 
+def draw_declared(canvas: Canvas, sight: Sight | None) -> None:
+    """The way that a figure of artistic billiards asks for, as its known stroke goes."""
+    if sight is not None and len(sight.paths[0]) > 1:
+        canvas.polyline(sight.paths[0], FELT_WARM, 1.6, dash=(7.0, 5.0), alpha=0.7)
+
+
 def lines_seen(sight: Sight, chosen: bool) -> list[Line]:
     """The same paths as an eye sees them."""
     moving = [

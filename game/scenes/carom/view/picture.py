@@ -8,6 +8,7 @@ import numpy as np
 
 from game.arrays import Floats
 from game.billiards.game.carom_frame import CaromFrame
+from game.billiards.game.games.artistic import Artistic
 from game.billiards.laws.state import OFF_TABLE
 from game.billiards.table.carom import BALL_RADIUS, SPOTS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
@@ -15,9 +16,17 @@ from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor, Drawn
 from game.scenes.carom.course import Course
 from game.scenes.carom.hand import CaromHand
+from game.scenes.carom.opponents import CaromOpponents
 from game.scenes.carom.view.map_list import draw_list, draw_tip
-from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_sight, lines_seen
-from game.scenes.carom.view.score_board import draw_board, draw_foot
+from game.scenes.carom.view.paths import (
+    Foresight,
+    draw_declared,
+    draw_ends,
+    draw_faint,
+    draw_sight,
+    lines_seen,
+)
+from game.scenes.carom.view.score_board import counted_of, draw_board, draw_foot
 from game.scenes.carom.view.zones import draw_zones
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
@@ -25,9 +34,14 @@ from game.scenes.shared.tables.eye.course_view import CourseEye
 from game.scenes.shared.tables.eye.lines import Line
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.grip import Held
+from game.scenes.shared.tables.minds.walking import draw_walk
+from game.scenes.shared.tables.referee.banner import draw_call
+from game.scenes.shared.tables.referee.calls import carom_call
+from game.scenes.shared.tables.referee.card import draw_card
 from game.scenes.shared.tables.through.recoil import draw_recoil
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
 from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM
 from game.ui.painters.ball_look import CAROM_WHITE
 from game.ui.painters.table import Dress, carom_dress
@@ -42,12 +56,14 @@ CUE_WORDS = 22.0  # design px below the ball
 class CaromView:
     """The picture of the game."""
 
-    def __init__(self, course: Course, hand: CaromHand, advisor: Advisor) -> None:
+    def __init__(self, course: Course, hand: CaromHand, advisor: Advisor, opponents: CaromOpponents) -> None:
         self.course = course
         self.advisor = advisor
+        self.opponents = opponents
         self._aimed = Foresight()
         self._eye = CourseEye(course, hand.inset, layout.TABLE, _cue_ball_of, _row_of, BALL_RADIUS)
         self._faint = tuple(Foresight() for _ in range(FAINT))
+        self._declared = Foresight()
 
     @property
     def dress(self) -> Dress:
@@ -59,7 +75,6 @@ class CaromView:
         course, frame, dress = self.course, self.course.model.frame, self.dress
         draw_table(canvas, frame.table, dress=dress)
         canvas.halo = dress.felt
-        draw_zones(canvas, course)
         drawn = self.advisor.drawn()
         furniture, balls = Furniture(frame.table, dress), self._balls(alpha, clock_before)
         if self._eye.from_side:
@@ -71,14 +86,25 @@ class CaromView:
             draw_board(canvas, look, course)
             draw_list(canvas, look, course, self.advisor, drawn)
             draw_tip(canvas, look, course, self.advisor.study())
-            draw_foot(canvas, look, course, drawn)
+            draw_foot(canvas, look, course, drawn, self.opponents.words_of_thoughts)
+            self._draw_calls(canvas, look)
         last = frame.last
         if course.phase == ROLLING and last is not None and last.stroke == course.made:
             draw_recoil(canvas, course.parameters, last.stroke, float(course.clock[0]))
 
+    def _draw_calls(self, canvas: Canvas, look: Look) -> None:
+        """What the referee calls; at the end of a game the card."""
+        course, game, played = self.course, self.course.model.frame.game, self.course.model.played
+        if course.phase != AIMING or played is None:
+            return
+        draw_call(canvas, look, layout.TABLE, carom_call(played.verdict), course.called_s)
+        if game.ended and len(game.players) == 2:
+            draw_card(canvas, look, layout.TABLE, counted_of(game, course.frame_s))
+
     def _draw_play(self, canvas: Canvas, drawn: Drawn | None, furniture: Furniture, balls: Balls) -> None:
         """What lies and moves on the table, from above; the view from the cue."""
         course = self.course
+        draw_zones(canvas, course)
         lines = self._draw_paths(canvas, drawn) if course.phase == AIMING else []
         draw_balls(canvas, balls, furniture.table, felt=furniture.dress.felt)
         if course.may_aim or course.phase == STRIKING:
@@ -88,6 +114,8 @@ class CaromView:
                     canvas, furniture.table, ball, BALL_RADIUS, course.cue, CUE_WORDS, course.push
                 )
             canvas.circle(ball, 1.25 * BALL_RADIUS, outline=FELT_WARM, width=1.4, alpha=0.8)
+        if self.opponents.walks:
+            draw_walk(canvas, furniture.table, self.opponents.walk)
         self._eye.draw_inset(canvas, furniture, Seen(balls, lines))
 
     def _balls(self, alpha: float, clock_before: Floats | None) -> Balls:
@@ -115,6 +143,8 @@ class CaromView:
         the first two as lines.
         """
         course, frame = self.course, self.course.model.frame
+        if isinstance(frame.game, Artistic) and not frame.game.over:
+            draw_declared(canvas, self._declared.of(frame, frame.game.now.stroke))
         lines: list[Line] = []
         if not course.may_aim:
             return lines

@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import pygame
 
+from game.billiards.game.games.artistic import ATTEMPTS, Artistic
+from game.billiards.game.games.artistic_figures import FIGURES, LETTERS
+from game.billiards.game.games.carom import Carom
 from game.billiards.game.games.carom_kinds import TITLES
 from game.billiards.map.words import explain
+from game.billiards.players.ladder import BY_NAME
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Drawn
 from game.scenes.carom.course import Course
 from game.scenes.shared.tables.boxes import rect_of
-from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES
+from game.scenes.shared.tables.choices import player_words
 from game.scenes.shared.tables.course import PERSON
+from game.scenes.shared.tables.minds.thoughts import Told
+from game.scenes.shared.tables.referee.card import Counted, time_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -19,6 +25,8 @@ from game.ui.painters.ball_look import CAROM_WHITE
 from game.ui.painters.ball_picture import ball_chip
 
 BUTTON_WORDS = {"play": "Play it", "strike": "Strike", "undo": "Undo", "next": "New game"}
+ROUTE_WORDS = dict(zip(LETTERS, ("long cushion", "long cushion", "short cushion", "short cushion", "yellow",
+                                 "red"), strict=True))  # fmt: skip
 CHOICES = 3  # that are put into words
 TITLE = 156  # design px before the cards
 
@@ -31,6 +39,8 @@ def draw_board(canvas: Canvas, look: Look, course: Course) -> None:
         canvas.surface, TITLES[game.kind], (rect.x + px(30), rect.centery - px(10)), 15, "semibold", "text1"
     )
     ends = f"race to {game.target}" if game.target else "no end"
+    if isinstance(game, Artistic):
+        ends = f"figure {game.figure + 1} of {len(FIGURES)}"
     if game.most_innings:
         ends = f"{ends}, {game.most_innings} innings" if game.target else f"{game.most_innings} innings"
     look.text(canvas.surface, ends, (rect.x + px(30), rect.centery + px(10)), 12, "medium", "text3")
@@ -56,6 +66,8 @@ def _draw_card(canvas: Canvas, look: Look, box: pygame.Rect, course: Course, pla
     name = look.fonts.fit(_name(course, player), 15, "semibold", room)
     look.text(canvas.surface, name, (x, box.centery - px(10)), 15, "semibold", "text1")
     run = f"run {game.run}, " if lit else ""
+    if isinstance(game, Artistic) and lit:
+        run = f"attempt {game.attempts + 1} of {ATTEMPTS}, "
     had = f"{game.innings[player]} innings, average {game.average(player):.2f}"
     said = f"{run}{had}, high run {game.high_runs[player]}"
     room = box.w - px(46) - px(62)
@@ -78,15 +90,19 @@ def _name(course: Course, player: int) -> str:
     """A player's name, and of which grade it is."""
     grade = course.grade_of(player)
     name = course.model.frame.game.players[player]
-    return name if grade == PERSON else f"{name}, {GRADE_LABELS[GRADES.index(grade)].lower()}"
+    if grade in BY_NAME:
+        return BY_NAME[grade].title
+    return name if grade == PERSON else f"{name}, {player_words(grade)}"
 
 
-def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -> None:
-    """What was said last; options to choose; else the first choices in words. And the buttons."""
+def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None, told: Told) -> None:
+    """What was said last; options to choose; else what the computer player thought, or the first choices in
+    words. And the buttons.
+    """
     rect = rect_of(canvas, layout.FOOT)
     frame = course.model.frame
     y = rect.y + look.px(10)
-    said = " ".join(frame.words)
+    said = " ".join(frame.words) or figure_words(frame.game)
     if said:
         words = look.fonts.fit(said, 13, "semibold", rect.w)
         look.text(canvas.surface, words, (rect.x + look.px(4), y), 13, "semibold",
@@ -94,10 +110,24 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -
         y += look.px(20)
     if frame.game.options and course.person_plays:
         _draw_options(canvas, look, course)
+    elif told.chosen:
+        area = pygame.Rect(rect.x + look.px(4), y, rect.right - rect.x, rect.bottom - y)
+        for k, words in enumerate((told.chosen, told.instead)):
+            fitted = look.fonts.fit(words, 12, "medium", area.w)
+            look.text(canvas.surface, fitted, (area.x, y + k * look.px(16)), 12, "medium", "text2")
     elif course.parameters.explain and drawn is not None and drawn.map.fine:
         _draw_choices(canvas, look, drawn, (rect.x + look.px(4), y, rect.right, rect.bottom))
     for row, name in enumerate(layout.BUTTONS):
         _draw_button(canvas, look, course, row, name)
+
+
+def figure_words(game: Carom) -> str:
+    """Which figure is to be made; "" for a game without."""
+    if not isinstance(game, Artistic) or game.over:
+        return ""
+    return (
+        f"{game.now.name}, {game.now.points} points: {', '.join(ROUTE_WORDS[one] for one in game.now.route)}."
+    )
 
 
 def _draw_choices(canvas: Canvas, look: Look, drawn: Drawn, area: tuple[float, float, float, float]) -> None:
@@ -137,3 +167,15 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
     words = "To the end" if name == "strike" and course.phase == "rolling" else BUTTON_WORDS[name]
     color = "on_accent" if main else "text1" if usable else "text3"
     look.text(canvas.surface, words, box.center, 12, "semibold", color, "center")
+
+
+def counted_of(game: Carom, seconds: float) -> Counted:
+    """What the card at the end of a game of so many s says."""
+    title = "Drawn" if game.winner is None else f"{game.players[game.winner]} wins"
+    first, second = (
+        (str(game.points[k]), str(game.innings[k]), f"{game.average(k):.2f}", str(game.high_runs[k]))
+        for k in range(2)
+    )
+    heads = ("Points", "Innings", "Average", "High run")
+    rows = (*zip(heads, first, second, strict=True), ("Time", "", time_words(seconds)))
+    return Counted(title, (game.players[0], game.players[1]), rows, "N: next game     U: undo")

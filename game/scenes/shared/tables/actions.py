@@ -24,6 +24,8 @@ CHANGE_GUIDE = SceneAction("view", "guide: whole path, to the first ball, none",
 PLAY_ITSELF = SceneAction("demo", "plays itself", "D")
 CENTRE = SceneAction("centre", "strike the middle of the ball", "C")
 HOLD_BREATH = SceneAction("breath", "hold your breath: the aim sways less", "F")
+THOUGHTS = SceneAction("thoughts", "what the computer player thought", "semicolon")
+CHALK = SceneAction("chalk", "chalk the tip", "slash")
 LOCK = SceneAction("lock", "lock or free the aim", "K")
 TURNS = (
     SceneAction("left", "turn the cue left", "left"),

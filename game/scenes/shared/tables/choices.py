@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from game.billiards.players.ladder import BY_NAME, ladder_of
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.unsteady import HANDS, STEADY_HAND
-from game.stage import Choice, Param
+from game.stage import Choice, Param, Toggle
 
 PERSON = "person"
 OWN = "own"  # the player's own hand, as it was measured
@@ -20,12 +21,40 @@ GUIDE_LABELS = ("Full path", "To the first ball", "None")
 GUIDE_BUTTONS = {WHOLE: "Full path", FIRST: "First ball", NONE: "No guide"}
 
 
-def player(label: str) -> Choice:
-    """A person, or the grade of a computer player."""
+def player(label: str, family: str) -> Choice:
+    """A person, the grade of a computer player, or one of the ladder that plays the games of a family."""
+    ladder = ladder_of(family)
     return Choice(
-        PERSON, (PERSON, *GRADES), labels=("A person", *GRADE_LABELS), group="Game", label=label,
-        help="you, or a computer player",
+        PERSON, (PERSON, *GRADES, *(one.name for one in ladder)),
+        labels=("A person", *GRADE_LABELS, *(f"{one.title}, {one.style.lower()}" for one in ladder)),
+        group="Game", label=label, help="you, a computer player of a grade, or one of the ladder",
     )  # fmt: skip
+
+
+def head_start(unit: str) -> Param:
+    """What the first player begins a match with; below 0 the second."""
+    return Param(
+        0, -20, 20, whole=True, group="Game", rebuild=True,
+        help=f"{unit} that the first player begins with; below 0 it is the second",
+    )  # fmt: skip
+
+
+def ahead(head_start: float) -> tuple[int, int]:
+    """What both players begin with."""
+    return max(int(head_start), 0), max(-int(head_start), 0)
+
+
+def thoughts() -> Toggle:
+    """Whether what a computer player thought is told."""
+    return Toggle(
+        False, group="Game", label="Show its thoughts",
+        help="the stroke that a computer player chose, its chance, and what there was instead",
+    )  # fmt: skip
+
+
+def player_words(grade: str) -> str:
+    """What stands beside the name of a computer player; empty for one that is called by its own name."""
+    return "" if grade in BY_NAME else GRADE_LABELS[GRADES.index(grade)].lower()
 
 
 def power(default: float) -> Param:
@@ -92,4 +121,4 @@ def following(option: str, options: tuple[str, ...]) -> str:
 
 def next_player(grade: str) -> str:
     """The player that follows: a person, then computer players from weak to strong."""
-    return following(grade, (PERSON, *GRADES))
+    return PERSON if grade in BY_NAME else following(grade, (PERSON, *GRADES))

@@ -12,15 +12,16 @@ from game.billiards.shot.cue import speed_ratio
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
-from game.scenes.shared.tables.moments import pace_at
+from game.scenes.shared.tables.moments import OFF, decider, pace_at
 from game.scenes.shared.tables.through.measured import news_of_hand
-from game.scenes.shared.tables.through.push import MISCUE, Push
+from game.scenes.shared.tables.through.push import Push
 from game.scenes.shared.tables.unsteady import shaken
 from game.stage import Part
 from game.stage.messages import Messages
 
 AIMING, STRIKING, ROLLING, REPLAY = "aiming", "striking", "rolling", "replay"
 MOST_OWN = 200  # pushed strokes from which a hand is measured
+LONG_AGO_S = 99.0  # s since a call that is heard no more
 AFTER_S = 0.25  # s that a shot is shown beyond its end
 
 
@@ -31,7 +32,9 @@ class CueCourse(Part):
     belongs to the state, as the cue's data do. pending: the stroke for which the cue swings. chosen: what a
     subclass lets the player choose, None for nothing. grip: what the pointer holds. rest_s: how long nothing
     has been done, s. by_hand: strokes that a hand has played. push: the cue of a stroke that is pushed;
-    thrust: the next one was; made: the last stroke of a person; strayed: the last of those, meant and made.
+    thrust: the next one was; aimed, made: the last stroke of a person; strayed: the last of those, as meant
+    and made.
+    called_s: since the referee last called, s; frame_s: how long the frame has lasted.
     from_side: a replay is seen from its side, slowly about the moments that decide.
     """
 
@@ -51,11 +54,14 @@ class CueCourse(Part):
         self.grip = NOTHING
         self.rest_s = 0.0
         self.thrust = False
+        self.aimed: Stroke | None = None
         self.made: Stroke | None = None
         self.strayed: tuple[tuple[Stroke, Stroke], ...] = ()
         self.plays_itself = False
         self.from_side = False
         self.by_hand = 0
+        self.called_s = LONG_AGO_S
+        self.frame_s = 0.0
         self._seed = seed
         self.messages = Messages()
 
@@ -88,6 +94,11 @@ class CueCourse(Part):
         return all(self.grade_of(player) != PERSON for player in range(len(self.model.frame.game.players)))
 
     @property
+    def aimed_and_done(self) -> tuple[Stroke, Stroke] | None:
+        """The last stroke of a hand, as it was aimed and as it was done."""
+        return (self.aimed, self.made) if self.aimed is not None and self.made is not None else None
+
+    @property
     def may_aim(self) -> bool:
         """True if a person may aim and strike now."""
         return bool(self.phase == AIMING and self.person_plays and self.model.frame.playable)
@@ -113,6 +124,8 @@ class CueCourse(Part):
         """One step of what goes on by itself."""
         self.clock[0] += dt * self.pace
         self.push.advance(dt)
+        self.called_s += dt
+        self.frame_s += 0.0 if self.over else dt
         if self.phase == AIMING:
             self.rest_s += dt
         elif self.phase == STRIKING:
@@ -124,8 +137,25 @@ class CueCourse(Part):
             self.start_phase(AIMING)
 
     @property
+    def over(self) -> bool:
+        """True if the frame, or the game of carom, has ended."""
+        return self.ended(self.model.frame)
+
+    def ended(self, frame: Any) -> bool:
+        """True if a frame is over."""
+        return bool(frame.game.over)
+
+    @property
+    def _decides(self) -> bool:
+        """True if the stroke that rolls ends the game."""
+        played = self.model.played
+        return played is not None and self.ended(played.frame)
+
+    @property
     def pace(self) -> float:
         """How fast what is shown goes on: a replay from the side slowly where balls meet, drop or hang."""
+        if self.phase == ROLLING and self.parameters.eye_follows != OFF:
+            return pace_at(float(self.clock[0]), decider(self.model.moments, self._decides))
         moments = self.model.moments if self.phase == REPLAY and self.from_side else None
         return pace_at(float(self.clock[0]), moments) if moments is not None else 1.0
 
@@ -142,8 +172,8 @@ class CueCourse(Part):
             made = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, radius)
         done = self.push.after_the_tip(made)
         if self.push.slipped:
-            self.messages.say(MISCUE)
-        self.made = done
+            self.messages.say(self.push.miscue_words(made))
+        self.aimed, self.made = meant, done
         return done
 
     def swing(self, stroke: Stroke) -> None:
@@ -185,6 +215,7 @@ class CueCourse(Part):
         self.model.roll(time)
         if time >= self.shown_s:
             self.model.settle()
+            self.called_s = 0.0
             self.start_phase(AIMING)
 
     def skip(self) -> None:
@@ -234,5 +265,6 @@ class CueCourse(Part):
     def begin_again(self) -> None:
         """Nothing is pending, chosen or held; the cue is at rest."""
         self.pending, self.chosen, self.grip = None, None, NOTHING
+        self.called_s, self.frame_s = LONG_AGO_S, 0.0
         self.cue.data[1:3] = 0.0
         self.start_phase(AIMING)

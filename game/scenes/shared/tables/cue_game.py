@@ -8,7 +8,10 @@ from typing import Any, NamedTuple
 from game.arrays import Floats
 from game.scenes.shared.tables import actions as keys
 from game.scenes.shared.tables.course import REPLAY
+from game.scenes.shared.tables.minds.contest import contest_of, stroke_of
+from game.scenes.shared.tables.together.stroke_text import looks_like_a_stroke
 from game.stage import Action, Decision, Equation, Hearing, Hint, Pointer, Scene, Stamped, Strip
+from game.stage.records.contested import Contested, StrokeMeasured
 
 ENERGY, CUE_BALL = Strip("Energy", "J", ("energy",)), Strip("Cue ball", "m/s", ("cue ball",))
 SLIDING = Equation(
@@ -45,6 +48,7 @@ class CueGameScene(Scene):
     opponents: Any
     sounds: Any
     view: Any
+    exchange: Any
 
     def state(self) -> CueGameState:
         model, course = self.model, self.course
@@ -74,9 +78,26 @@ class CueGameScene(Scene):
         found: list[Decision] = self.opponents.decisions(at_once)
         return found
 
+    def given_text(self) -> str:
+        text: str = self.exchange.given()
+        return text
+
+    def take_text(self, text: str) -> tuple[Decision, ...] | None:
+        if not looks_like_a_stroke(text):
+            return None
+        decisions: tuple[Decision, ...] = self.exchange.taken(text)
+        return decisions
+
     @property
     def plays_alone(self) -> bool:
         return bool(self.course.plays_alone)
+
+    @property
+    def contest(self) -> Contested | None:
+        return contest_of(self.course)
+
+    def stroke_measured(self) -> StrokeMeasured | None:
+        return stroke_of(self.course)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)

@@ -13,6 +13,7 @@ from game.arrays import Floats
 from game.billiards.laws.state import BALL_BALL, BALL_POCKET, IN_RADIUS
 from game.billiards.shot.trajectory import Trajectory
 
+OFF, PERSPECTIVE = "off", "perspective"  # a camera that follows the ball that decides
 SAMPLES = 96  # of a path
 HANGS = 1.25  # radii of the ball beyond a pocket's, from which on it is not near it any more
 SLOW = 0.2  # of the pace
@@ -49,6 +50,13 @@ def moments_of(trajectory: Trajectory, cue: int) -> Moments:
         return Moments(cue)
     ball = int(met[3] if int(met[2]) == cue else met[2])
     return Moments(ball, contact, None, _hangs(trajectory, ball, float(met[0])))
+
+
+def decider(moments: Moments | None, over: bool) -> Moments:
+    """The moments that keep one waiting while balls roll: the drop that ends the game, a ball that hangs."""
+    if moments is None:
+        return Moments(0)
+    return moments._replace(contact=None, drop=moments.drop if over else None)
 
 
 def _hangs(trajectory: Trajectory, ball: int, since: float) -> float | None:

@@ -38,6 +38,10 @@ class Outcome(Generic[F, P]):
             self._word_of, self._word = frame, hashed(self._said(frame))
         return self._word
 
+    def word_of(self, frame: F) -> str:
+        """The same of any frame; nothing is kept."""
+        return hashed(self._said(frame))
+
     def played(self, frame: F) -> P | None:
         """What comes, or came, of a frame's last stroke; None before the first. ValueError if it fails."""
         struck: Any = frame

@@ -7,6 +7,7 @@ import numpy as np
 from game.arrays import Floats
 from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL
+from game.billiards.game.snooker.rules import Snooker
 from game.billiards.table.snooker import BALL_RADIUS, SPOTS
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
 from game.scenes.shared.tables import grip
@@ -17,8 +18,12 @@ from game.scenes.shared.tables.eye.course_view import CourseEye
 from game.scenes.shared.tables.eye.lines import lines_of
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.eye.view import ghost_of
+from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
+from game.scenes.shared.tables.referee.banner import draw_call
+from game.scenes.shared.tables.referee.calls import snooker_call
+from game.scenes.shared.tables.referee.card import draw_card
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.shared.tables.through.recoil import draw_recoil
@@ -32,8 +37,9 @@ from game.scenes.snooker.view.board import draw_board, draw_foot, look_number
 from game.scenes.snooker.view.instruments import draw_instruments
 from game.scenes.snooker.view.magnifier import Magnifier, box_beside, magnifies
 from game.scenes.snooker.view.marks import draw_lines, draw_marks
-from game.scenes.snooker.view.words import foul_to_come, legality_to_come, line_of, standing_of
+from game.scenes.snooker.view.words import counted_of, foul_to_come, legality_to_come, line_of, standing_of
 from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
 from game.ui.look.theme import FELT_GREEN
 from game.ui.painters.table import carom_dress
 
@@ -88,6 +94,8 @@ class SnookerView:
             draw_cue_behind(
                 canvas, frame.table, np.array(place), BALL_RADIUS, course.cue, CUE_WORDS, course.push
             )
+        if self.opponents.walks:
+            draw_walk(canvas, frame.table, self.opponents.walk)
         if sight is not None and place is not None:
             self._magnify(canvas, sight, balls, place, bool(foul))
         lines = lines_of(sight) if sight is not None else []
@@ -113,8 +121,21 @@ class SnookerView:
             return
         look = look_of(canvas, layout.PIXELS)
         draw_board(canvas, look, standing_of(course, self.opponents.thinker, self.title))
-        draw_foot(canvas, look, course, line_of(course))
+        draw_foot(canvas, look, course, self.opponents.words_of_thoughts.beside(line_of(course)))
         draw_instruments(canvas, look, course, self.hand, self._odds_of(sight))
+        self._draw_calls(canvas, look)
+
+    def _draw_calls(self, canvas: Canvas, look: Look) -> None:
+        """What the referee calls; at the end of a frame the card."""
+        course, frame, played = self.course, self.course.model.frame, self.course.model.played
+        if course.phase != AIMING:
+            return
+        if played is not None and frame.last is not None:
+            before = frame.last.frame.game
+            assert isinstance(before, Snooker)
+            draw_call(canvas, look, layout.TABLE, snooker_call(before, played.verdict), course.called_s)
+        if frame.game.over and len(frame.game.players) == 2:
+            draw_card(canvas, look, layout.TABLE, counted_of(frame, course.frame_s))
 
     def _magnify(
         self, canvas: Canvas, sight: Sight, balls: Balls, place: tuple[float, float], foul: bool

@@ -5,12 +5,15 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from game.billiards.game.rules import ShotSummary
+from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.game.snooker.stroke import Seen, contact_penalties, on_words
+from game.billiards.players.ladder import BY_NAME
 from game.billiards.search.legality import Legality
 from game.billiards.table.snooker import name_of
-from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, PERSON
+from game.scenes.shared.tables.choices import PERSON, player_words
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
+from game.scenes.shared.tables.referee.card import Counted, share_words, time_words
 from game.scenes.shared.thinker import Thinker
 from game.scenes.snooker.course import Course
 
@@ -108,8 +111,10 @@ def _card(course: Course, thinker: Thinker, player: int, title: str) -> Card:
     name = game.players[player]
     if title and len(game.players) == 1:
         name = title
+    elif grade in BY_NAME:
+        name = BY_NAME[grade].title
     elif grade != PERSON:
-        name = f"{name} ({GRADE_LABELS[GRADES.index(grade)].lower()})"
+        name = f"{name} ({player_words(grade)})"
     return Card(name, " · ".join(part for part in parts if part), str(game.points[player]), active or won)
 
 
@@ -168,3 +173,18 @@ def legality_to_come(course: Course) -> Legality:
     game = course.model.game
     target = game.target(course.call)
     return Legality(target.first, tuple(ball for ball in game.on_table if ball not in target.score))
+
+
+def counted_of(frame: SnookerFrame, seconds: float) -> Counted:
+    """What the card at the end of a frame of so many s says."""
+    game = frame.snooker
+    assert game.winner is not None
+    title = f"{game.players[game.winner]} wins the {'match' if game.match_over else 'frame'}"
+    first, second = (
+        (str(points), str(high), share_words(tally.scoring, tally.tries), str(tally.fouls))
+        for points, high, tally in zip(game.points, game.high, frame.rack_tallies, strict=True)
+    )
+    heads = ("Points", "Highest break", "Pots", "Fouls")
+    rows = (*zip(heads, first, second, strict=True), ("Time", "", time_words(seconds)))
+    again = "Enter: new match" if game.match_over else "Enter: next frame"
+    return Counted(title, (game.players[0], game.players[1]), rows, f"{again}     U: undo")

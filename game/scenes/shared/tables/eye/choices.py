@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from game.scenes.shared.tables.moments import OFF, PERSPECTIVE
 from game.stage import Choice, Param, Toggle
 
 GROUP = "View from the cue"
 LEAST_SIZE, MOST_SIZE = 0.22, 0.80  # of the bed's length
 LOWEST, HIGHEST = 0.12, 1.20  # m
-SIDES = {False: "From the side", True: "From above"}  # what a button offers, by where a replay is seen from
-OFF, PERSPECTIVE = "off", "perspective"
+SIDES = {False: "Side view", True: "Above"}  # what a button offers, by where a replay is seen from
 
 
 def shown() -> Toggle:

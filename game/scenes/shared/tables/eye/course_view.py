@@ -7,10 +7,10 @@ from typing import Any
 
 from game.scenes.shared.tables.boxes import Box, rect_of
 from game.scenes.shared.tables.course import REPLAY, ROLLING, STRIKING, CueCourse
-from game.scenes.shared.tables.eye.choices import OFF
 from game.scenes.shared.tables.eye.inset import Inset
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.eye.view import Aimed, EyeView, Shown
+from game.scenes.shared.tables.moments import OFF
 from game.scenes.shared.tables.view import Balls
 from game.ui.canvas.canvas import Canvas
 

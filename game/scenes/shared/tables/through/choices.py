@@ -50,6 +50,14 @@ def chalk() -> Param:
     )  # fmt: skip
 
 
+def wear() -> Toggle:
+    """Whether the friction of the tip falls from stroke to stroke, until it is chalked again."""
+    return Toggle(
+        False, group="Stroke", label="Chalk wears off",
+        help="the tip holds less far out with each stroke, until you chalk it (key slash)",
+    )  # fmt: skip
+
+
 def recoil() -> Toggle:
     """Whether the picture gives way a little as a person strikes."""
     return Toggle(

@@ -13,7 +13,7 @@ from typing import Any
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.shot.cue import speed_ratio
-from game.billiards.shot.miscue import TipStroke, miscue, slips
+from game.billiards.shot.miscue import TipStroke, miscue, slip_limit, slips
 from game.billiards.table.rack import BALL_MASS
 from game.physics.kernels import elementary
 from game.scenes.shared.tables.choices import LARGEST_TIP
@@ -22,7 +22,10 @@ from game.scenes.shared.tables.through.breath import Breath
 from game.scenes.shared.tables.through.choices import AUTO, ON, PUSH
 from game.stage import Part, Pointer
 
-MISCUE = "A miscue: the tip slipped, too far from the middle."
+MISCUE = "A miscue: the tip slipped, too far"
+CHALKED = "The tip is chalked."
+BARE = 0.25  # friction of a tip without chalk, where it has not been chosen smaller; assumed
+WORN_AFTER = 6.0  # strokes after which the chalk's share of the friction has fallen by e; assumed
 WINDOW_S = 0.06  # s of the pointer's path from which its speed is told
 LEAST_BACK = 0.02  # m, that a cue must have been drawn back before it strikes
 LEAST_SPEED = 0.05  # m/s of the cue
@@ -39,7 +42,8 @@ class Push(Part):
     tip touches nothing yet and rests, m. back: how far it is drawn back now, furthest: at most, m. turned_at:
     how far aside the pointer was there. path: (s, m along, m aside) of the last places. turn: of the cue
     about the bridge, rad. struck: speed of the cue m/s, sway and turn, rad, as it crossed the ball. slipped:
-    the last tip did. ball_mass kg; ball_per_cue: speed of a ball struck in its middle to that of the cue.
+    the last tip did; limit: how far out it held, ball radii; since_chalk: strokes of a person since it was
+    chalked. ball_mass kg; ball_per_cue: speed of a ball struck in its middle to that of the cue.
     """
 
     def __init__(self, parameters: Any, ball_mass: float = BALL_MASS) -> None:
@@ -55,6 +59,8 @@ class Push(Part):
         self.path: tuple[tuple[float, float, float], ...] = ()
         self.struck: tuple[float, float, float] | None = None
         self.slipped = False
+        self.limit = 1.0
+        self.since_chalk = 0
 
     @property
     def chosen(self) -> bool:
@@ -183,8 +189,32 @@ class Push(Part):
         chosen = self.parameters.miscues
         return bool(chosen == ON or (chosen == AUTO and self.chosen))
 
+    @property
+    def friction(self) -> float:
+        """Coefficient of tip and ball: as chosen, less with each stroke if the chalk wears off."""
+        fresh = float(self.parameters.chalk)
+        if not self.parameters.wear:
+            return fresh
+        bare = min(BARE, fresh)
+        return bare + (fresh - bare) * elementary.exp(-self.since_chalk / WORN_AFTER)
+
+    def chalk(self) -> str:
+        """Chalk the tip; what to say of it."""
+        self.since_chalk = 0
+        return f"{CHALKED} It holds up to {slip_limit(self.friction):.2f} R from the middle."
+
+    def miscue_words(self, stroke: Stroke) -> str:
+        """What a miscue is called. stroke: as the tip struck."""
+        if abs(stroke.tip_left) > abs(stroke.tip_up):
+            side = "left" if stroke.tip_left > 0.0 else "right"
+        else:
+            side = "up" if stroke.tip_up > 0.0 else "down"
+        return f"{MISCUE} {side}: it held up to {self.limit:.2f} R."
+
     def after_the_tip(self, stroke: Stroke) -> Stroke:
         """The stroke by which the ball moves: another one if the tip slips, see `miscue`."""
-        friction = float(self.parameters.chalk)
+        friction = self.friction
+        self.limit = slip_limit(friction)
+        self.since_chalk += bool(self.parameters.wear)
         self.slipped = self.may_slip and slips(stroke.tip_left, stroke.tip_up, friction)
         return Stroke(*miscue(TipStroke(*stroke), friction, self.ball_mass)) if self.slipped else stroke

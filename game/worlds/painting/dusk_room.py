@@ -1,4 +1,7 @@
-"""The room of the candle, painted once: a wall with a window at dusk and books, out of focus, and a table."""
+"""A room at dusk, painted once: a wall with a window and books, out of focus, and a table before it.
+
+Its own light comes through the window; a flame on the table, SHINES m above it at x = 0, is the other one.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ WALL_BOX = ((-1.2, 0.03), (1.2, 0.99))  # m
 TABLE_BOX = ((-1.2, -0.33), (1.2, 0.052))
 LEAN = 0.14  # height of a circle on the table over its width, as it is seen from a little above
 FRONT = -0.052  # m: the front edge of the table in the picture
-SHINES = 0.085  # m: the middle of the flame above the table
+SHINES = 0.085  # m: of the flame above the table
 PLASTER, FRAME, SHELF, WOOD = (124, 112, 104), (96, 84, 74), (104, 72, 48), (150, 104, 68)
 SKY = ((0.0, (232, 150, 104)), (0.28, (176, 142, 158)), (0.62, (92, 112, 168)), (1.0, (46, 66, 122)))
 WINDOW, SILL = (-0.5, -0.135, 0.125, 0.62), 0.011  # m: left, right, bottom, top; of its frame
@@ -36,15 +39,15 @@ BINDINGS = np.array(
 )
 
 
-def draw_room(canvas: Canvas, own: Light, flame: Light) -> None:
-    """Wall and table, behind the candle and below it."""
+def draw_dusk_room(canvas: Canvas, own: Light, flame: Light) -> None:
+    """Wall and table, behind what stands there and below it."""
     lay_lit(canvas, wall_picture(), WALL_BOX, own, flame)
     lay_lit(canvas, table_picture(), TABLE_BOX, own, flame)
 
 
 @lru_cache(maxsize=1)
 def wall_picture() -> Singles:
-    """Plaster, the window with its sky, two rows of books; all as a lens sees it that looks at the candle."""
+    """Plaster, the window with its sky, two rows of books; all as a lens sees it that looks at the table."""
     x, y = grid_of(WALL_BOX, (240, 600))
     random = np.random.default_rng(5)
     mottled = soft(random.standard_normal(x.shape), (9.0, 9.0)) * 16.0
@@ -125,7 +128,7 @@ def table_picture() -> Singles:
     tone *= 1.0 - 0.55 * bump(seam, 0.0006)
     color = np.array(WOOD) * tone[..., None]
     color[..., 2] *= 1.0 - 0.12 * rings
-    # both lights on the top: the flame's falls off, and the candle's rim keeps it from its foot
+    # both lights on the top: the flame's falls off, and what carries it keeps it from its foot
     away = np.sqrt(x * x + deep * deep)
     flame = 1.3 / (1.0 + (away / 0.1) ** 2) ** 1.25 * (0.42 + 0.58 * smoothstep(0.018, 0.042, away)) + 0.05
     flame += 0.5 * bump(x, 0.012) * np.exp(y / 0.03) * (y < 0.0)  # its image in the polish

@@ -1,0 +1,102 @@
+"""The careers of this machine in one file of the user's folder: career.json, format 1.
+
+It is written whole or not at all. A file that cannot be understood is kept beside as career.broken.json, and
+one line says so. One of a later version is left as it is, and nothing is written over it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+import msgspec
+
+from game.billiards.career.career import Career
+from game.files import FileProblem, read_text, write_text
+from game.folders import user_folder
+
+FILE_NAME = "career.json"
+FORMAT = 1
+LARGEST_BYTES = 32 << 20
+MOST_BROKEN = 99  # files put aside; then the last one is written over
+
+
+class _File(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    format: int
+    career: Career
+
+
+class _Format(msgspec.Struct, frozen=True):
+    """Of a file of any version, the only thing that is read first."""
+
+    format: int
+
+
+class LaterCareerError(ValueError):
+    """A file that a later Carom has written."""
+
+
+def career_path() -> Path:
+    """The file."""
+    return user_folder() / FILE_NAME
+
+
+def read_career() -> Career:
+    """The careers; an empty one if there is no file. ValueError, in one line, if it cannot be understood, and
+    as LaterCareerError if it is of a later version.
+    """
+    path = career_path()
+    if not path.exists():
+        return Career()
+    try:
+        text = read_text(path, LARGEST_BYTES)
+        version = msgspec.json.decode(text, type=_Format).format
+        if version > FORMAT:
+            raise LaterCareerError(f"is of format {version}; this Carom reads format {FORMAT}")
+        if version != FORMAT:
+            raise ValueError(f"is of format {version}, which there never was")
+        career = msgspec.json.decode(text, type=_File).career
+        career.check()
+    except LaterCareerError as error:
+        raise LaterCareerError(f"{FILE_NAME}: {error}") from None
+    except (ValueError, msgspec.DecodeError, RecursionError) as error:
+        raise ValueError(f"{FILE_NAME}: {' '.join(str(error).replace('`', '').split())}"[:400]) from None
+    return career
+
+
+def load_career() -> tuple[Career, str]:
+    """The careers, and what there is to complain of in a line. A damaged file is put aside."""
+    try:
+        return read_career(), ""
+    except LaterCareerError as error:
+        return Career(), f"{error}; nothing is written over it"
+    except ValueError as error:
+        return Career(), f"{error}{_put_aside()}"
+
+
+def keep_career(career: Career) -> str:
+    """Write the careers. What there is to complain of, in a line."""
+    complaint = ""
+    try:
+        read_career()
+    except LaterCareerError as error:
+        return f"{error}; nothing is written over it"
+    except ValueError as error:
+        complaint = f"{error}{_put_aside()}"
+    try:
+        text = msgspec.json.format(msgspec.json.encode(_File(FORMAT, career)), indent=1)
+        write_text(career_path(), text.decode("utf-8") + "\n")
+    except FileProblem as error:
+        return f"{FILE_NAME}: {error}"
+    return complaint
+
+
+def _put_aside() -> str:
+    """Rename a broken file, not onto an earlier one, so that nothing in it is lost."""
+    path = career_path()
+    names = [path.with_name(f"career.broken{number}.json") for number in ("", *range(2, MOST_BROKEN + 1))]
+    aside = next((name for name in names if not name.exists()), names[-1])
+    with contextlib.suppress(OSError):
+        path.replace(aside)
+        return f"; the file is kept as {aside.name}"
+    return ""

@@ -1,0 +1,1 @@
+"""A career: matches, ratings, tournaments and records of the players of this machine."""

@@ -1,0 +1,131 @@
+"""How matches of a career are played: their length, a fair head start, opponents, and tournaments."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from game.billiards.career.bracket import EIGHT, draw, play_on
+from game.billiards.career.career import CupResult, Match, Player, Result, RunningCup, rating_of, strength_of
+from game.billiards.career.handicap import fair_start, needed_of_best, point_chance, race_chance
+from game.billiards.game.register import REGISTER, Registered
+from game.billiards.game.strengths import chance_of
+from game.billiards.players.ladder import LadderPlayer, ladder_of
+
+START = 400.0  # rating of a person that has none yet, for a fair head start and the draw
+FRAMES, RACKS, POINTS = 3, 3, 10  # of a match
+
+
+class Length(NamedTuple):
+    """How long a match is. parameter, value: of the scene; needed: racks or frames that win it, 1 for one
+    game; points: of that game, 0 if it sets them itself.
+    """
+
+    parameter: str
+    value: object
+    needed: int
+    points: int = 0
+
+
+def length_of(entry: Registered) -> Length:
+    """How long a match of a game is."""
+    if entry.unit == "rack":
+        return Length("race", str(RACKS), RACKS)
+    if entry.unit == "frame":
+        return Length("best_of", str(FRAMES), needed_of_best(FRAMES))
+    if entry.family == "carom":
+        return Length("target", float(POINTS), 1, POINTS)
+    return Length("race", "1", 1)
+
+
+def own_strength(player: Player, game: str) -> float:
+    """A person's rating in a game's family, else in all games, else that of a beginner."""
+    rating = rating_of(player, REGISTER[game].family) or rating_of(player)
+    return START if rating is None else rating.points
+
+
+def fair_head_start(player: Player, opponent: str, game: str) -> int:
+    """Racks, frames or points that the person is given so that the match is even; below 0 the opponent."""
+    length = length_of(REGISTER[game])
+    other = strength_of(opponent, game)
+    if other is None or (length.needed == 1 and not length.points):
+        return 0
+    chance = chance_of(own_strength(player, game) - other)
+    if length.points:
+        return fair_start(point_chance(chance, length.points), length.points)
+    return fair_start(chance, length.needed)
+
+
+def opponents_at(game: str) -> tuple[LadderPlayer, ...]:
+    """Who of the ladder plays a game, the weakest first as measured."""
+    found = ladder_of(REGISTER[game].family)
+    return tuple(sorted(found, key=lambda one: strength_of(one.name, game) or 0.0))
+
+
+def next_opponent(player: Player, game: str) -> LadderPlayer:
+    """The weakest of the ladder that the person has not beaten without being given a start; else the last."""
+    beaten = {
+        one.match.opponent for one in player.results
+        if one.victory and one.match.game == game and one.match.head_start <= 0
+    }  # fmt: skip
+    ladder = opponents_at(game)
+    return next((one for one in ladder if one.name not in beaten), ladder[-1])
+
+
+# -- tournaments ------------------------------------------------------------------------------------
+
+
+def new_cup(player: Player, game: str, seed: int) -> Player:
+    """A tournament of eight begins: the person, and the seven strongest of the ladder. ValueError while one
+    goes on.
+    """
+    if player.cup is not None:
+        raise ValueError("tournament: one goes on")
+    field = {one.name: strength_of(one.name, game) or START for one in opponents_at(game)[1 - EIGHT :]}
+    field[player.name] = own_strength(player, game)
+    begun = RunningCup(game, draw(field), seed)
+    return _played_on(player.replace(cup=begun))
+
+
+def cup_match(player: Player) -> Match | None:
+    """The person's next match of the running tournament; None if there is none."""
+    if player.cup is None or player.cup.knockout.next_pair is None:
+        return None
+    pair = player.cup.knockout.next_pair
+    if player.name not in pair:
+        return None
+    other = pair[1] if pair[0] == player.name else pair[0]
+    return Match(player.cup.game, other, 0, cup=True)
+
+
+def _played_on(player: Player) -> Player:
+    """The matches of others are played until the person is at turn, or the tournament has ended."""
+    cup = player.cup
+    assert cup is not None
+    entry = REGISTER[cup.game]
+    needed = length_of(entry).needed
+
+    def decide(a: str, b: str, match: int) -> str:
+        strengths = [strength_of(name, cup.game) or START for name in (a, b)]
+        chance = race_chance(chance_of(strengths[0] - strengths[1]), needed, needed)
+        return a if np.random.default_rng((cup.seed, match)).random() < chance else b
+
+    return player.replace(cup=RunningCup(cup.game, play_on(cup.knockout, player.name, decide), cup.seed))
+
+
+def with_result(player: Player, result: Result) -> Player:
+    """A match has ended: kept, and the tournament goes on if it was one of it."""
+    after = player.replace(results=(*player.results, result), pending=None)
+    if not result.match.cup or after.cup is None or cup_match(after) is None:
+        return after
+    winner = player.name if result.victory else result.match.opponent
+    cup = after.cup
+    knockout = cup.knockout.with_winner(winner)
+    after = _played_on(after.replace(cup=RunningCup(cup.game, knockout, cup.seed)))
+    assert after.cup is not None
+    if after.cup.knockout.champion:
+        reached = after.cup.knockout.reached(player.name)
+        ended = CupResult(cup.game, result.when, reached)
+        after = after.replace(cup=None, cups=(*after.cups, ended))
+    return after

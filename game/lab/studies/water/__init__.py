@@ -1,0 +1,1 @@
+"""Water: dams, rings on a pond, a tank that sloshes."""

@@ -1,0 +1,119 @@
+"""One dam by several methods, beside what was measured and what is exactly known."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated
+
+import msgspec
+import numpy as np
+
+from game.arrays import Floats
+from game.physics.effects import EffectSet
+from game.physics.kernels import linear
+from game.physics.waves import DamBreak, dam_break
+from game.scenes.liquid.level import Size
+from game.scenes.liquid.methods import ByLiquid, ByShallowWater, Column, DamMethod, DamState
+from game.stage import Choice, Param, Parameters, Readout, Toggle
+from game.worlds.entries.entry import LevelEntry, View
+from game.worlds.expectations import Expectations
+from game.worlds.world import World
+
+# Front over width against t sqrt(2 g / width), of a column twice as high as wide (Martin and Moyce 1952)
+EXPERIMENT = ((0.832, 1.217), (1.219, 1.474), (1.997, 2.292), (2.547, 2.995))
+GAP = 0.18  # of the column's height, between two floors and above the upper one
+
+
+class DamContent(LevelEntry, frozen=True, kw_only=True):
+    """[content] of a level: width and height of the column, length of the floor, m."""
+
+    width: Size = 0.5
+    height: Size = 1.0
+    length: Annotated[float, msgspec.Meta(ge=0.05, le=100.0)] = 3.0
+    expected: Expectations = ()
+
+    @property
+    def rise(self) -> float:
+        """m from one floor to the next."""
+        return (1.0 + GAP) * self.height
+
+    @property
+    def view(self) -> View:
+        """Both floors."""
+        edge = 0.04 * self.length
+        return View(left=-edge, bottom=-0.1 * self.height, right=self.length + edge, top=2.0 * self.rise)
+
+
+class DamParameters(Parameters):
+    """The methods, and what is shown beside them."""
+
+    gravity = Param(9.81, 0.1, 30.0, unit="m/s²", group="World", rebuild=True, help="downwards")
+    cells = Param(
+        20, 4, 64, whole=True, log=True, group="Liquid", rebuild=True, help="along the column's width"
+    )
+    carrier = Choice(
+        "apic", ("apic", "pic-flip"), labels=("APIC", "PIC and FLIP"), group="Liquid", rebuild=True,
+        label="Speeds by", help="how speeds pass between particles and cells",
+    )  # fmt: skip
+    row = Param(400, 20, 4000, whole=True, log=True, group="Shallow water", rebuild=True, label="Cells",
+                help="along the floor")  # fmt: skip
+    exact = Toggle(True, group="Shown", help="the surface of shallow water by Ritter")
+    experiment = Toggle(True, group="Shown", help="the front as it was measured")
+
+
+class DamWorld(World):
+    """Columns one above the other, that fall at the same time. methods: all that there are, from the top."""
+
+    state_type = DamState
+
+    def __init__(self, content: DamContent, parameters: DamParameters, active: EffectSet, seed: int):
+        if content.width >= content.length:
+            raise ValueError(
+                f"width = {content.width!r}: expected less than the length, {content.length:g} m"
+            )
+        column = Column(content.width, content.height, content.length, float(parameters.gravity))
+        self.column = column
+        self.methods: tuple[DamMethod, ...] = (
+            ByLiquid(column, content.rise, int(parameters.cells), str(parameters.carrier)),
+            ByShallowWater(column, 0.0, int(parameters.row)),
+        )
+        self.theory: DamBreak = dam_break(content.height, 0.0, column.gravity)
+        super().__init__(content, parameters, active, *self.methods)
+
+    @property
+    def scaled(self) -> float:
+        """The time as t sqrt(2 g / width)."""
+        return self.time * math.sqrt(2.0 * self.column.gravity / self.column.width)
+
+    def measured(self) -> float:
+        """The front of the experiment now, m; NaN for other columns, before and after what was measured."""
+        alike = abs(self.column.height / self.column.width - 2.0) < 1e-6
+        times, fronts = zip(*EXPERIMENT, strict=True)
+        if not alike or not times[0] <= self.scaled <= times[-1]:
+            return math.nan
+        return self.column.width * float(linear.interpolated(np.array([self.scaled]), times, fronts)[0])
+
+    def exact_front(self) -> float:
+        """Ritter's, m; NaN as soon as it is at the end of the floor."""
+        front = self.column.width + self.theory.bore * self.time
+        return front if front < self.column.length else math.nan
+
+    def surface(self) -> tuple[Floats, Floats] | None:
+        """x and depth (n,) m by Ritter, until the wave that goes back meets the wall; then None."""
+        back = math.sqrt(self.theory.gravity * self.theory.left) * self.time
+        if not 0.0 < back < self.column.width or math.isnan(self.exact_front()):
+            return None
+        x = np.linspace(0.0, self.exact_front(), 80)
+        return x, self.theory.at(x - self.column.width, self.time)[0]
+
+
+def readouts(model: DamWorld) -> list[Readout]:
+    """Fronts, then volumes and prices of each method."""
+    fronts = [Readout(f"front, {one.name}", one.front(), "m") for one in model.methods]
+    losses = [Readout(f"volume error, {one.name}", one.volume() / one.area - 1.0) for one in model.methods]
+    prices = [Readout(f"a step, {one.name}", one.watch.median("step"), "s") for one in model.methods]
+    return [
+        *fronts, Readout("front, experiment", model.measured(), "m"),
+        Readout("front, Ritter", model.exact_front(), "m"), *losses, *prices,
+        Readout("scaled time", model.scaled),
+    ]  # fmt: skip

@@ -1,0 +1,50 @@
+"""How a match between a person and a computer player stands, for the person's career."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from game.billiards.game.register import REGISTER
+from game.scenes.shared.tables.choices import PERSON, ahead
+from game.stage.records.contested import Contested, StrokeMeasured
+
+
+def contest_of(course: Any) -> Contested | None:
+    """The match that is played at a table; None if it is none of a person against a computer player.
+
+    course: of any cue game, with model, parameters and grades.
+    """
+    game, name = course.model.frame.game, str(course.model.content.game)
+    entry = REGISTER.get(name)
+    if entry is None or len(game.players) != 2 or course.plays_itself:
+        return None
+    if course.grade_of(0) != PERSON or course.grade_of(1) == PERSON:
+        return None
+    start = int(course.parameters.head_start)
+    if entry.family == "carom":
+        over, won = game.over, (int(game.winner == 0), int(game.winner == 1))
+    else:
+        over = bool(course.match_over)
+        given = ahead(start)
+        won = (game.won[0] - given[0], game.won[1] - given[1])
+    best = getattr(game, "high", None) or getattr(game, "high_runs", None) or (0, 0)
+    return Contested(
+        name, game.players[0], course.grade_of(1), start, (max(won[0], 0), max(won[1], 0)), over,
+        over and game.winner == 0, int(best[0]), int(course.model.frame.strokes),
+    )  # fmt: skip
+
+
+def stroke_of(course: Any) -> StrokeMeasured | None:
+    """What was measured of the last stroke, if the person of a contest has played it at pool or snooker."""
+    from game.billiards.map.stroke_facts import measured
+
+    frame, played = course.model.frame, course.model.played
+    last = frame.last
+    if contest_of(course) is None or last is None or played is None or not hasattr(last, "call"):
+        return None
+    if last.frame.game.turn != 0:
+        return None
+    pair = course.aimed_and_done
+    meant = pair[0] if pair is not None and pair[1] == last.stroke else last.stroke
+    found = measured(last.frame, played, meant)
+    return None if found is None else StrokeMeasured(*found, float(last.stroke.cue_speed))

@@ -1,0 +1,137 @@
+"""The card of a career: a name is asked for once, a match begins at its table, its result comes back."""
+
+import msgspec
+import pygame
+import pytest
+
+from game.app.screens.career_card import CareerCard
+from game.app.screens.choices import ChoiceCard
+from game.app.screens.name_card import NameCard
+from game.app.stagehand.career_file import career_path, keep_career, read_career
+from game.billiards.career.career import Career, Match, Player
+from game.billiards.career.matches import cup_match, opponents_at
+from game.billiards.game.register import REGISTER
+from game.scenes import CATALOGUE
+from tests.app.tests_app import Driver
+
+LONGEST_S = 300.0
+
+
+@pytest.fixture
+def driver(tmp_path, monkeypatch):
+    monkeypatch.setenv("CAROM_HOME", str(tmp_path))
+    made = Driver(tmp_path, catalogue=CATALOGUE)
+    made.frames(5)
+    yield made
+    made.close()
+
+
+def press(driver, name):
+    driver.click(*driver.top.spots.find(name).rect.center)
+    driver.frames(15)
+
+
+def opened(driver):
+    driver.frames(5)
+    while driver.top.loader is not None:
+        driver.top.loader.wait(LONGEST_S)
+        driver.frames(2)
+    return driver.stage.scene
+
+
+def test_a_name_is_asked_for_once_and_kept(driver):
+    driver.key(pygame.K_k, pygame.KMOD_CTRL)
+    driver.frames(30)
+    assert isinstance(driver.top, NameCard)
+    driver.type("Mia")
+    driver.key(pygame.K_RETURN)
+    driver.frames(30)
+    assert isinstance(driver.top, CareerCard)
+    assert driver.top.heading == "Career of Mia"
+    assert read_career().player.name == "Mia"
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(30)
+    driver.app.open_career()
+    driver.frames(30)
+    assert isinstance(driver.top, CareerCard)
+
+
+def test_the_header_of_the_menu_opens_it_and_all_games_are_there(driver):
+    keep_career(Career((Player("Mia"),)))
+    driver.click(*driver.top.header.spots.find("career").rect.center)
+    driver.frames(30)
+    card = driver.top
+    assert isinstance(card, CareerCard)
+    press(driver, "game")
+    assert isinstance(driver.top, ChoiceCard)
+    assert [row.value for row in driver.top.rows] == list(REGISTER)
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(30)
+    card._take_game("six-red")
+    assert card.opponent == opponents_at("six-red")[0].name
+    strongest = opponents_at("six-red")[-1].name
+    press(driver, f"opponent={strongest}")
+    assert card.match == Match("six-red", strongest)
+    press(driver, "start")
+    assert card.match.head_start > 0
+    driver.key(pygame.K_TAB)
+    assert card.spots.focused is not None
+
+
+def test_a_match_begins_at_its_table_and_its_result_comes_back(driver):
+    keep_career(Career((Player("Mia"),)))
+    driver.app.open_career()
+    driver.frames(30)
+    driver.top._take_game("nine-ball")
+    press(driver, "opponent=greta")
+    driver.key(pygame.K_RETURN)
+    scene = opened(driver)
+    assert read_career().player.pending == Match("nine-ball", "greta")
+    assert scene.model.frame.game.players == ("Mia", "Greta Lind")
+    assert (scene.parameters.second_player, scene.parameters.race) == ("greta", "3")
+    seen = scene.contest
+    assert (seen.game, seen.person, seen.opponent, seen.over) == ("nine-ball", "Mia", "greta", False)
+    frame = scene.model.frame
+    scene.model.frame = frame.replace(game=msgspec.structs.replace(frame.game, won=(1, 3), winner=1, turn=1))
+    assert scene.contest.over
+    driver.frames(3)
+    player = read_career().player
+    assert [(one.won, one.lost, one.victory) for one in player.results] == [(1, 3, False)]
+    assert player.pending is None
+    before = career_path().read_text()
+    driver.frames(5)
+    assert career_path().read_text() == before
+
+
+def test_a_tournament_is_begun_and_won_in_the_window(driver):
+    keep_career(Career((Player("Mia"),)))
+    driver.app.open_career()
+    driver.frames(30)
+    driver.top._take_game("three-cushion")
+    press(driver, "cup")
+    for _ in range(3):
+        if not isinstance(driver.top, CareerCard):
+            driver.app.open_menu()
+            driver.frames(5)
+            driver.app.open_career()
+            driver.frames(30)
+        match = cup_match(read_career().player)
+        assert driver.top.match == match
+        driver.top.play()
+        scene = opened(driver)
+        assert scene.parameters.second_player == match.opponent
+        frame = scene.model.frame
+        over = msgspec.structs.replace(frame.game, points=(10, 4), ended=True, winner=0, high_runs=(5, 1))
+        scene.model.frame = frame.replace(game=over)
+        driver.frames(3)
+    player = read_career().player
+    assert [cup.reached for cup in player.cups] == [3]
+    assert [one.highest for one in player.results] == [5, 5, 5]
+    assert player.cup is None
+
+
+def test_a_match_that_was_not_agreed_upon_does_not_count(driver):
+    keep_career(Career((Player("Mia", pending=Match("nine-ball", "greta")),)))
+    driver.app.open_scene("carom", opening=None)
+    driver.frames(3)
+    assert read_career().player.results == ()

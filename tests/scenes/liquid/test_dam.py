@@ -1,0 +1,82 @@
+"""One dam by several methods: fronts beside each other, the experiment and Ritter."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from game.app.stagehand.headless import picture_of_stage
+from game.levels import level_files, load_level
+from game.scenes.liquid.dam_scene import Dam
+from game.scenes.liquid.dam_world import EXPERIMENT, DamContent
+from game.stage import Stage
+
+LEVELS = level_files("dam")
+
+
+def opened(name: str = "default", **parameters) -> Stage:
+    path = next(path for path in LEVELS if path.stem == name)
+    return Stage(Dam, level=load_level(path, "dam", DamContent), parameters=parameters)
+
+
+def measured(stage: Stage, name: str) -> float:
+    return next(readout.value for readout in stage.readouts() if readout.name == name)
+
+
+def test_the_fronts_lie_in_their_order():
+    """The gate of the experiment was slow: all that is computed leads. Shallow water leads by far."""
+    stage = opened()
+    for _ in range(4):
+        stage.run(20)
+        fronts = [measured(stage, f"front, {name}") for name in ("experiment", "liquid", "shallow", "Ritter")]
+        assert math.isnan(fronts[0]) == (measured(stage, "scaled time") < 0.832)
+        known = [front for front in fronts if not math.isnan(front)]
+        assert known == sorted(known)
+    assert measured(stage, "front, liquid") > 2.5 * 0.5
+
+
+def test_the_liquid_is_where_a_particle_code_has_it():
+    """3.34 widths at T = 2.547, within 3 %."""
+    stage = opened(cells=32)
+    stage.run(round(2.547 / math.sqrt(2.0 * 9.81 / 0.5) / stage.dt))
+    front = measured(stage, "front, liquid") / 0.5
+    assert front == pytest.approx(3.34 + (measured(stage, "scaled time") - 2.547) * 1.35, rel=0.03)
+    assert measured(stage, "volume error, liquid") == pytest.approx(0.0, abs=0.01)
+
+
+def test_the_experiment_is_that_of_its_table_and_of_no_other_column():
+    stage = opened()
+    stage.run(40)
+    late = measured(stage, "scaled time")
+    times, fronts = zip(*EXPERIMENT, strict=True)
+    assert measured(stage, "front, experiment") == pytest.approx(0.5 * np.interp(late, times, fronts))
+    assert math.isnan(measured(opened("low"), "front, experiment"))
+
+
+def test_shallow_water_follows_ritter():
+    stage = opened(row=2000)
+    stage.run(20)
+    model = stage.scene.model
+    x, depth = model.surface()
+    water = model.methods[1].water
+    assert np.interp(model.methods[1].x, x, depth)[:1000] == pytest.approx(water.depth[0][:1000], abs=0.02)
+    assert measured(stage, "front, shallow") < measured(stage, "front, Ritter")
+
+
+@pytest.mark.parametrize("path", LEVELS, ids=lambda path: path.stem)
+def test_levels_are_seen_and_keep_their_volume(path):
+    stage = opened(path.stem)
+    stage.run(60)
+    picture = picture_of_stage(stage, (640, 360), "light")
+    colors = [tuple(picture.get_at((x, y)))[:3] for x in range(20, 620, 6) for y in range(0, 360, 4)]
+    assert sum(b > r + 20 and b > 40 for r, g, b in colors) > 60
+    stage.run(180)
+    assert abs(measured(stage, "volume error, shallow")) < 1e-9
+    assert abs(measured(stage, "volume error, liquid")) < 0.06
+
+
+def test_a_column_wider_than_its_floor_is_refused():
+    with pytest.raises(ValueError, match="width"):
+        Stage(Dam, level=None).scene.make(DamContent(width=5.0, length=3.0))
