@@ -14,7 +14,7 @@ from game.scenes.honey.view import HoneyView
 from game.scenes.honey.world import HoneyWorld
 from game.stage import Equation, Hint, Strip
 from game.worlds.hands.hand import tool_keys
-from game.worlds.painting.landscape import warm_up_landscape
+from game.worlds.painting.liquid import warm_up_backdrop
 from game.worlds.scene import Parts, Told, WorldScene
 
 
@@ -24,8 +24,9 @@ class Honey(WorldScene):
 
     Four laws for the pressure can be chosen. Müller's of 2003 squeezes and pushes back. Clavet's of 2005
     moves particles apart, and adds springs for slime. Position based fluids solve for densities as for links.
-    DFSPH solves for a flow that squeezes nothing, and is the careful one. It is meant for liquids of up to some
-    forty layers, of about one density; position based fluids bear more.
+    DFSPH solves for a flow that squeezes nothing, and is the careful one: for liquids of up to some forty
+    layers, of about one density. Levels of several densities, the lamp and the boiling pot among them, are
+    computed by positions, which bears them.
 
     Beyond a wall there are no particles, and a density would lack them. The share of the kernel that lies
     there is added, for a vessel of any shape.
@@ -49,7 +50,7 @@ class Honey(WorldScene):
     figure = staticmethod(draw_kernel)
     tools = TOOLS
     tool_prefix = "tool-"
-    painters = (("landscape", warm_up_landscape), ("liquid", warm_up_liquid))
+    painters = (("backdrop", warm_up_backdrop), ("liquid", warm_up_liquid))
     hints = (
         Hint(("Drag",), "pour, stir or scoop"),
         Hint(("Right click",), "pour"),
@@ -75,7 +76,9 @@ class Honey(WorldScene):
             "Weiler and others 2018, in the plane",
         ),
         Equation(
-            "A spring of slime", r"\Delta r = \Delta t^2 k (1 - \frac{L}{h}) (L - r)", "Clavet, Beaudoin, Poulin 2005"
+            "A spring of slime",
+            r"\Delta r = \Delta t^2 k (1 - \frac{L}{h}) (L - r)",
+            "Clavet, Beaudoin, Poulin 2005",
         ),
     )  # fmt: skip
     try_this = (

@@ -6,15 +6,7 @@ import math
 
 import numpy as np
 
-from game.scenes.honey.world import (
-    AIR_GONE,
-    AIR_MADE,
-    BY_HAND,
-    BY_TAPS,
-    SCOOPED,
-    START,
-    HoneyWorld,
-)
+from game.scenes.honey.world import AIR_GONE, AIR_MADE, SCOOPED, HoneyWorld
 from game.stage import Readout
 from game.worlds.hands.hand import Hand, Use
 
@@ -30,14 +22,7 @@ def readouts(model: HoneyWorld) -> list[Readout]:
     vapours = [one.vapour for one in fluid.liquids if one.vapour >= 0]
     gas = int(np.sum(np.isin(fluid.kind, vapours)))
     air = next((k for k, one in enumerate(fluid.liquids) if one.air), -1)
-    known = (
-        counts[START]
-        + counts[BY_HAND]
-        + counts[BY_TAPS]
-        + counts[AIR_MADE]
-        - counts[AIR_GONE]
-        - counts[SCOOPED]
-    )
+    known = float(np.sum(counts)) - 2.0 * float(counts[AIR_GONE] + counts[SCOOPED])
     warm = fluid.temperature() if count else np.zeros(1)
     first = fluid.place[fluid.kind == 0, 1]
     return [
@@ -52,6 +37,7 @@ def readouts(model: HoneyWorld) -> list[Readout]:
         Readout("heat", float(np.sum(fluid.heat)) * cell, "K m²"),
         Readout("vapour", gas * cell, "m²"),
         Readout("air", float(np.sum(fluid.kind == air)) * cell, "m²"),
+        Readout("air made", int(counts[AIR_MADE])),
         Readout("particles", count), Readout("particles missing", known - count),
         Readout("springs", int(np.sum(fluid.partner >= 0))),
         Readout("iterations", fluid.iterations), Readout("substeps", model.substeps),

@@ -30,11 +30,13 @@ class HoneyState(NamedTuple):
     """fluid; counts: (6,) particles from the beginning, by the hand, by taps, air made and gone, scooped out.
 
     owed: (taps + 1,) spacings that have run out and are not filled yet, of taps and of the hand.
+    run: (taps,) particles that each tap has let out.
     """
 
     fluid: FluidState
     counts: Floats
     owed: Floats
+    run: Floats
 
 
 START, BY_HAND, BY_TAPS, AIR_MADE, AIR_GONE, SCOOPED = range(6)
@@ -59,9 +61,10 @@ class HoneyWorld(World):
         self.counts: Floats = np.zeros(6)
         self.counts[START] = len(self.fluid.place)
         self.owed: Floats = np.zeros(len(content.taps) + 1)
+        self.run: Floats = np.zeros(len(content.taps))
         self.pours: tuple[float, float] | None = None
         self.substeps = 0
-        super().__init__(content, parameters, active, Whole(self.fluid), Kept(self, "counts", "owed"))
+        super().__init__(content, parameters, active, Whole(self.fluid), Kept(self, "counts", "owed", "run"))
 
     @staticmethod
     def _liquids(content: HoneyContent, chosen: HoneyParameters) -> tuple[Liquid, ...]:
@@ -100,14 +103,14 @@ class HoneyWorld(World):
 
     def advance(self, dt: float) -> str:
         for number, tap in enumerate(self.content.taps):
-            run = float(np.sum(self.counts[BY_TAPS]))
-            if run < tap.most:
-                made = self._run(number, tap.at, tap.width, (0.0, -tap.speed), tap.kind, dt)
+            if self.run[number] < tap.most:
+                made = self._run(number, tap.at, tap.width, tap.speed, tap.kind, dt)
+                self.run[number] += made
                 self.counts[BY_TAPS] += made
         if self.pours is not None:
             width = 2.0 * HAND * self.fluid.spacing
             kind = min(int(self.parameters.poured), len(self.content.liquids) - 1)
-            self.counts[BY_HAND] += self._run(-1, self.pours, width, (0.0, -POUR_SPEED), kind, dt)
+            self.counts[BY_HAND] += self._run(-1, self.pours, width, POUR_SPEED, kind, dt)
         if WARMTH in self.active:
             for heater in self.content.heaters:
                 self._heat(heater, dt)
@@ -119,17 +122,22 @@ class HoneyWorld(World):
         self.time += dt
         return ""
 
-    def _run(self, number: int, at: tuple[float, float], width: float, velocity: tuple[float, float],
-             kind: int, dt: float) -> int:  # fmt: skip
-        """A row of particles whenever the last one has gone a spacing; how many."""
+    def _run(self, number: int, at: tuple[float, float], width: float, speed: float, kind: int,
+             dt: float) -> int:  # fmt: skip
+        """As many rows of particles as have run out in a step, a spacing from row to row; how many particles.
+
+        A row begins as far below the tap as it has gone since it left it, so no gap comes of the step.
+        """
         spacing, fluid = self.fluid.spacing, self.fluid
-        self.owed[number] += abs(velocity[1]) * dt / spacing
-        if self.owed[number] < 1.0:
+        self.owed[number] += speed * dt / spacing
+        rows = math.floor(self.owed[number])
+        if rows == 0:
             return 0
-        self.owed[number] -= 1.0
+        self.owed[number] -= rows
         across = max(1, round(width / spacing))
         x = at[0] + (np.arange(across) - 0.5 * (across - 1)) * spacing
-        places = np.stack([x, np.full(across, at[1])], axis=1)
+        y = at[1] - (self.owed[number] + np.arange(rows)) * spacing
+        places = np.stack([np.tile(x, rows), np.repeat(y, across)], axis=1)
         free = [
             is_held(fluid.edges, place)
             and float(np.min(np.sum(np.square(fluid.place - place), axis=1), initial=math.inf))
@@ -139,7 +147,7 @@ class HoneyWorld(World):
         places = places[np.array(free)]
         if not len(places) or len(fluid.place) + len(places) > MOST_PARTICLES:
             return 0
-        fluid.add(places, kind, velocity)
+        fluid.add(places, kind, (0.0, -speed))
         return len(places)
 
     def _heat(self, heater: HeaterEntry, dt: float) -> None:
