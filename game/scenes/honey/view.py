@@ -1,4 +1,4 @@
-"""How liquids are drawn: a wall and a table, the vessel, the body of liquid or its particles, heaters, taps."""
+"""How liquids are drawn: wall and table, vessel, the body of liquid or its particles, heaters, taps."""
 
 from __future__ import annotations
 
