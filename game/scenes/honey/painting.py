@@ -12,14 +12,16 @@ import numpy as np
 
 from game.arrays import Floats
 from game.compiler.decorator import inner_kernel, lean_kernel
-from game.ui.raster.pixels import blend, bounds_of
+from game.ui.raster.pixels import blend, bounds_of, fill_row
 
 STEP = 3  # px between points of the lattice
 REACH = 1.55  # spacings that a particle's hump reaches
 EDGE = 0.5  # of the field of liquid at rest: its surface
+WELL_IN = 0.92  # of it: from here on a place lies well inside
+ALIKE = 0.02  # of a colour: cells whose corners differ by less have one colour
 SOFT = 0.12  # of the field over which the edge goes
 RIM, GLOSS = 0.32, 0.75  # light at the edge's lit side, and where it is brightest
-DEEP = 0.22  # darker inside than at the surface
+DEEP = 0.14  # darker inside than at the surface
 LIGHT = (-0.55, -0.83)  # to the lamp, in pixels
 
 
@@ -68,7 +70,7 @@ def _lit(field, row, column, down, right, full):
     nx, ny = -nx / full, -ny / full
     steep = math.sqrt(nx * nx + ny * ny)
     facing = (nx * LIGHT[0] + ny * LIGHT[1]) / (steep + 0.04)
-    inside = min(max((amount - EDGE) / (1.0 - EDGE), 0.0), 1.0)
+    inside = min(max((amount - EDGE) / (WELL_IN - EDGE), 0.0), 1.0)
     shade = 1.0 - DEEP * inside + RIM * facing * (1.0 - inside)
     gloss = max(facing, 0.0)
     gloss = GLOSS * gloss * gloss * gloss * 4.0 * max(inside - 0.05, 0.0) * max(0.6 - inside, 0.0) / 0.3
@@ -79,6 +81,24 @@ def _lit(field, row, column, down, right, full):
         own += gloss * (1.0 - own)
         ink = ink << 8 | int(min(max(255.0 * own, 0.0), 255.0))
     return ink, min(cover, 1.0)
+
+
+@inner_kernel
+def _even_ink(field, row, column, full):
+    """Colour 0xRRGGBB of a cell that lies well inside and has one colour, or -1."""
+    ink = 0
+    for c in range(1, 4):
+        low, high, total = 1.0, 0.0, 0.0
+        for j in range(row, row + 2):
+            for i in range(column, column + 2):
+                if field[0, j, i] < WELL_IN * full:
+                    return -1
+                own = field[c, j, i] / field[0, j, i]
+                low, high, total = min(low, own), max(high, own), total + own
+        if high - low > ALIKE:
+            return -1
+        ink = ink << 8 | int(min(max(255.0 * 0.25 * total * (1.0 - DEEP), 0.0), 255.0))
+    return ink
 
 
 @lean_kernel
@@ -94,6 +114,12 @@ def paint_liquid(pixels, clip, field, full):
                 max(field[0, row + 1, column], field[0, row + 1, column + 1]),
             )
             if most <= least:
+                continue
+            even = _even_ink(field, row, column, full)
+            if even >= 0:
+                left = clip[0] + column * STEP
+                for y in range(max(clip[1] + row * STEP, y_low), min(clip[1] + row * STEP + STEP, y_high)):
+                    fill_row(pixels, y, max(left, x_low), min(left + STEP, x_high), even, 256)
                 continue
             for j in range(STEP):
                 y = clip[1] + row * STEP + j

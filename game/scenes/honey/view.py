@@ -22,7 +22,7 @@ INKS = {
 }  # fmt: skip
 THIN = {"steam": 0.75, "air": 0.75}  # amount of a particle beside one of liquid: smaller bubbles
 COLD, WARM, HOT = 0x2F6FC4, 0xD7D2C4, 0xE8452C  # of temperatures, of densities below and above rest
-GLASS, DARK_GLASS = 0xC9DCE2, 0x4B6470
+GLASS, DARK_GLASS = 0x86A2AD, 0x4B6470
 WALL = 7.0  # px
 FASTEST = 3.0  # m/s, of the warmest colour of speeds
 SPREAD = 0.04  # of the relative density, from the middle to either colour
@@ -55,6 +55,8 @@ class HoneyView:
         self.foot = float(np.min(outline[:, 1]))
         boxes = (((one.left, one.bottom), (one.right, one.top)) for one in model.content.heaters)
         self.heated = [part_in_box(outline, *box) for box in boxes]
+        pools = [one.heat for one in model.content.pools]
+        self.first_heat = sum(pools) / len(pools) if pools else ROOM_HEAT
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """What the colours mean, where they are not the liquids' own."""
@@ -119,10 +121,10 @@ class HoneyView:
             )
 
     def _draw_heaters(self, canvas: Canvas) -> None:
-        """A breath of red or blue over what is warmed or cooled: the liquid stays seen."""
+        """A breath of red or blue over what is warmed or cooled, beside the liquid as it began."""
         for heater, part in zip(self.model.content.heaters, self.heated, strict=True):
             if len(part) > 2:
-                canvas.polygon(part, "vermilion" if heater.heat > ROOM_HEAT else "chalk", GLOW)
+                canvas.polygon(part, "vermilion" if heater.heat > self.first_heat else "chalk", GLOW)
 
     def _draw_edges(self, canvas: Canvas) -> None:
         color = color_of(DARK_GLASS if is_dark(canvas) else GLASS)

@@ -216,7 +216,7 @@ def draw_backdrop(canvas: Canvas) -> None:
 
 
 def draw_table(canvas: Canvas, height: float) -> None:
-    """The table that a tank stands on: all that is seen below a height (m)."""
+    """The table that a tank stands on: everything in sight below a height (m)."""
     seen = canvas.camera.visible()
     corners = [(seen.left, seen.bottom), (seen.right, seen.bottom), (seen.right, height), (seen.left, height)]
     canvas.polygon(corners, color_of(TABLE[is_dark(canvas)]))
