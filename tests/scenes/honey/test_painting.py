@@ -48,6 +48,7 @@ def test_colours_mix_where_two_liquids_meet_and_nowhere_else():
     assert (row[90:120, 0] > row[90:120, 2] + 120).all() and (row[160:190, 2] > row[160:190, 0] + 120).all()
     assert abs(int(row[139, 0]) - int(row[139, 2])) < 40
     assert (np.diff(row[90:190, 0]) <= 3).all(), "from red to blue without a step back"
+    assert (np.diff(row[90:190, 0]) > -25).all(), "and without one of a whole cell"
 
 
 def test_nothing_is_painted_beyond_the_clip_or_without_particles():
