@@ -60,7 +60,7 @@ class FluidSettings(NamedTuple):
     softness: Annotated[
         float, Number(2.0, 200.0, unit="m/s", help="speed of sound, of laws that squeeze")
     ] = 10.0
-    stiffness: Annotated[float, Number(0.0, 2000.0, unit="1/s²", help="of slime's springs")] = 300.0
+    stiffness: Annotated[float, Number(0.0, 20_000.0, unit="1/s²", help="of slime's springs")] = 300.0
     borne: Annotated[float, Number(0.0, 1.0, help="share that a spring bears before it flows")] = 0.1
     flow: Annotated[float, Number(0.0, 50.0, unit="1/s", help="how fast springs flow beyond")] = 0.5
     sticking: Annotated[float, Number(0.0, 1.0, help="share of the drag at a wall")] = 1.0

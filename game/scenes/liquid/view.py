@@ -11,17 +11,15 @@ from game.arrays import Floats
 from game.scenes.liquid.parameters import TOOLS
 from game.scenes.liquid.world import TALL, WEIGHT, WIDE, LiquidWorld, LiquidWorldState
 from game.ui.canvas.canvas import Canvas
-from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand, legend_of
 from game.worlds.members.solids import turned_between
 from game.worlds.painting.boards import paint_blocks
-from game.worlds.painting.inks import color_of, mixed
-from game.worlds.painting.liquid import LiquidPainter, draw_backdrop
+from game.worlds.painting.inks import mixed
+from game.worlds.painting.liquid import LiquidPainter, draw_backdrop, draw_table
 from game.worlds.painting.spheres import draw_spheres
 
 WOOD, STONE, FIXED = 0xD9A25F, 0x6E7480, 0x8C8F96  # lighter than water, as heavy as stone, immovable
 EDGE = 0x2A2018
-TABLE = (0xB08A63, 0x3B2C20)  # by day, by night
 ARROWS = 16  # along the tank
 
 
@@ -64,11 +62,10 @@ class LiquidView:
 
     def _draw_tank(self, canvas: Canvas) -> None:
         """Its walls, and the table below it."""
-        grid, seen = self.model.liquid.grid, canvas.camera.visible()
+        grid = self.model.liquid.grid
         (left, low), (right, high) = grid.lower, grid.upper
         if "bottom" not in self.model.content.open:
-            table = [(seen.left, seen.bottom), (seen.right, seen.bottom), (seen.right, low), (seen.left, low)]
-            canvas.polygon(table, color_of(TABLE[is_dark(canvas)]))
+            draw_table(canvas, low)
         rims = {
             "left": ((left, high), (left, low)), "bottom": ((left, low), (right, low)),
             "right": ((right, low), (right, high)), "top": ((right, high), (left, high)),

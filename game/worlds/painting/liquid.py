@@ -17,7 +17,7 @@ from game.physics.liquid import Liquid
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.ui.raster.pixels import blend, bounds_of, fill_row
-from game.worlds.painting.inks import channels, opaque
+from game.worlds.painting.inks import channels, color_of, opaque
 
 SHADES = 64  # colours from the surface downwards
 DEEP = 40.0  # points of the field over which they go
@@ -28,6 +28,7 @@ BENT = 7.0  # px by which the surface displaces what is seen through it
 WHITE = 0xF2FAFF
 DAY, NIGHT = (0x6CC0D2, 0x0C4A74), (0x3A8FB0, 0x072338)  # at the surface and deep down
 WALL_DAY, WALL_NIGHT = (0xF3F1EA, 0xC8D2D6), (0x27333E, 0x10161C)  # at the top and the bottom
+TABLE = (0xB08A63, 0x3B2C20)  # by day, by night
 COVERED = 0.85  # of the full field: with less, a point lies in a solid
 TORN, TORN_WHOLE = 0.7, 2.6  # change of speed over a cell, in sqrt(g cell): where foam begins, is full
 SPRAY_LEAST = 0.3  # of the field: where it is less, a particle is drawn as a drop
@@ -214,6 +215,13 @@ def draw_backdrop(canvas: Canvas) -> None:
     paint_backdrop(pixels, clip, shades_of(*(WALL_NIGHT if is_dark(canvas) else WALL_DAY)))
 
 
+def draw_table(canvas: Canvas, height: float) -> None:
+    """The table that a tank stands on: everything in sight below a height (m)."""
+    seen = canvas.camera.visible()
+    corners = [(seen.left, seen.bottom), (seen.right, seen.bottom), (seen.right, height), (seen.left, height)]
+    canvas.polygon(corners, color_of(TABLE[is_dark(canvas)]))
+
+
 @lru_cache(maxsize=8)
 def shades_of(above: int, below: int) -> Inks:
     """(SHADES,) colours, darker downwards at first fast."""
@@ -267,12 +275,18 @@ def foam_of(liquid: Liquid) -> Floats:
     return np.asarray(np.clip((torn - TORN) / (TORN_WHOLE - TORN), 0.0, 1.0))
 
 
+def warm_up_backdrop() -> None:
+    """Compile what paints the wall, on a tiny picture."""
+    pixels, clip = np.zeros((8, 8), np.uint32), np.array((0, 0, 8, 8), np.int64)
+    paint_backdrop(pixels, clip, shades_of(*DAY))
+
+
 def warm_up_liquid() -> None:
     """Compile what paints, on a tiny picture."""
+    warm_up_backdrop()
     fields, full = np.zeros((4, 5, 5)), np.zeros((5, 5))
     fill_full(np.ones((4, 4)), full, fields[3])
     see_liquid(np.full((1, 2), 0.5), np.ones(1), full, fields, (0.0, 0.0, 4.0, 1.0))
     shades = shades_of(*DAY)
     pixels, clip = np.zeros((8, 8), np.uint32), np.array((0, 0, 8, 8), np.int64)
-    paint_backdrop(pixels, clip, shades)
     paint_field(pixels, clip, fields, np.zeros((4, 5)), shades, (0.0, 8.0, 2.0))
