@@ -71,13 +71,16 @@ class RunningCup(Entry, frozen=True):
 
 
 class Player(Entry, frozen=True):
-    """One person's career. pending: the match that was begun last, until its result is in."""
+    """One person's career. pending: the match that was begun last, until its result is in.
+    unlocked: names of the prizes that were won.
+    """
 
     name: Name
     results: Annotated[tuple[Result, ...], msgspec.Meta(max_length=MOST_RESULTS)] = ()
     cups: Annotated[tuple[CupResult, ...], msgspec.Meta(max_length=MOST_RESULTS)] = ()
     cup: RunningCup | None = None
     pending: Match | None = None
+    unlocked: Annotated[tuple[Word, ...], msgspec.Meta(max_length=100)] = ()
 
     def replace(self, **changes: Any) -> Player:
         """The same with some fields changed."""

@@ -1,5 +1,6 @@
 """What is chosen before a game of billiards begins: parameters of the scene, in few words."""
 
+from game.scenes.shared.tables.furnishing.choices import FELT_LINE, TABLE_LINE
 from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
 
@@ -29,6 +30,8 @@ START = (
         "auto",
     ),
     START_LINE,
+    FELT_LINE,
+    TABLE_LINE,
     StartLine(
         "hand", "Your hand", "how much it shakes",
         (("none", "Not at all"), ("steady", "Steady"), ("average", "Average")), "none",

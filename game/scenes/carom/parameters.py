@@ -7,6 +7,8 @@ from game.billiards.shot.cloths import CLOTH_LABELS, CLOTHS, HEATED
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
 from game.scenes.shared.tables.eye import choices as eyes
+from game.scenes.shared.tables.furnishing import choices as furnishing
+from game.scenes.shared.tables.furnishing.choices import CAROM_FELT_NAMES
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
@@ -58,6 +60,4 @@ class CaromParameters(Parameters):
         HEATED, tuple(CLOTHS), labels=tuple(CLOTH_LABELS.values()), group="Table",
         help="friction and cushions of a match table, or of a club's",
     )  # fmt: skip
-    felt = Choice(
-        "blue", ("blue", "green"), labels=("Blue", "Green"), group="Table", label="Colour of the cloth"
-    )
+    felt = furnishing.felt(CAROM_FELT_NAMES)

@@ -1,5 +1,6 @@
 """What is chosen before a game of carom begins: parameters of the scene, in few words."""
 
+from game.scenes.shared.tables.furnishing.choices import CAROM_FELT_LINE
 from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
 
@@ -18,6 +19,7 @@ START = (
         "three-cushion",
     ),
     StartLine("cloth", "Cloth", "of the table", (("heated", "Heated"), ("club", "Club")), "heated"),
+    CAROM_FELT_LINE,
     START_LINE,
     StartLine(
         "hand", "Your hand", "how much it shakes",
