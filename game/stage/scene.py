@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from game.stage.records.contested import Contested, StrokeMeasured
     from game.stage.records.excerpt import Excerpt
     from game.stage.records.history import Practised
+    from game.stage.records.scored import Scored
 
 
 class Scene(SceneDeclaration):
@@ -350,6 +351,11 @@ class Scene(SceneDeclaration):
         """How the set stands that a person practises, to be kept with its history; None: it is no
         practice.
         """
+        return None
+
+    @property
+    def scored(self) -> Scored | None:
+        """How near the last stroke came to a place that it is measured against; None: nothing is."""
         return None
 
     @property

@@ -37,6 +37,7 @@ def test_a_table_is_faster_or_tighter_from_the_next_stroke_on(name):
     stage.run(1)
     tight = stage.scene.model.frame
     assert tight.physics == usual.physics
+    assert tight.conditions != usual.conditions != fast.conditions
     assert (tight.table.jaws == kind(tight=True).jaws).all()
     assert not (tight.table.jaws == usual.table.jaws).all()
 
