@@ -130,6 +130,8 @@ class StartCard(CardScreen):
     def is_idle(self, line: StartLine) -> bool:
         """Whether a line means nothing beside what another one says."""
         parameter, value = line.idle
+        if line.only[0] and self.chosen.get(line.only[0]) != line.only[1]:
+            return True
         return bool(parameter) and self.chosen.get(parameter) == value
 
     @property

@@ -52,7 +52,10 @@ def today() -> str:
 
 
 def write_challenge(day: str) -> Path:
-    """The level of a day's challenge, written if it is not there yet. ValueError for no date, or no room."""
+    """The level of a day's challenge, written if it is not there yet.
+
+    ValueError for no date, or a file that cannot be written.
+    """
     from game.billiards.players.daily import challenge_of
     from game.scenes.billiards.level import BilliardsContent, PlacedBall
 
@@ -63,7 +66,6 @@ def write_challenge(day: str) -> Path:
     content = BilliardsContent(
         game="drill", balls=[PlacedBall(number=ball, position=(x, y)) for ball, x, y in found.balls],
         goal=found.goals[0], more=list(found.goals[1:]),
-        lesson="Pot the 1, and stop the cue ball as near to the middle of the rings as you can.",
     )  # fmt: skip
     about = f"The same for all on that day. Par: {words_of(found.par)} from the middle of the rings."
     level = Level(

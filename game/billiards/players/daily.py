@@ -87,8 +87,9 @@ def _drawn(rng: np.random.Generator, table: Table) -> tuple[Arrangement, Place]:
 def _free(rng: np.random.Generator, table: Table, layout: Arrangement, number: int) -> Place:
     """A place at which a ball would lie free."""
     while True:
-        x, y = rng.uniform((EDGE, EDGE), (table.width - EDGE, table.length - EDGE)).tolist()
-        x, y = round(x, 3), round(y, 3)
+        across, along = rng.random(2).tolist()
+        x = round(EDGE + (table.width - 2.0 * EDGE) * across, 3)
+        y = round(EDGE + (table.length - 2.0 * EDGE) * along, 3)
         if is_free(layout, table, number, x, y):
             return x, y
 

@@ -157,7 +157,7 @@ class Billiards(CueGameScene):
 
     # -- what comes in ------------------------------------------------------------------------------
 
-    def action(self, name: str) -> None:
+    def act(self, name: str) -> None:
         self.buttons.act(name)
 
     @property
