@@ -225,3 +225,16 @@ def test_without_wear_the_friction_is_the_one_chosen():
     stage = ready(chalk=0.65)
     stage.scene.play.push.after_the_tip(stage.scene.aiming.stroke)
     assert stage.scene.play.push.friction == 0.65 and stage.scene.play.push.since_chalk == 0
+
+
+@pytest.mark.parametrize(("tip_up", "kind"), [(0.55, "miscue"), (0.1, "tip")])
+def test_a_miscue_is_heard_as_one(tip_up: float, kind: str):
+    stage = ready(miscues="on", chalk=0.5, tip_up=tip_up)
+    pushed(stage, 2.0)
+    for _ in range(200):
+        stage.run(1)
+        heard = stage.scene.hearing()
+        if heard is not None:
+            break
+    assert [sound.kind for sound in heard.sounds][0] == kind
+    assert {sound.kind for sound in heard.sounds[1:]} & {"tip", "miscue"} == set()
