@@ -380,6 +380,15 @@ class Scene(SceneDeclaration):
         """The last thing that is worth passing on by itself, such as a stroke; None: the session is."""
         return None
 
+    def highlights(self) -> tuple[Excerpt, ...]:
+        """The parts of what was played that decided it, in their order; none: there are none, or not yet."""
+        return ()
+
+    @property
+    def film_wanted(self) -> int:
+        """How often a film of the highlights has been asked for at the scene itself."""
+        return 0
+
     def check(self) -> None:
         """Check the invariants of the structures that it owns; AssertionError says which one is broken."""
         for structure in structures_of(self):

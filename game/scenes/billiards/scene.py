@@ -230,6 +230,13 @@ class Billiards(CueGameScene):
     def level_title(self) -> str:
         return drill_title(self.model.frame.game, self.level)
 
+    def highlights(self) -> tuple[Excerpt, ...]:
+        return saving.highlights(self.play, self)
+
+    @property
+    def film_wanted(self) -> int:
+        return self.buttons.films
+
     def excerpt(self) -> Excerpt | None:
         return saving.stroke_excerpt(self.play, self)
 

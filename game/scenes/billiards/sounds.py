@@ -26,7 +26,9 @@ class StrokeSounds:
             played = self.play.model.played
             slipped = last is not None and self.play.push.slipped and last.stroke == self.play.done
             self._sounds = (
-                sounds_of(played.trajectory, last.stroke.cue_speed, slipped=slipped) if last and played else ()
+                sounds_of(played.trajectory, last.stroke.cue_speed, slipped=slipped)
+                if last and played
+                else ()
             )
             self._of = last
         return self._sounds

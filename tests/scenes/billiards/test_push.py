@@ -236,5 +236,5 @@ def test_a_miscue_is_heard_as_one(tip_up: float, kind: str):
         heard = stage.scene.hearing()
         if heard is not None:
             break
-    assert [sound.kind for sound in heard.sounds][0] == kind
+    assert heard.sounds[0].kind == kind
     assert {sound.kind for sound in heard.sounds[1:]} & {"tip", "miscue"} == set()

@@ -64,9 +64,7 @@ class StrokeSounds:
         if self._of is not frame.last:
             struck = frame.last
             slipped = course.push.slipped and struck.stroke == course.made
-            self._sounds = sounds_of(
-                played.trajectory, struck.stroke.cue_speed, self.cue_of(struck), slipped
-            )
+            self._sounds = sounds_of(played.trajectory, struck.stroke.cue_speed, self.cue_of(struck), slipped)
             self._of = struck
         key = (course.phase, frame.strokes, id(frame.last))
         return Hearing(key, float(course.clock[0]), self._sounds)
