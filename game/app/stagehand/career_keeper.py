@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from game.app.stagehand.career_file import keep_career, load_career
 from game.app.stagehand.stroke_file import keep_stroke
-from game.billiards.career.career import Match, Player, Result, rating_of
+from game.billiards.career.career import Hand, Match, Player, Result, rating_of
 from game.billiards.career.matches import with_result
 from game.billiards.career.prizes import PRIZES, unlocked_of
 from game.billiards.career.strokes import BREAK, POT, StrokeFact
@@ -80,6 +80,8 @@ class CareerKeeper:
         )  # fmt: skip
         self._highest = 0
         after = with_result(player, result)
+        if seen.hand is not None:
+            after = after.replace(hand=Hand(*seen.hand))
         complaint = keep_career(career.with_player(after)) or complaint
         cause, consequence = told(player, after, result)
         return News(cause, " ".join((consequence, *_won(player, after))).strip(), complaint)

@@ -125,6 +125,11 @@ class Play(Part):
         return (self.meant, self.done) if self.meant is not None and self.done is not None else None
 
     @property
+    def own_strokes(self) -> tuple[tuple[Stroke, Stroke], ...]:
+        """The last strokes of a person's hand, (meant, made) each."""
+        return self.own
+
+    @property
     def may_aim(self) -> bool:
         """True if a person may aim and strike now."""
         return self.phase == AIMING and self.person_plays and self.model.frame.playable and not waits(self)

@@ -102,6 +102,11 @@ class CueCourse(Part):
         return (self.aimed, self.made) if self.aimed is not None and self.made is not None else None
 
     @property
+    def own_strokes(self) -> tuple[tuple[Stroke, Stroke], ...]:
+        """The last strokes of a person's hand that was measured, (meant, made) each."""
+        return self.strayed
+
+    @property
     def may_aim(self) -> bool:
         """True if a person may aim and strike now."""
         return bool(
