@@ -24,6 +24,7 @@ from game.app.screens.screen import Screen
 from game.app.screens.settings_card import SettingsCard
 from game.app.screens.stack import ScreenStack
 from game.app.screens.start_card import Below, StartCard
+from game.app.stagehand.challenge import best_of, today, words_of, write_challenge
 from game.app.stagehand.opening import Opening
 from game.app.window import clipboard
 from game.app.window.commands import Actions, perform
@@ -156,6 +157,7 @@ class App:
             "settings": self.open_settings,
             "papers": self.open_papers,
             "career": self.open_career,
+            "challenge": self.open_challenge,
             "paste": self.paste,
             "quit": self.quit,
         }
@@ -268,6 +270,18 @@ class App:
 
         if not isinstance(self.screens.top, CareerCard):
             self._open_card(CareerCard.called, lambda: CareerCard(self))
+
+    def open_challenge(self) -> None:
+        """The challenge of this day at its table."""
+        try:
+            path = write_challenge(today())
+        except ValueError as error:
+            self.tell("Challenge.", str(error), "warning")
+            return
+        best = best_of(today())
+        self.open_scene("billiards", level=path)
+        if best is not None:
+            self.tell("Challenge of the day.", f"Your best: {words_of(best.distance)} from the middle.")
 
     def open_statistics(self, person: str) -> None:
         """The card of what was counted of a person's strokes."""

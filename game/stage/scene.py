@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from game.stage.records.contested import Contested, StrokeMeasured
     from game.stage.records.excerpt import Excerpt
     from game.stage.records.history import Practised
+    from game.stage.records.scored import Scored
 
 
 class Scene(SceneDeclaration):
@@ -353,6 +354,11 @@ class Scene(SceneDeclaration):
         return None
 
     @property
+    def scored(self) -> Scored | None:
+        """How near the last stroke came to a place that it is measured against; None: nothing is."""
+        return None
+
+    @property
     def contest(self) -> Contested | None:
         """How a match stands between a person and a computer player, for a career; None: there is none."""
         return None
@@ -373,6 +379,15 @@ class Scene(SceneDeclaration):
     def excerpt(self) -> Excerpt | None:
         """The last thing that is worth passing on by itself, such as a stroke; None: the session is."""
         return None
+
+    def highlights(self) -> tuple[Excerpt, ...]:
+        """The parts of what was played that decided it, in their order; none: there are none, or not yet."""
+        return ()
+
+    @property
+    def film_wanted(self) -> int:
+        """How often a film of the highlights has been asked for at the scene itself."""
+        return 0
 
     def check(self) -> None:
         """Check the invariants of the structures that it owns; AssertionError says which one is broken."""

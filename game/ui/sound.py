@@ -48,6 +48,7 @@ class _Tone(NamedTuple):
 
 BALL = (_Tone(3100.0, 1.0, 0.0045), _Tone(4900.0, 0.65, 0.0035), _Tone(7300.0, 0.40, 0.0025))
 TIP = (_Tone(700.0, 1.0, 0.008), _Tone(2200.0, 0.55, 0.005))
+MISCUE = (_Tone(1900.0, 1.0, 0.006), _Tone(3300.0, 0.8, 0.005), _Tone(5800.0, 0.5, 0.003))
 WOOD = (_Tone(1250.0, 1.0, 0.011), _Tone(2680.0, 0.55, 0.007), _Tone(4300.0, 0.3, 0.004))
 STEEL = (_Tone(4150.0, 1.0, 0.02), _Tone(6870.0, 0.6, 0.014), _Tone(9300.0, 0.35, 0.009))
 RAIL = (
@@ -60,7 +61,7 @@ GLASS = (_Tone(2350.0, 1.0, 0.11), _Tone(5480.0, 0.7, 0.07), _Tone(9100.0, 0.4, 
 GROUND = (_Tone(54.0, 1.0, 0.13), _Tone(97.0, 0.7, 0.08), _Tone(171.0, 0.5, 0.045))
 STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
 KINDS = (
-    "tip", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
+    "tip", "miscue", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
     "steel", "rail", "wind", "rustle", "glass", "ground",
 )  # fmt: skip
 
@@ -84,6 +85,9 @@ def sample_of(kind: str, layer: int) -> Floats:
         made = _tones(BALL, 0.030, bright)
     elif kind == "tip":
         made = _tones(TIP, 0.045, bright) + 0.15 * bright * _noise(0.045, 3000.0, 0.002, 1)
+    elif kind == "miscue":  # the ferrule clicks on the ball, and the tip scrapes along it
+        scrape = _noise(0.07, 5200.0, 0.016, 13)
+        made = 0.6 * _tones(MISCUE, 0.07, bright) + (0.6 + 0.4 * bright) * scrape
     elif kind == "cushion":
         thump = _tones((_Tone(120.0, 1.0, 0.028),), 0.11, 1.0)
         made = thump + (0.5 + 0.5 * bright) * _noise(0.11, 350.0 + 900.0 * bright, 0.018, 2)

@@ -18,11 +18,12 @@ BUTTONS = (
     ("theme", "contrast"),
     ("papers", "page"),
     ("career", "cup"),
+    ("challenge", "target"),
 )  # from the right
 
 
 class Header:
-    """Draws itself; ``handle`` names what was pressed: theme, settings, help, papers or clear."""
+    """Draws itself; ``handle`` names what was pressed: a button or clear."""
 
     def __init__(self, host: Host):
         self.host = host
@@ -43,7 +44,7 @@ class Header:
             place = pygame.Rect(0, 0, px(32), px(32))
             place.center = (rect.right - px(48) - i * px(40), middle)
             spots.append(Hotspot(name, place, True, name.capitalize()))
-        left, right = px(196), rect.right - px(244)
+        left, right = px(196), rect.right - px(284)
         self.field = pygame.Rect(0, 0, max(1, min(px(FIELD_WIDTH), right - left)), px(FIELD_HEIGHT))
         self.field.center = (
             max(left + self.field.w // 2, min(rect.centerx, right - self.field.w // 2)),

@@ -37,6 +37,7 @@ class InPlay:
         end = (recording.steps, recording.digest) if recording is not None else None
         self.script = Script(stage, recording.events, end=end) if recording is not None else None
         self.borrowed = recording is not None
+        self.guest = False  # the stroke that was played last came from somebody else
         self.recorded_steps = recording.steps if recording is not None else 0
         self.try_steps()
 

@@ -7,6 +7,7 @@ from game.app.scene.in_play import InPlay
 from game.app.scene.keeping import Keeper
 from game.app.screens.host import Host
 from game.app.stagehand.career_keeper import CareerKeeper
+from game.app.stagehand.challenge import ChallengeKeeper
 from game.app.stagehand.practice import PracticeKeeper
 from game.app.stagehand.stars import StarKeeper
 from game.stage import Scene, Stage
@@ -26,6 +27,7 @@ class Steps:
         self._stars = StarKeeper()
         self._practice = PracticeKeeper()
         self._career = CareerKeeper()
+        self._challenge = ChallengeKeeper()
         keeps = type(record.stage.scene).worth_keeping is not Scene.worth_keeping
         self._keeper = Keeper(record.stage.scene_type.name) if keeps else None
         self.seen = True
@@ -57,6 +59,12 @@ class Steps:
             self._keeper.update(stage)
         if complaint := self._stars.update(stage):
             self._host.tell("Stars.", complaint, "warning")
+        answer = self._challenge.update(stage, self._record.guest)
+        if answer is not None:
+            self._record.guest = False
+            self._host.tell(answer.cause, answer.consequence)
+            if answer.complaint:
+                self._host.tell("Challenge.", answer.complaint, "warning")
         news = self._career.update(stage)
         if news.cause:
             self._host.tell(news.cause, news.consequence)

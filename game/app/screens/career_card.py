@@ -9,6 +9,7 @@ import pygame
 
 from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.career_parts import LADDER_ROW, paint_cups, paint_ladder, paint_rating, paint_records
+from game.app.screens.career_prizes import PRIZES_HEIGHT, paint_prizes
 from game.app.screens.host import Host
 from game.app.screens.question import Question
 from game.app.stagehand.career_file import keep_career, load_career
@@ -251,7 +252,9 @@ class CareerCard(CardScreen):
         paint_records(
             picture, look, pygame.Rect(middle.x, chart.bottom, middle.w, middle.bottom - chart.bottom), player
         )
-        paint_cups(picture, look, right, player)
+        foot = look.px(PRIZES_HEIGHT)
+        paint_cups(picture, look, pygame.Rect(right.x, right.y, right.w, max(right.h - foot, 1)), player)
+        paint_prizes(picture, look, pygame.Rect(right.x, right.bottom - foot, right.w, foot), player)
         for name, words in self._words(match).items():
             self.draw_button(picture, name, words, primary=name == "play")
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 import pygame
 
 from game.billiards.career.bracket import rounds_of
-from game.billiards.career.career import Player, rating_history, rating_of, records_of, strength_of
+from game.billiards.career.career import Hand, Player, rating_history, rating_of, records_of, strength_of
 from game.billiards.game.register import REGISTER
 from game.billiards.players.ladder import BY_NAME, LadderPlayer
 from game.billiards.players.ladder_ratings import ladder_ratings
@@ -88,12 +89,19 @@ def paint_rating(
     draw_comparison(picture, look, area, shown, 1.0)
 
 
+def hand_words(hand: Hand) -> str:
+    """The noise of a person's hand, as it was measured."""
+    return f"±{math.degrees(hand.azimuth):.2f}°, ±{hand.speed:.2f} m/s, {hand.strokes} strokes"
+
+
 def paint_records(picture: pygame.Surface, look: Look, area: pygame.Rect, player: Player) -> None:
     """Matches, highest breaks and runs, the best tournament."""
     px, found = look.px, records_of(player)
     lines = [("Matches", f"{found.played}, won {found.victories}")]
     best = REACHED[found.best_cup] if found.best_cup >= 0 else "none yet"
     lines.append(("Best tournament", best))
+    if player.hand is not None:
+        lines.append(("Your hand", hand_words(player.hand)))
     for game, most in list(found.highest.items())[-4:]:
         entry = REGISTER.get(game)
         if entry is not None:

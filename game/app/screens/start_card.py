@@ -9,11 +9,14 @@ import pygame
 
 from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.host import Host
+from game.app.stagehand.career_file import load_career
 from game.app.stagehand.level_index import lessons_of, next_lesson
 from game.app.stagehand.opening import Opening
 from game.app.window.commands import Actions
+from game.billiards.career.prizes import locked
 from game.stage.catalogue import Entry
 from game.stage.declarations import StartLine
+from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
 
@@ -42,10 +45,12 @@ class StartCard(CardScreen):
         self.below = below
         self.lines = entry.start_lines()
         self.chosen = {line.parameter: line.default for line in self.lines}
+        self.locked = locked(load_career()[0].player, entry.name)
         remembered = host.settings.start.get(entry.name, {})
         for line in self.lines:
-            if remembered.get(line.parameter) in dict(line.options):
-                self.chosen[line.parameter] = remembered[line.parameter]
+            value = remembered.get(line.parameter, line.default)
+            if value in dict(line.options) and (line.parameter, value) not in self.locked:
+                self.chosen[line.parameter] = value
         self._kept = below.kept()
         self.lessons = lessons_of(entry.name)
         super().__init__(host)
@@ -92,6 +97,9 @@ class StartCard(CardScreen):
             self._open_lesson()
         else:
             parameter, _, value = name.partition("=")
+            if (prize := self.locked.get((parameter, value))) is not None:
+                self.host.tell(f"{prize.title} is locked.", f"In the career {prize.words}.")
+                return
             self.chosen[parameter] = value
             self.refresh()
 
@@ -122,6 +130,8 @@ class StartCard(CardScreen):
     def is_idle(self, line: StartLine) -> bool:
         """Whether a line means nothing beside what another one says."""
         parameter, value = line.idle
+        if line.only[0] and self.chosen.get(line.only[0]) != line.only[1]:
+            return True
         return bool(parameter) and self.chosen.get(parameter) == value
 
     @property
@@ -216,8 +226,18 @@ class StartCard(CardScreen):
             elif lit:
                 draw_box(picture, inner, px(6), theme.inset.lerp(theme.hover, lit))
             weight = "semibold" if on else "medium"
-            color = theme.on_accent if on else theme.text3 if idle else theme.text2
+            shut = idle or (line.parameter, value) in self.locked
+            color = theme.on_accent if on else theme.text3 if shut else theme.text2
             fitted = look.fonts.fit(words, 13, weight, inner.w)
             look.text(picture, fitted, rect.center, 13, weight, color, "center")
+            if (line.parameter, value) in self.locked:
+                _strike_out(picture, look, rect, fitted)
             if self.spots.focused == name:
                 draw_box(picture, rect.inflate(px(4), px(4)), px(10), None, theme.accent, max(2, px(2)))
+
+
+def _strike_out(picture: pygame.Surface, look: Look, rect: pygame.Rect, words: str) -> None:
+    """A line through the words of an option that is locked: it is seen without its colour."""
+    half = look.fonts.size(words, 13, "medium")[0] // 2
+    left, right = (rect.centerx - half, rect.centery), (rect.centerx + half, rect.centery)
+    pygame.draw.line(picture, look.theme.text3, left, right, max(1, look.px(1)))

@@ -1,4 +1,6 @@
-"""The careers of this machine in one file of the user's folder: career.json, format 1.
+"""The careers of this machine in one file of the user's folder: career.json, format 2.
+
+Format 1 had no prizes and no measured hand; it is read as well.
 
 It is written whole or not at all. A file that cannot be understood is kept beside as career.broken.json, and
 one line says so. One of a later version is left as it is, and nothing is written over it.
@@ -15,7 +17,7 @@ from game.files import FileProblem, put_aside, read_text, write_text
 from game.folders import user_folder
 
 FILE_NAME = "career.json"
-FORMAT = 1
+FORMAT = 2
 LARGEST_BYTES = 32 << 20
 
 
@@ -51,7 +53,7 @@ def read_career() -> Career:
         version = msgspec.json.decode(text, type=_Format).format
         if version > FORMAT:
             raise LaterCareerError(f"is of format {version}; this Carom reads format {FORMAT}")
-        if version != FORMAT:
+        if version < 1:
             raise ValueError(f"is of format {version}, which there never was")
         career = msgspec.json.decode(text, type=_File).career
         career.check()

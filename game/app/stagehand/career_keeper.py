@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from game.app.stagehand.career_file import keep_career, load_career
 from game.app.stagehand.stroke_file import keep_stroke
-from game.billiards.career.career import Match, Player, Result, rating_of
+from game.billiards.career.career import Hand, Match, Player, Result, rating_of
 from game.billiards.career.matches import with_result
+from game.billiards.career.prizes import PRIZES, unlocked_of
 from game.billiards.career.strokes import BREAK, POT, StrokeFact
 from game.billiards.players.ladder import BY_NAME
 
@@ -79,8 +80,11 @@ class CareerKeeper:
         )  # fmt: skip
         self._highest = 0
         after = with_result(player, result)
+        if seen.hand is not None:
+            after = after.replace(hand=Hand(*seen.hand))
         complaint = keep_career(career.with_player(after)) or complaint
-        return News(*told(player, after, result), complaint)
+        cause, consequence = told(player, after, result)
+        return News(cause, " ".join((consequence, *_won(player, after))).strip(), complaint)
 
 
 def _is(seen: Contested, player: Player, match: Match) -> bool:
@@ -88,6 +92,13 @@ def _is(seen: Contested, player: Player, match: Match) -> bool:
     return (seen.game, seen.person, seen.opponent, seen.head_start) == (
         match.game, player.name, match.opponent, match.head_start,
     )  # fmt: skip
+
+
+def _won(before: Player, after: Player) -> list[str]:
+    """A sentence for each prize that is new."""
+    known = unlocked_of(before)
+    return [f"Unlocked: {one.title.lower()}." for one in PRIZES if one.name in after.unlocked and
+            one.name not in known]  # fmt: skip
 
 
 def told(before: Player, after: Player, result: Result) -> tuple[str, str]:

@@ -67,6 +67,7 @@ COMMANDS = (
     Command("tour", "tour of the window", "f3", choice=True),
     Command("papers", "papers of the course", "f4"),
     Command("career", "career: ladder, matches, cups", "ctrl+k"),
+    Command("challenge", "challenge of the day", "ctrl+d"),
     Command("theme", "dark or light", "f2", foot="theme"),
     Command("settings", "settings", "f10", foot="settings", choice=True),
     Command("full-screen", "full screen", "f11", foot="full screen"),

@@ -70,14 +70,26 @@ class RunningCup(Entry, frozen=True):
     seed: Count
 
 
+class Hand(Entry, frozen=True):
+    """How far a person's strokes strayed from what was meant: standard deviations, rad, m/s; of how many."""
+
+    azimuth: Annotated[float, msgspec.Meta(ge=0.0, le=4.0)]
+    speed: Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
+    strokes: Count
+
+
 class Player(Entry, frozen=True):
-    """One person's career. pending: the match that was begun last, until its result is in."""
+    """One person's career. pending: the match that was begun last, until its result is in.
+    unlocked: names of the prizes that were won. hand: as of the last match in which it was measured.
+    """
 
     name: Name
     results: Annotated[tuple[Result, ...], msgspec.Meta(max_length=MOST_RESULTS)] = ()
     cups: Annotated[tuple[CupResult, ...], msgspec.Meta(max_length=MOST_RESULTS)] = ()
     cup: RunningCup | None = None
     pending: Match | None = None
+    unlocked: Annotated[tuple[Word, ...], msgspec.Meta(max_length=100)] = ()
+    hand: Hand | None = None
 
     def replace(self, **changes: Any) -> Player:
         """The same with some fields changed."""

@@ -9,6 +9,7 @@ import numpy as np
 from game.billiards.career.bracket import EIGHT, draw, play_on
 from game.billiards.career.career import CupResult, Match, Player, Result, RunningCup, rating_of, strength_of
 from game.billiards.career.handicap import fair_start, needed_of_best, point_chance, race_chance
+from game.billiards.career.prizes import with_prizes
 from game.billiards.game.register import REGISTER, Registered
 from game.billiards.game.strengths import chance_of
 from game.billiards.players.ladder import LadderPlayer, ladder_of
@@ -115,7 +116,11 @@ def _played_on(player: Player) -> Player:
 
 
 def with_result(player: Player, result: Result) -> Player:
-    """A match has ended: kept, and the tournament goes on if it was one of it."""
+    """A match has ended: kept with what it unlocks, and the tournament goes on if it was one of it."""
+    return with_prizes(_with_result(player, result))
+
+
+def _with_result(player: Player, result: Result) -> Player:
     after = player.replace(results=(*player.results, result), pending=None)
     if not result.match.cup or after.cup is None or cup_match(after) is None:
         return after

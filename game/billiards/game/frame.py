@@ -38,12 +38,15 @@ MOST_KEPT = 60  # frames that can be gone back to
 
 
 class Conditions(NamedTuple):
-    """Under which a stroke is played, as plain values: balls, cloth, cushions; with pockets or without."""
+    """Under which a stroke is played, as plain values: balls, cloth, cushions; with pockets or without.
+
+    pockets: of another cut than usual, the first jaw, x, y and radius m.
+    """
 
     radii: tuple[float, ...]
     masses: tuple[float, ...]
     physics: Physics
-    pockets: bool
+    pockets: bool | tuple[float, ...]
 
 
 class Frame(msgspec.Struct, frozen=True, eq=False):
@@ -89,7 +92,7 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         balls = self.layout.balls
         return Conditions(
             tuple(balls.radii.tolist()), tuple(balls.masses.tolist()), self.physics,
-            bool(len(self.table.pockets)),
+            _pockets_of(self.table),
         )  # fmt: skip
 
     # -- the cue ball in hand -----------------------------------------------------------------------
@@ -258,6 +261,18 @@ def trajectory_of(struck: Struck) -> Trajectory:
         return simulate(shot.struck(row, made.pressed(struck.stroke.elevation), made.spin), until=LONGEST_S)
     except (ShotError, SimulationError) as error:
         raise ValueError(f"stroke: {error}") from None
+
+
+def _pockets_of(table: Table) -> bool | tuple[float, ...]:
+    """What conditions say of a table's pockets."""
+    usual = not len(table.pockets) or table.jaws.tobytes() in _usual_jaws()
+    return bool(len(table.pockets)) if usual else tuple(table.jaws[0].tolist())
+
+
+@lru_cache(maxsize=1)
+def _usual_jaws() -> tuple[bytes, ...]:
+    """The jaws of the tables that are played on unless something else is said."""
+    return Table.pool().jaws.tobytes(), Table.snooker().jaws.tobytes()
 
 
 def rack_for(game: Game, table: Table, balls: BallSet | None = None, seed: int | None = None) -> Arrangement:

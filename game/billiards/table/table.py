@@ -64,6 +64,8 @@ POOL_CUTS = (
     PocketCut(CORNER_MOUTH, CORNER_FACING, CORNER_JAW_RADIUS, CORNER_RADIUS, CORNER_SET_OUT),
     PocketCut(SIDE_MOUTH, SIDE_FACING, SIDE_JAW_RADIUS, SIDE_RADIUS, SIDE_SET_OUT),
 )
+# Openings of 4 1/4 and 4 3/4 inches, as a "tight" pool table's are from memory; the rest is as above
+TIGHT_POOL_CUTS = (POOL_CUTS[0]._replace(mouth=0.10795), POOL_CUTS[1]._replace(mouth=0.12065))
 # The WPBSA's templates (1.1(c)) are not published. The openings, 3 3/8 and 3 7/8 inches, are usual ones,
 # from memory; the curves, and where the slate falls, are chosen so that a slow straight ball may brush the
 # jaws and one that comes fast or aslant may not: tests/billiards/table/test_snooker_pockets.py measures by
@@ -72,6 +74,8 @@ SNOOKER_CUTS = (
     PocketCut(0.0857, math.radians(137.0), 0.060, 0.0425, 0.025),
     PocketCut(0.0984, math.radians(100.0), 0.040, 0.0500, 0.050),
 )
+# An eighth of an inch less than those, at corners and sides.
+TIGHT_SNOOKER_CUTS = tuple(cut._replace(mouth=cut.mouth - 0.003175) for cut in SNOOKER_CUTS)
 
 
 class Table(NamedTuple):
@@ -89,14 +93,20 @@ class Table(NamedTuple):
     pockets: Floats
 
     @classmethod
-    def pool(cls) -> Table:
-        """Nine-foot pool table with six pockets, the cushions between them ending in rounded jaws."""
-        return _pocketed_table(BED_WIDTH, BED_LENGTH, CUSHION_HEIGHT, *POOL_CUTS)
+    def pool(cls, tight: bool = False) -> Table:
+        """Nine-foot pool table with six pockets, the cushions between them ending in rounded jaws.
+
+        tight: the pockets' openings are smaller, their holes are not.
+        """
+        return _pocketed_table(
+            BED_WIDTH, BED_LENGTH, CUSHION_HEIGHT, *(TIGHT_POOL_CUTS if tight else POOL_CUTS)
+        )
 
     @classmethod
-    def snooker(cls) -> Table:
-        """Twelve-foot snooker table: six narrow pockets, the cushions curved into them."""
-        return _pocketed_table(SNOOKER_WIDTH, SNOOKER_LENGTH, SNOOKER_CUSHION_HEIGHT, *SNOOKER_CUTS)
+    def snooker(cls, tight: bool = False) -> Table:
+        """Twelve-foot snooker table: six narrow pockets, the cushions curved into them; `tight` as `pool`."""
+        cuts = TIGHT_SNOOKER_CUTS if tight else SNOOKER_CUTS
+        return _pocketed_table(SNOOKER_WIDTH, SNOOKER_LENGTH, SNOOKER_CUSHION_HEIGHT, *cuts)
 
     @classmethod
     def carom(cls) -> Table:

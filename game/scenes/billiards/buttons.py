@@ -21,7 +21,9 @@ POWER_STEP = 0.1  # m/s for a key or a notch of the wheel
 
 
 class Buttons(Part):
-    """What buttons and keys do. hint_shown: the solution of a puzzle. goes_on: the next lesson is wanted."""
+    """What buttons and keys do. hint_shown: the solution of a puzzle. goes_on: the next lesson is wanted.
+    films: how often a film of the match has been asked for.
+    """
 
     def __init__(self, play: Play, replay: Replay, set_up: SetUp, side: Side, maker: DrillMaker) -> None:
         self.play = play
@@ -31,6 +33,7 @@ class Buttons(Part):
         self.maker = maker
         self.hint_shown = False
         self.goes_on = False
+        self.films = 0
 
     def rows(self) -> list[tuple[str, str, bool]]:
         """Buttons right of the table, from below: action, words, whether it is on."""
@@ -59,6 +62,8 @@ class Buttons(Part):
         if game.over:
             own = isinstance(game, Practice) and bool(game.set_up)
             again = "Again" if len(game.players) == 1 else "New match"
+            if len(game.players) == 2 and play.log.entries:
+                rows.append(("film-strokes", "Film", False))
             rows.append(("rack", again if own or play.match_over else "Next rack", True))
         elif game.may_push_out():
             call = play.aiming.call
@@ -103,6 +108,8 @@ class Buttons(Part):
             self.replay.change_speed()
         elif name in ("clear", "full"):
             self.set_up.fill(name == "full")
+        elif name == "film-strokes":
+            self.films += 1
         elif name.startswith("drill"):
             {
                 "drill": self.maker.toggle, "drill-play": self.maker.finish,

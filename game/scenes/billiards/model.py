@@ -12,10 +12,10 @@ from game.billiards.game.frame import Frame, Played
 from game.billiards.game.games import AnyGame, Drill, Ghost, Practice
 from game.billiards.game.rules import CUE_BALL, Call, Game, Hand
 from game.billiards.game.tally import Tally
-from game.billiards.lecture.state import POCKETS
+from game.billiards.shot.cloths import faster
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
-from game.billiards.shot_effects import physics_of
+from game.billiards.shot_effects import physics_of, table_of
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.billiards.level import BilliardsContent, ball_set, best_of, game_of, layout_for
@@ -23,6 +23,7 @@ from game.scenes.billiards.outcome import Decided, PoolOutcome
 from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.shared.tables.choices import ahead
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.furnishing.choices import FAST, TIGHT
 from game.scenes.shared.tables.moments import Moments
 from game.stage import Part
 
@@ -87,7 +88,10 @@ class BilliardsModel(Part):
             ball_restitution=chosen.ball_restitution, cushion_restitution=chosen.cushion_restitution,
             slate_restitution=chosen.slate_restitution, cushion_hop=chosen.cushion_hop,
         )  # fmt: skip
-        return _tables()[0 if POCKETS in active else 1], physics_of(active, physics)
+        if chosen.table == FAST:
+            physics = faster(physics)
+        tight = chosen.table == TIGHT
+        return table_of(active, _table(tight)), physics_of(active, physics)
 
     @property
     def played(self) -> Played | None:
@@ -268,8 +272,7 @@ def _before_set_up(frame: Frame) -> Frame | None:
     return before
 
 
-@lru_cache(maxsize=1)
-def _tables() -> tuple[Table, Table]:
-    """The pool table, and the same bed with unbroken rails."""
-    pool = Table.pool()
-    return pool, Table.bare(pool.width, pool.length, pool.cushion_height)
+@lru_cache(maxsize=2)
+def _table(tight: bool) -> Table:
+    """The pool table."""
+    return Table.pool(tight)

@@ -7,11 +7,14 @@ from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
 from game.scenes.shared.tables.eye import choices as eyes
+from game.scenes.shared.tables.furnishing import choices as furnishing
+from game.scenes.shared.tables.seats import hot_seat
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
 TABLE_PARAMETERS = (
     "sliding", "rolling", "ball_restitution", "cushion_restitution", "slate_restitution", "cushion_hop",
+    "table",
 )  # fmt: skip
 
 
@@ -32,6 +35,7 @@ class BilliardsParameters(Parameters):
     )  # fmt: skip
     first_player = choices.player("First player", "billiards")
     second_player = choices.player("Second player", "billiards")
+    hand_over = hot_seat.hand_over()
     head_start = choices.head_start("racks")
     beside = Choice(
         "none", BESIDE, labels=BESIDE_LABELS, group="Game", label="Beside the table",
@@ -70,6 +74,8 @@ class BilliardsParameters(Parameters):
     eye_height = eyes.height()
     eye_tilt = eyes.tilt()
     eye_follows = eyes.follow()
+    felt = furnishing.felt()
+    table = furnishing.table()
     sliding = choices.sliding(0.2)
     rolling = choices.rolling(0.01)
     ball_restitution = choices.ball_restitution(0.95)

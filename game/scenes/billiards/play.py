@@ -20,6 +20,7 @@ from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.course import LONG_AGO_S
 from game.scenes.shared.tables.grip import NOTHING
 from game.scenes.shared.tables.moments import OFF, decider, pace_at
+from game.scenes.shared.tables.seats.hot_seat import waits
 from game.scenes.shared.tables.through.measured import news_of_hand
 from game.scenes.shared.tables.through.push import Push
 from game.scenes.shared.tables.unsteady import STEADY_HAND, shaken
@@ -44,6 +45,7 @@ class Play(Part):
     played; meant, done: the last of them as it was aimed, and as the hand did it. own: the last such pairs of
     strokes by a hand that strays. log: of all strokes. push: the cue of one that is pushed.
     called_s: since the referee last called, s; rack_s: how long the rack has lasted.
+    seated: the player that has the cue, where it is handed over.
     advised: number of strokes at which the coach was asked last, coached: how often in this rack.
     """
 
@@ -61,6 +63,7 @@ class Play(Part):
         self.push = Push(parameters)
         self.grip = NOTHING
         self.plays_itself = False
+        self.seated = int(model.frame.game.turn)
         self.rest_s = 0.0
         self.lock_explained = False
         self.by_hand = 0
@@ -122,14 +125,21 @@ class Play(Part):
         return (self.meant, self.done) if self.meant is not None and self.done is not None else None
 
     @property
+    def own_strokes(self) -> tuple[tuple[Stroke, Stroke], ...]:
+        """The last strokes of a person's hand, (meant, made) each."""
+        return self.own
+
+    @property
     def may_aim(self) -> bool:
         """True if a person may aim and strike now."""
-        return self.phase == AIMING and self.person_plays and self.model.frame.playable
+        return self.phase == AIMING and self.person_plays and self.model.frame.playable and not waits(self)
 
     @property
     def asked(self) -> bool:
         """True if a person has to choose an option."""
-        return self.phase == AIMING and self.person_plays and bool(self.model.frame.game.options)
+        return bool(
+            self.phase == AIMING and self.person_plays and self.model.frame.game.options
+        ) and not waits(self)
 
     # -- phases -------------------------------------------------------------------------------------
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from game.billiards.game.arrangement import Arrangement
-from game.billiards.game.frame import BestStroke
+from game.billiards.game.deciding import deciding_strokes
+from game.billiards.game.frame import BestStroke, Struck, trajectory_of
 from game.billiards.game.games import Drill, RunDrill
 from game.levels import Level
 from game.scenes.billiards.level import BestPlayed, BilliardsContent, PlacedBall
@@ -65,10 +66,25 @@ def stroke_excerpt(play: Play, scene: Scene) -> Excerpt | None:
     """The last stroke from the position before it, to its end as it is shown. None if there is none, or if
     balls, table or cloth have been changed since.
     """
-    model = play.model
-    last = model.frame.last
-    if last is None or last.frame.conditions != model.frame.conditions:
+    last = play.model.frame.last
+    if last is None or last.frame.conditions != play.model.frame.conditions:
         return None
+    played = play.model.played
+    return _excerpt_of(last, play, scene, played.trajectory.end_time if played is not None else 0.0)
+
+
+def highlights(play: Play, scene: Scene) -> tuple[Excerpt, ...]:
+    """The strokes that decided the match, each from the position before it."""
+    now = play.model.frame.conditions
+    return tuple(
+        _excerpt_of(one.struck, play, scene, trajectory_of(one.struck).end_time)
+        for one in deciding_strokes(play.log) if one.struck.frame.conditions == now
+    )  # fmt: skip
+
+
+def _excerpt_of(last: Struck, play: Play, scene: Scene, end_s: float) -> Excerpt:
+    """A stroke from the position before it, to its end, s, as it is shown."""
+    model = play.model
     declared = scene.declared_parameters()
     changed = {
         name: value for name, value in scene.values.items()
@@ -82,7 +98,9 @@ def stroke_excerpt(play: Play, scene: Scene) -> Excerpt | None:
     level = Level(scene=scene.name, title="A stroke", parameters=changed, content=content)
     event = decision_of(last.stroke, last.call)
     slowed_s = (SLOW_BEFORE_S + SLOW_AFTER_S) * (1.0 / SLOW - 1.0)
-    longest_s = stroke_motion(last.stroke.cue_speed, PRACTISED).hit_s + play.shown_s + slowed_s + REST_S
+    motion = stroke_motion(last.stroke.cue_speed, PRACTISED)
+    shown_s = max(end_s, motion.end_s - motion.hit_s) + 0.05
+    longest_s = motion.hit_s + shown_s + slowed_s + REST_S
     return Excerpt("stroke", level, scene.seed, scene.active, (event,), round(longest_s / scene.dt))
 
 

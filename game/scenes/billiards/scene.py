@@ -32,6 +32,7 @@ from game.scenes.billiards.practice.columns import frame_with
 from game.scenes.billiards.practice.drill_maker import DrillMaker
 from game.scenes.billiards.practice.lessons import level_after
 from game.scenes.billiards.practice.log_text import log_in
+from game.scenes.billiards.practice.nearness import scored_by
 from game.scenes.billiards.practice.sets import drill_title, standing_set
 from game.scenes.billiards.practice.side import DECISIONS, Side
 from game.scenes.billiards.readouts import readouts
@@ -59,6 +60,7 @@ from game.stage import (
 )
 from game.stage.records.excerpt import Excerpt
 from game.stage.records.history import Practised
+from game.stage.records.scored import Scored
 
 
 class Billiards(CueGameScene):
@@ -155,7 +157,7 @@ class Billiards(CueGameScene):
 
     # -- what comes in ------------------------------------------------------------------------------
 
-    def action(self, name: str) -> None:
+    def act(self, name: str) -> None:
         self.buttons.act(name)
 
     @property
@@ -221,8 +223,19 @@ class Billiards(CueGameScene):
         return standing_set(self.play, self.level)
 
     @property
+    def scored(self) -> Scored | None:
+        return scored_by(self.play)
+
+    @property
     def level_title(self) -> str:
         return drill_title(self.model.frame.game, self.level)
+
+    def highlights(self) -> tuple[Excerpt, ...]:
+        return saving.highlights(self.play, self)
+
+    @property
+    def film_wanted(self) -> int:
+        return self.buttons.films
 
     def excerpt(self) -> Excerpt | None:
         return saving.stroke_excerpt(self.play, self)

@@ -24,7 +24,12 @@ class StrokeSounds:
         last = self.play.model.frame.last
         if self._of is not last:
             played = self.play.model.played
-            self._sounds = sounds_of(played.trajectory, last.stroke.cue_speed) if last and played else ()
+            slipped = last is not None and self.play.push.slipped and last.stroke == self.play.done
+            self._sounds = (
+                sounds_of(played.trajectory, last.stroke.cue_speed, slipped=slipped)
+                if last and played
+                else ()
+            )
             self._of = last
         return self._sounds
 

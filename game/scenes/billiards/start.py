@@ -1,5 +1,7 @@
 """What is chosen before a game of billiards begins: parameters of the scene, in few words."""
 
+from game.scenes.shared.tables.furnishing.choices import FELT_LINE, TABLE_LINE
+from game.scenes.shared.tables.seats.hot_seat import HAND_OVER_LINE
 from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
 
@@ -11,6 +13,7 @@ START = (
          ("master", "Master")),
         "novice", idle=ALONE,
     ),
+    HAND_OVER_LINE,
     StartLine(
         "game", "Game", "of the pool table",
         (("eight-ball", "8-ball"), ("nine-ball", "9-ball"), ("ten-ball", "10-ball"),
@@ -29,6 +32,8 @@ START = (
         "auto",
     ),
     START_LINE,
+    FELT_LINE,
+    TABLE_LINE,
     StartLine(
         "hand", "Your hand", "how much it shakes",
         (("none", "Not at all"), ("steady", "Steady"), ("average", "Average")), "none",

@@ -7,6 +7,9 @@ from game.billiards.shot.cloths import CLOTH_LABELS, CLOTHS, HEATED
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
 from game.scenes.shared.tables.eye import choices as eyes
+from game.scenes.shared.tables.furnishing import choices as furnishing
+from game.scenes.shared.tables.furnishing.choices import CAROM_FELT_NAMES
+from game.scenes.shared.tables.seats import hot_seat
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
 
@@ -25,6 +28,7 @@ class CaromParameters(Parameters):
     )
     first_player = choices.player("First player", "carom")
     second_player = choices.player("Second player", "carom")
+    hand_over = hot_seat.hand_over()
     head_start = choices.head_start("points")
     target = Param(15, 0, 200, whole=True, group="Game", label="Race to", help="points; 0: no end")
     innings = Param(0, 0, 100, whole=True, group="Game", label="Most innings", help="of each; 0: no limit")
@@ -58,6 +62,4 @@ class CaromParameters(Parameters):
         HEATED, tuple(CLOTHS), labels=tuple(CLOTH_LABELS.values()), group="Table",
         help="friction and cushions of a match table, or of a club's",
     )  # fmt: skip
-    felt = Choice(
-        "blue", ("blue", "green"), labels=("Blue", "Green"), group="Table", label="Colour of the cloth"
-    )
+    felt = furnishing.felt(CAROM_FELT_NAMES)

@@ -1,5 +1,7 @@
 """What is chosen before a game of carom begins: parameters of the scene, in few words."""
 
+from game.scenes.shared.tables.furnishing.choices import CAROM_FELT_LINE
+from game.scenes.shared.tables.seats.hot_seat import HAND_OVER_LINE
 from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
 
@@ -10,6 +12,7 @@ START = (
          ("master", "Master")),
         "club",
     ),
+    HAND_OVER_LINE,
     StartLine(
         "game", "Game", "cushions needed, or boxes",
         (("three-cushion", "3-cushion"), ("one-cushion", "1-cushion"),
@@ -18,6 +21,7 @@ START = (
         "three-cushion",
     ),
     StartLine("cloth", "Cloth", "of the table", (("heated", "Heated"), ("club", "Club")), "heated"),
+    CAROM_FELT_LINE,
     START_LINE,
     StartLine(
         "hand", "Your hand", "how much it shakes",

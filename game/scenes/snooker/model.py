@@ -10,7 +10,7 @@ from game.billiards.game.frame import Frame, Played
 from game.billiards.game.rules import CUE_BALL, Call, Verdict
 from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame, snooker_layout
 from game.billiards.game.snooker.rules import Snooker
-from game.billiards.shot.cloths import SNOOKER_CLOTH
+from game.billiards.shot.cloths import SNOOKER_CLOTH, faster
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of, table_of
@@ -19,6 +19,7 @@ from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.shared.tables.choices import ahead
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.furnishing.choices import FAST, TIGHT
 from game.scenes.shared.tables.moments import Moments
 from game.scenes.shared.tables.outcome import Outcome
 from game.scenes.snooker.level import SnookerContent, begun
@@ -76,7 +77,9 @@ class SnookerModel(Part):
             sliding=chosen.sliding, rolling=chosen.rolling,
             ball_restitution=chosen.ball_restitution, cushion_restitution=chosen.cushion_restitution,
         )  # fmt: skip
-        return table_of(active, Table.snooker()), physics_of(active, physics)
+        if chosen.table == FAST:
+            physics = faster(physics)
+        return table_of(active, Table.snooker(chosen.table == TIGHT)), physics_of(active, physics)
 
     @staticmethod
     def _as_snooker(frame: Frame) -> SnookerFrame:

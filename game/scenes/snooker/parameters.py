@@ -5,6 +5,8 @@ from __future__ import annotations
 from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.eye import choices as eyes
+from game.scenes.shared.tables.furnishing import choices as furnishing
+from game.scenes.shared.tables.seats import hot_seat
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Parameters
 
@@ -18,6 +20,7 @@ class SnookerParameters(Parameters):
     )  # fmt: skip
     first_player = choices.player("First player", "snooker")
     second_player = choices.player("Second player", "snooker")
+    hand_over = hot_seat.hand_over()
     head_start = choices.head_start("frames")
     best_of = Choice(
         "open", ("open", "1", "3", "5", "7", "9"),
@@ -54,6 +57,8 @@ class SnookerParameters(Parameters):
     eye_height = eyes.height()
     eye_tilt = eyes.tilt()
     eye_follows = eyes.follow()
+    felt = furnishing.felt()
+    table = furnishing.table()
     sliding = choices.sliding(SNOOKER_CLOTH.sliding)
     rolling = choices.rolling(SNOOKER_CLOTH.rolling)
     ball_restitution = choices.ball_restitution(SNOOKER_CLOTH.ball_restitution)

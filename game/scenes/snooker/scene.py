@@ -86,7 +86,15 @@ class SnookerScene(CueGameScene):
         self.view = SnookerView(self.course, self.hand, self.opponents, title)
 
     def parameter_changed(self, name: str) -> None:
-        if name in ("best_of", "miss", "sliding", "rolling", "ball_restitution", "cushion_restitution"):
+        if name in (
+            "best_of",
+            "miss",
+            "sliding",
+            "rolling",
+            "ball_restitution",
+            "cushion_restitution",
+            "table",
+        ):
             self.model.configure(self.active)
 
     @classmethod

@@ -1,5 +1,7 @@
 """What is chosen before a game of snooker begins: parameters of the scene, in few words."""
 
+from game.scenes.shared.tables.furnishing.choices import FELT_LINE, TABLE_LINE
+from game.scenes.shared.tables.seats.hot_seat import HAND_OVER_LINE
 from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
 
@@ -10,6 +12,7 @@ START = (
          ("master", "Master")),
         "novice",
     ),
+    HAND_OVER_LINE,
     StartLine(
         "game", "Game", "how many reds there are",
         (("snooker", "15 reds"), ("six-red", "Six-red")), "snooker",
@@ -23,6 +26,8 @@ START = (
         (("professional", "Professional"), ("club", "Club"), ("off", "None called")), "club",
     ),
     START_LINE,
+    FELT_LINE,
+    TABLE_LINE,
     StartLine(
         "hand", "Your hand", "how much it shakes",
         (("none", "Not at all"), ("steady", "Steady"), ("average", "Average")), "none",

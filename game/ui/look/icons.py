@@ -100,6 +100,7 @@ SIGNS: dict[str, tuple[Part, ...]] = {
         line((0.0, 0.2), (0.0, 4.4), width=1.8),
         line((-3.4, 5.6), (3.4, 5.6), width=1.8),
     ),
+    "target": (ring(0.0, 0.0, 6.3, 1.5), ring(0.0, 0.0, 3.2, 1.4), disc(0.0, 0.0, 1.2)),
     "record": (ring(0.0, 0.0, 6.3, 1.5), disc(0.0, 0.0, 3.3)),
     **TOOL_SIGNS,
 }

@@ -31,6 +31,8 @@ __all__ = [
     "FELT_COOL",
     "FELT_GREEN",
     "FELT_LINE",
+    "FELT_OLIVE",
+    "FELT_SLATE",
     "FELT_WARM",
     "INLAY",
     "LIGHT",
@@ -208,6 +210,7 @@ THEMES = {theme.name: theme for theme in (DARK, LIGHT)}
 FELT = Color("#1E6E66")
 FELT_GREEN = Color("#1F6444")  # of snooker
 FELT_BLUE = Color("#1F4F80")  # of carom; the three inks are legible on it too
+FELT_OLIVE, FELT_SLATE = Color("#4F5A2A"), Color("#4A4F57")  # cloths that a career unlocks
 FELT_LINE = Color("#F4EDE0")  # on felt only these three are legible: 5.2 to 1,
 FELT_WARM = Color("#FFC05A")  # 3.7,
 FELT_COOL = Color("#8CBBFF")  # 3.1

@@ -5,11 +5,13 @@ import pygame
 import pytest
 
 from game.app.screens.career_card import CareerCard
+from game.app.screens.career_prizes import prize_words
 from game.app.screens.choices import ChoiceCard
 from game.app.screens.name_card import NameCard
 from game.app.stagehand.career_file import career_path, keep_career, read_career
 from game.billiards.career.career import Career, Match, Player
 from game.billiards.career.matches import cup_match, opponents_at
+from game.billiards.career.prizes import PRIZES
 from game.billiards.game.register import REGISTER
 from game.scenes import CATALOGUE
 from tests.app.tests_app import Driver
@@ -135,3 +137,15 @@ def test_a_match_that_was_not_agreed_upon_does_not_count(driver):
     driver.app.open_scene("carom", opening=None)
     driver.frames(3)
     assert read_career().player.results == ()
+
+
+def test_the_card_says_what_is_unlocked_and_what_unlocks_the_next():
+    player = Player("Mia")
+    assert prize_words(player) == ["0 of 7", "Next: blue cloth", "win a match"]
+    player = player.replace(unlocked=("blue cloth",))
+    assert prize_words(player)[1:] == [
+        "Next: fast pool cloth",
+        "beat two of the pool ladder without a start (0 of 2)",
+    ]
+    player = player.replace(unlocked=tuple(one.name for one in PRIZES))
+    assert prize_words(player) == ["7 of 7, such as slate cloth", "Nothing is locked any more."]

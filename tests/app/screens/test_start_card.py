@@ -12,8 +12,11 @@ from game.app.scene.screen import SceneScreen
 from game.app.scene.tour import TourScreen
 from game.app.screens.level_card import LevelCard, level_picture
 from game.app.screens.start_card import StartCard
+from game.app.stagehand.career_file import keep_career
 from game.app.stagehand.stars import Stars, keep_stars
 from game.app.window.settings import load_settings
+from game.billiards.career.career import Career, Player
+from game.billiards.table.table import Table
 from game.scenes import CATALOGUE
 from game.scenes.billiards.card import TO_PEN
 from game.ui.look.look import Look
@@ -250,3 +253,25 @@ def test_nothing_is_cut_off_at_any_size(begin: Callable[..., Driver], size: tupl
     rects = [spot.rect for spot in driver.top.spots.spots]
     assert all(card.contains(rect) for rect in rects)
     assert all(not a.colliderect(b) for i, a in enumerate(rects) for b in rects[:i])
+
+
+def test_what_the_career_has_not_unlocked_is_told_and_not_chosen(begin: Callable[..., Driver]):
+    driver = begin(start={"billiards": {"felt": "slate", "table": "tight"}})
+    card = driver.top
+    assert (card.chosen["felt"], card.chosen["table"]) == ("house", "match")
+    said = []
+    card.host.tell = lambda *words: said.append(words)
+    press(driver, "felt=olive")
+    assert card.chosen["felt"] == "house"
+    assert said == [("Olive cloth is locked.", "In the career reach a final.")]
+
+
+def test_what_the_career_has_unlocked_is_played_on(begin: Callable[..., Driver], tmp_path):
+    keep_career(Career((Player("Mia", unlocked=("olive cloth", "tight pool")),)))
+    driver = begin()
+    press(driver, "felt=olive")
+    press(driver, "table=tight")
+    press(driver, "play")
+    scene = opened(driver)
+    assert (scene.parameters.felt, scene.parameters.table) == ("olive", "tight")
+    assert (scene.model.frame.table.jaws == Table.pool(tight=True).jaws).all()

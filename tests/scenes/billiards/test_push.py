@@ -3,17 +3,25 @@
 import math
 
 import numpy as np
+import pygame
 import pytest
 
+from game.app.stagehand.headless import prepare
+from game.app.stagehand.view import StageView
 from game.billiards.map.hand import FEWEST
 from game.billiards.shot.miscue import slip_limit
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards.scene import Billiards
+from game.scenes.billiards.stroke.motion import power_of
+from game.scenes.billiards.view import instruments
 from game.scenes.shared.tables.cue import MAX_SPEED, REST_GAP
 from game.scenes.shared.tables.through.breath import HELD_S, STEADIED, TIRED_S
+from game.scenes.shared.tables.through.measured import pushed as rolling_stroke
 from game.scenes.shared.tables.through.push import BRIDGE, GRIP
 from game.scenes.shared.tables.through.recoil import FARTHEST, LASTS_S, recoil
 from game.stage import Action, Pointer, SetParameter, Stage, replay_scene
+from game.ui.look.look import Look
+from game.ui.look.theme import theme_named
 from tests.scenes.billiards.billiards_stages import AT_THE_CORNER, aim, seconds, straight_pot, until_aiming
 from tests.scenes.pushing import BACK, push
 
@@ -225,3 +233,40 @@ def test_without_wear_the_friction_is_the_one_chosen():
     stage = ready(chalk=0.65)
     stage.scene.play.push.after_the_tip(stage.scene.aiming.stroke)
     assert stage.scene.play.push.friction == 0.65 and stage.scene.play.push.since_chalk == 0
+
+
+@pytest.mark.parametrize(("tip_up", "kind"), [(0.55, "miscue"), (0.1, "tip")])
+def test_a_miscue_is_heard_as_one(tip_up: float, kind: str):
+    stage = ready(miscues="on", chalk=0.5, tip_up=tip_up)
+    pushed(stage, 2.0)
+    for _ in range(200):
+        stage.run(1)
+        heard = stage.scene.hearing()
+        if heard is not None:
+            break
+    assert heard.sounds[0].kind == kind
+    assert {sound.kind for sound in heard.sounds[1:]} & {"tip", "miscue"} == set()
+
+
+def test_after_a_push_the_power_bar_shows_how_fast_the_cue_was(monkeypatch: pytest.MonkeyPatch):
+    stage, shown = ready(), []
+    pushed(stage, 3.0)
+    while stage.scene.play.phase != "rolling":
+        stage.run(1)
+    set_power = stage.scene.parameters.power
+    assert rolling_stroke(stage.scene.play).cue_speed == pytest.approx(3.0)
+    monkeypatch.setattr(instruments, "draw_power", lambda surface, rect, speed, *more: shown.append(speed))
+    frame_of_stage(stage)
+    assert shown == [pytest.approx(power_of(3.0))] and shown[0] != pytest.approx(set_power)
+    until_aiming(stage)
+    frame_of_stage(stage)
+    assert shown[1] == pytest.approx(set_power)
+
+
+def frame_of_stage(stage: Stage) -> None:
+    """Draw the stage once."""
+    prepare()
+    look, surface = Look(theme_named("dark"), 1.0), pygame.Surface((1280, 720), 0, 32)
+    view = StageView(stage, look)
+    view.place(surface.get_rect(), look)
+    view.draw(surface)

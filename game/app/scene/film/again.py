@@ -20,6 +20,8 @@ SLOW_S = 0.03  # of steps for one picture, from which on a thread makes them
 class FilmAgain:
     """Draws a rerun into a writer. ``speed``: simulated seconds to one of film. ``camera``: of the window."""
 
+    label = "Film of the last seconds"
+
     def __init__(self, rerun: Rerun, writer: Writer, speed: float, theme: str, camera: Camera) -> None:
         self.rerun, self.writer = rerun, writer
         look = Look(theme_named(theme), auto_scale(*writer.size))
@@ -45,6 +47,21 @@ class FilmAgain:
     def finished(self) -> bool:
         """Whether there is nothing more to draw."""
         return self.pictures >= self.count or self.rerun.failed
+
+    @property
+    def dt(self) -> float:
+        """Length of a step, s."""
+        return self.rerun.dt
+
+    @property
+    def failed(self) -> bool:
+        """Whether it could not be gone through."""
+        return self.rerun.failed
+
+    @property
+    def same(self) -> bool:
+        """Whether it came to the same end."""
+        return bool(self.rerun.same)
 
     def step(self) -> None:
         """Make the steps of the next picture; any thread may do it."""

@@ -11,6 +11,7 @@ import pygame
 from game.app.film.video import VideoError
 from game.app.scene.film.again import SLOW_S, FilmAgain
 from game.app.scene.film.live import LiveFilm
+from game.app.scene.film.strokes import FilmOfStrokes
 from game.app.scene.film.writers import LONGEST_S, MISSING, Writer, has_mp4, make_writer
 from game.app.scene.in_play import InPlay
 from game.app.screens.host import Host
@@ -28,9 +29,10 @@ class Films:
     def __init__(self, host: Host, record: InPlay, view: StageView) -> None:
         self._host, self._record, self._view = host, record, view
         self.live: LiveFilm | None = None
-        self.again: FilmAgain | None = None
+        self.again: FilmAgain | FilmOfStrokes | None = None
         self.finishing: Writer | None = None
         self._preparing = False
+        self._wanted = record.stage.scene.film_wanted
 
     @property
     def busy(self) -> bool:
@@ -43,7 +45,7 @@ class Films:
         if self.live is not None:
             return f"Filming {self.live.seconds:.1f} s · {self._host.keys.label('film')} ends it"
         if self.again is not None:
-            return f"Film of the last seconds, {100 * self.again.share:.0f} %"
+            return f"{self.again.label}, {100 * self.again.share:.0f} %"
         if self.finishing is not None:
             return f"Finishing the film, {100 * self.finishing.share:.0f} %"
         return "Film of the last seconds, 0 %" if self._preparing else ""
@@ -58,6 +60,18 @@ class Films:
             self._host.open_choices("Film", self._rows(), lambda value: self.begin(*value))
 
     def _rows(self) -> list[ListRow]:
+        return [*self._scene_rows(), *self._any_rows()]
+
+    def _scene_rows(self) -> list[ListRow]:
+        """What the scene itself has to show."""
+        if not self._record.stage.scene.highlights():
+            return []
+        kind = "mp4" if has_mp4() else "gif"
+        about = "The last winning strokes, the highest run" if has_mp4() else MISSING
+        return [ListRow("Film the deciding strokes", about, kind, value=("match", kind))]
+
+    def _any_rows(self) -> list[ListRow]:
+        """What can be filmed of every scene."""
         ends, least = f"{self._host.keys.label('film')} ends it", f"At most {LONGEST_S['gif']:.0f} s"
         if not has_mp4():
             return [
@@ -83,6 +97,9 @@ class Films:
             self._preparing = True
             self._record.errands.work(lambda: self._prepare(kind))
             return
+        if what == "match":
+            self._begin_match(kind)
+            return
         try:
             writer = self._writer(kind)
         except VideoError as error:
@@ -90,6 +107,30 @@ class Films:
             return
         self.live = LiveFilm(writer, self._sounding)
         self._host.tell("Filming", str(writer.path))
+
+    def film_match(self) -> None:
+        """The film of the deciding strokes at once; without PyAV one line says how to have it with sound."""
+        kind = "mp4" if has_mp4() else "gif"
+        if kind == "gif":
+            self._host.tell("A film without sound.", MISSING, "warning")
+        self.begin("match", kind)
+
+    def _begin_match(self, kind: str) -> None:
+        """The strokes that decided a match, one after the other."""
+        stage = self._record.stage
+        excerpts, writer = stage.scene.highlights(), None
+        try:
+            if not excerpts:
+                raise VideoError("No stroke has decided anything yet.")
+            writer = self._writer(kind)
+            self.again = FilmOfStrokes(stage.scene_type, excerpts, writer, self._host.settings.theme)
+        except VideoError as error:
+            if writer is not None:
+                writer.drop()
+            self._refuse(error)
+            return
+        strokes = "stroke" if len(excerpts) == 1 else f"{len(excerpts)} strokes"
+        self._host.tell(f"Filming the deciding {strokes}.", str(writer.path))
 
     @property
     def _sounding(self) -> bool:
@@ -143,14 +184,17 @@ class Films:
             if self.live.finished:
                 self._host.tell("The film is as long as it can be.")
                 self.stop()
+        if stage.scene.film_wanted and stage.scene.film_wanted != self._wanted:
+            self.film_match()
+        self._wanted = stage.scene.film_wanted
         if self.again is not None and not errands.busy:
             self._go_on(self.again)
 
-    def _go_on(self, film: FilmAgain) -> None:
+    def _go_on(self, film: FilmAgain | FilmOfStrokes) -> None:
         """The next picture of the last seconds; in a thread where its steps take long."""
         if film.writer.full:
             return
-        steps = self._record.stage.speed / film.writer.rate / film.rerun.dt
+        steps = self._record.stage.speed / film.writer.rate / film.dt
         slow = self._record.stage.last_step_s * steps > SLOW_S
         try:
             if slow and self._record.errands.in_background:
@@ -161,21 +205,21 @@ class Films:
         except VideoError as error:
             self._give_up(film, str(error))
 
-    def _step(self, film: FilmAgain) -> Callable[[], object]:
+    def _step(self, film: FilmAgain | FilmOfStrokes) -> Callable[[], object]:
         film.step()
         return lambda: self._draw(film)
 
-    def _draw(self, film: FilmAgain) -> None:
+    def _draw(self, film: FilmAgain | FilmOfStrokes) -> None:
         """Draw a picture whose steps are made; the last one ends the film."""
         if film is not self.again:
             return
-        if film.rerun.failed:
+        if film.failed:
             self._give_up(film, "It cannot be gone through once more.")
             return
         film.draw()
         if film.finished:
             self.again = None
-            if not film.rerun.same:
+            if not film.same:
                 self._host.tell("The film may differ from what was seen.", "Its digest does.", "warning")
             self._finish(film.writer)
 
@@ -196,7 +240,7 @@ class Films:
         self.finishing = writer
         self._host.pictures.finish(writer.path, writer.finish)
 
-    def _give_up(self, film: FilmAgain, why: str) -> None:
+    def _give_up(self, film: FilmAgain | FilmOfStrokes, why: str) -> None:
         self.again = None
         film.writer.drop()
         self._host.tell("No film.", why, "warning")

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from game.app.scene.in_play import InPlay
 from game.app.screens.host import Host
+from game.app.stagehand.challenge import best_of, day_of
 from game.app.window import clipboard
 from game.stage import StageEvent
 
@@ -20,8 +21,10 @@ class Passing:
 
     def give(self) -> None:
         """Put the last stroke into the clipboard, for the other player to go on with."""
+        stage = self._record.stage
+        best = best_of(day_of(stage))
         try:
-            text = self._record.stage.scene.given_text()
+            text = best.text if best is not None else stage.scene.given_text()
         except ValueError as error:
             self._host.tell("Not copied.", str(error), "warning")
             return
@@ -38,6 +41,7 @@ class Passing:
         if decisions is None:
             self._host.open_clipboard()
             return
+        self._record.guest = True
         for decision in decisions:
             self._post(decision)
         self._host.tell("The stroke comes to the same end here.", "It is played.")

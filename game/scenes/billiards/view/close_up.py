@@ -46,8 +46,8 @@ class CloseUpView:
         near = nearness(time - decided.time) if decided is not None else 1.0
         return seen_from_near(near, decided.pocket) if decided is not None and near > SEEN else None
 
-    def draw(self, canvas: Canvas, table: Table, balls: Balls, part: layout.Box) -> None:
-        """Bring a part of the table that has been drawn without balls to the size of the whole."""
+    def draw(self, canvas: Canvas, table: Table, balls: Balls, part: layout.Box, felt: pygame.Color) -> None:
+        """Bring a part of the table, drawn without balls, to the size of the whole. felt: of its cloth."""
         place = layout.rect_of(canvas, layout.TABLE).clip(canvas.rect)
         source = layout.rect_of(canvas, part).clip(place)
         if place.w < 1 or place.h < 1 or source.w < 1 or source.h < 1:
@@ -61,6 +61,6 @@ class CloseUpView:
         camera.fit(Frame(part.top, part.left, part.bottom, part.right), place, 0.0)
         self._canvas.begin(canvas.surface, place, camera)
         try:
-            draw_balls(self._canvas, balls, table)
+            draw_balls(self._canvas, balls, table, felt=felt)
         finally:
             self._canvas.end()

@@ -13,6 +13,7 @@ from game.billiards.table.table import Table
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, Play
 from game.scenes.billiards.view.beside.record import rating_words
+from game.scenes.billiards.view.cloth import dress_of
 from game.scenes.shared.tables.referee.card import time_words
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.view import draw_balls, draw_table, frame_of
@@ -105,8 +106,9 @@ class EndCard:
         inner = self._small_canvas(canvas)
         inner.begin(canvas.surface, place, _camera_on(before.table, place, canvas))
         try:
-            draw_table(inner, before.table)
-            draw_balls(inner, balls, before.table)
+            dress = dress_of(play)
+            draw_table(inner, before.table, dress=dress)
+            draw_balls(inner, balls, before.table, felt=dress.felt)
         finally:
             inner.end()
         words = look.fonts.fit(words_of(best.summary), 12, "medium", place.w)

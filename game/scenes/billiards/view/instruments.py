@@ -21,7 +21,7 @@ from game.scenes.shared.tables import grip
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import OFFSETS, Odds
-from game.scenes.shared.tables.through.measured import sway_words
+from game.scenes.shared.tables.through.measured import pushed, sway_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.numerals import NOTHING
@@ -50,7 +50,7 @@ class Instruments:
         """Draw them round the table. odds: of the stroke that is aimed."""
         play = self.play
         swinging = play.phase == STRIKING and play.pending is not None
-        stroke = play.pending if swinging and play.pending else play.aiming.stroke
+        stroke = play.pending if swinging and play.pending else pushed(play) or play.aiming.stroke
         _draw_stroke(canvas, look, stroke, play.model.frame)
         locked = play.aiming.locked and play.may_aim
         title, sways = "Aim locked" if locked else "Aim", sway_words(play.push) if play.may_aim else ""

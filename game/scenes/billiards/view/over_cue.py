@@ -6,6 +6,7 @@ from game.billiards.game.rules import CUE_BALL
 from game.scenes.billiards import layout
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.play import REPLAY, ROLLING, Play
+from game.scenes.billiards.view.cloth import dress_of
 from game.scenes.billiards.view.cue import SEEN, cue_seen
 from game.scenes.billiards.view.words import foul_of
 from game.scenes.shared.tables.boxes import rect_of
@@ -17,7 +18,6 @@ from game.scenes.shared.tables.moments import OFF
 from game.scenes.shared.tables.prediction import Sight
 from game.scenes.shared.tables.view import Balls
 from game.ui.canvas.canvas import Canvas
-from game.ui.painters.table import POOL
 
 
 class OverCue:
@@ -44,7 +44,7 @@ class OverCue:
         frame, played = self.play.model.frame, self.play.model.played
         assert played is not None and frame.last is not None
         cue = frame.last.frame.layout.numbers.index(CUE_BALL)
-        shown, furniture = Shown(played.trajectory, cue), Furniture(frame.table, POOL)
+        shown, furniture = Shown(played.trajectory, cue), Furniture(frame.table, dress_of(self.play))
         rect = rect_of(canvas, layout.TABLE)
         follows = time if self.play.phase == ROLLING else None
         self._eye.draw_side(canvas, rect, furniture, balls, shown, follows)
@@ -70,4 +70,6 @@ class OverCue:
         lines = lines_of(sight) if sight is not None else []
         seen = Seen(balls, lines, ghost_of(sight, radius, bool(foul)))
         aimed = Aimed(before.cue_ball, stroke, radius, gap)
-        self._eye.draw_inset(canvas, box, Furniture(before.table, POOL), aimed, seen, play.parameters)
+        self._eye.draw_inset(
+            canvas, box, Furniture(before.table, dress_of(play)), aimed, seen, play.parameters
+        )

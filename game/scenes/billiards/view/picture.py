@@ -17,6 +17,7 @@ from game.scenes.billiards.practice.sets import drill_title
 from game.scenes.billiards.view.balls import balls_at_rest
 from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.close_up import CloseUpView
+from game.scenes.billiards.view.cloth import dress_of
 from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
@@ -39,7 +40,7 @@ from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
-from game.ui.look.theme import FELT, FELT_WARM
+from game.ui.look.theme import FELT_WARM
 
 EDGE = 2.0  # px of the frame that may be out of the picture
 HINT_EVENTS = 200  # to the end of its shot
@@ -73,15 +74,16 @@ class BilliardsView:
     def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
         play, frame = self.play, self.play.model.frame
-        draw_table(canvas, frame.table)
-        canvas.halo = FELT
+        dress = dress_of(play)
+        draw_table(canvas, frame.table, dress=dress)
+        canvas.halo = dress.felt
         time = self._moment(alpha, clock_before)
         near = self._close_up.part(play, time, canvas.look.less_motion)
         sight = None
         if self._over_cue.from_side:
             self._over_cue.draw_side(canvas, self.balls_at(time), time)
         elif near is not None:
-            self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
+            self._close_up.draw(canvas, frame.table, self.balls_at(time), near, dress.felt)
         else:
             sight = self._draw_play(canvas, time)
             self._over_cue.draw_inset(canvas, self.balls_at(time), sight, time)
@@ -110,7 +112,7 @@ class BilliardsView:
         if self.hint is not None and play.phase == AIMING:
             self._draw_hint(canvas, self.hint)
         landing = self.on_cloth.draw_cloud(canvas)
-        draw_balls(canvas, self.balls_at(time), frame.table)
+        draw_balls(canvas, self.balls_at(time), frame.table, felt=dress_of(play).felt)
         self.on_cloth.draw_cloud_words(canvas, landing)
         if sight is not None:
             foul = foul_of(frame.game, play.aiming.call, sight.target, sight.short)

@@ -33,6 +33,7 @@ from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.tables.eye.course_view import CourseEye
 from game.scenes.shared.tables.eye.lines import Line
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
+from game.scenes.shared.tables.furnishing.felts import FELTS
 from game.scenes.shared.tables.grip import Held
 from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.referee.banner import draw_call
@@ -42,13 +43,12 @@ from game.scenes.shared.tables.through.recoil import draw_recoil
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
-from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM
+from game.ui.look.theme import FELT, FELT_WARM
 from game.ui.painters.ball_look import CAROM_WHITE
 from game.ui.painters.table import Dress, carom_dress
 
-FELTS = {"blue": FELT_BLUE, "green": FELT}
 SHARES = tuple((x / CAROM_WIDTH, y / CAROM_LENGTH) for x, y in SPOTS)
-DRESSES = {name: carom_dress(felt, SHARES) for name, felt in FELTS.items()}
+DRESSES = {name: carom_dress(felt, SHARES) for name, felt in {**FELTS, "green": FELT}.items()}
 FAINT = 3  # choices whose paths are shown
 CUE_WORDS = 22.0  # design px below the ball
 

@@ -13,6 +13,7 @@ from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
 from game.scenes.shared.tables.moments import OFF, decider, pace_at
+from game.scenes.shared.tables.seats.hot_seat import waits
 from game.scenes.shared.tables.through.measured import news_of_hand
 from game.scenes.shared.tables.through.push import Push
 from game.scenes.shared.tables.unsteady import shaken
@@ -34,6 +35,7 @@ class CueCourse(Part):
     has been done, s. by_hand: strokes that a hand has played. push: the cue of a stroke that is pushed;
     thrust: the next one was; aimed, made: the last stroke of a person; strayed: the last of those, as meant
     and made.
+    seated: the player that has the cue, where it is handed over.
     called_s: since the referee last called, s; frame_s: how long the frame has lasted.
     from_side: a replay is seen from its side, slowly about the moments that decide.
     """
@@ -58,6 +60,7 @@ class CueCourse(Part):
         self.made: Stroke | None = None
         self.strayed: tuple[tuple[Stroke, Stroke], ...] = ()
         self.plays_itself = False
+        self.seated = int(model.frame.game.turn)
         self.from_side = False
         self.by_hand = 0
         self.called_s = LONG_AGO_S
@@ -99,9 +102,16 @@ class CueCourse(Part):
         return (self.aimed, self.made) if self.aimed is not None and self.made is not None else None
 
     @property
+    def own_strokes(self) -> tuple[tuple[Stroke, Stroke], ...]:
+        """The last strokes of a person's hand that was measured, (meant, made) each."""
+        return self.strayed
+
+    @property
     def may_aim(self) -> bool:
         """True if a person may aim and strike now."""
-        return bool(self.phase == AIMING and self.person_plays and self.model.frame.playable)
+        return bool(
+            self.phase == AIMING and self.person_plays and self.model.frame.playable and not waits(self)
+        )
 
     @property
     def stroke(self) -> Stroke:

@@ -9,6 +9,7 @@ from game.arrays import Floats
 from game.scenes.shared.tables import actions as keys
 from game.scenes.shared.tables.course import REPLAY
 from game.scenes.shared.tables.minds.contest import contest_of, stroke_of
+from game.scenes.shared.tables.seats.hot_seat import draw_hand_over, waits
 from game.scenes.shared.tables.together.stroke_text import looks_like_a_stroke
 from game.stage import Action, Decision, Equation, Hearing, Hint, Pointer, Scene, Stamped, Strip
 from game.stage.records.contested import Contested, StrokeMeasured
@@ -69,10 +70,25 @@ class CueGameScene(Scene):
         self.opponents.play_on()
 
     def pointer(self, event: Pointer) -> None:
-        self.hand.take(event)
+        if not waits(self.course):
+            self.hand.take(event)
+        elif event.kind == "down":
+            self.course.seated = int(self.course.model.frame.game.turn)
 
     def action(self, name: str) -> None:
+        if not self.takes_seat(name):
+            self.act(name)
+
+    def act(self, name: str) -> None:
+        """What an action does at the table."""
         self.hand.act(name)
+
+    def takes_seat(self, name: str) -> bool:
+        """Whether an action is answered by the card between two persons: striking takes the cue."""
+        if not waits(self.course) or name != "strike":
+            return False
+        self.course.seated = int(self.course.model.frame.game.turn)
+        return True
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
         found: list[Decision] = self.opponents.decisions(at_once)
@@ -101,6 +117,7 @@ class CueGameScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
+        draw_hand_over(canvas, self.course)
 
     def hearing(self) -> Hearing | None:
         heard: Hearing | None = self.sounds.hearing()

@@ -21,14 +21,16 @@ KINDS = {s.BALL_BALL: "ball", s.BALL_CUSHION: "cushion", s.BALL_JAW: "cushion", 
          s.BALL_SLATE: "thud", s.BALL_RAIL_TOP: "wood"}  # fmt: skip
 
 
-def sounds_of(trajectory: Trajectory, cue_speed: float, cue: str = "0") -> tuple[Sound, ...]:
+def sounds_of(
+    trajectory: Trajectory, cue_speed: float, cue: str = "0", slipped: bool = False
+) -> tuple[Sound, ...]:
     """The sounds of a shot in order of time; speeds are those at which the two close in on each other.
 
-    cue: name of the ball that is struck, at cue_speed m/s.
+    cue: name of the ball that is struck, at cue_speed m/s; slipped: the tip did not hold.
     """
     length = trajectory.shot.table.length
     cue_ball = trajectory.shot.positions[trajectory.shot.ids.index(cue)]
-    tip = Sound(0.0, "tip", cue_speed, pan_of(float(cue_ball[1]), length))
+    tip = Sound(0.0, "miscue" if slipped else "tip", cue_speed, pan_of(float(cue_ball[1]), length))
     return (
         tip,
         *(
@@ -61,7 +63,8 @@ class StrokeSounds:
             return None
         if self._of is not frame.last:
             struck = frame.last
-            self._sounds = sounds_of(played.trajectory, struck.stroke.cue_speed, self.cue_of(struck))
+            slipped = course.push.slipped and struck.stroke == course.made
+            self._sounds = sounds_of(played.trajectory, struck.stroke.cue_speed, self.cue_of(struck), slipped)
             self._of = struck
         key = (course.phase, frame.strokes, id(frame.last))
         return Hearing(key, float(course.clock[0]), self._sounds)

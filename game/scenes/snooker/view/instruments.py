@@ -12,7 +12,7 @@ from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.course import STRIKING
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import HAND, OFFSETS, Odds
-from game.scenes.shared.tables.through.measured import sway_words
+from game.scenes.shared.tables.through.measured import pushed, sway_words
 from game.scenes.snooker import layout
 from game.scenes.snooker.course import BALL_PER_CUE, Course
 from game.scenes.snooker.hand import SnookerHand
@@ -30,7 +30,8 @@ def draw_instruments(
 ) -> None:
     """All of them. odds: of the stroke that is aimed."""
     swings = course.phase == STRIKING and course.pending is not None
-    _draw_stroke(canvas, look, course.pending if swings and course.pending else course.stroke)
+    swinging = course.pending if swings else None
+    _draw_stroke(canvas, look, swinging or pushed(course) or course.stroke)
     _draw_figures(canvas, look, course, odds)
     for row, (name, words, on) in enumerate(hand.buttons()):
         draw_button(canvas, look, layout.button_box(row), words, on, course.grip == grip.button(name))

@@ -14,7 +14,7 @@ from game.scenes.shared.tables.view import Balls, draw_balls
 from game.stage import Frame
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
-from game.ui.look.theme import FELT_GREEN, FELT_LINE
+from game.ui.look.theme import FELT_LINE
 
 SMALL = 8.0  # px; radius of a ball below which the magnifier shows by itself
 NEARER = 3.0  # times
@@ -60,7 +60,9 @@ class Magnifier:
     def __init__(self) -> None:
         self._canvas: Canvas | None = None
 
-    def draw(self, canvas: Canvas, box: Box, balls: Balls, sight: Sight, foul: bool) -> None:
+    def draw(
+        self, canvas: Canvas, box: Box, balls: Balls, sight: Sight, foul: bool, felt: pygame.Color
+    ) -> None:
         """The surroundings of the contact of a sight, at the place of a box."""
         assert sight.ghost is not None
         place = rect_of(canvas, box).clip(canvas.rect)
@@ -73,13 +75,13 @@ class Magnifier:
             self._canvas.covered = True
         camera = Camera(y_up=canvas.camera.y_up, quarter_turns=1)
         camera.fit(Frame(x - half, y - half, x + half, y + half), place, 0.0)
-        canvas.surface.fill(FELT_GREEN, place)
+        canvas.surface.fill(felt, place)
         self._canvas.begin(canvas.surface, place, camera)
         try:
-            self._canvas.halo = FELT_GREEN
+            self._canvas.halo = felt
             draw_sight(self._canvas, sight, BALL_RADIUS, BALL_RADIUS, foul)
             table = _Bed(SNOOKER_WIDTH, SNOOKER_LENGTH)
-            draw_balls(self._canvas, balls, table, felt=FELT_GREEN)  # type: ignore[arg-type]
+            draw_balls(self._canvas, balls, table, felt=felt)  # type: ignore[arg-type]
         finally:
             self._canvas.end()
         pygame.draw.rect(canvas.surface, FELT_LINE, place, max(1, round(1.5 * canvas.k)))

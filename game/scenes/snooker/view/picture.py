@@ -18,6 +18,7 @@ from game.scenes.shared.tables.eye.course_view import CourseEye
 from game.scenes.shared.tables.eye.lines import lines_of
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.eye.view import ghost_of
+from game.scenes.shared.tables.furnishing.felts import dresses
 from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
@@ -41,12 +42,13 @@ from game.scenes.snooker.view.words import counted_of, foul_to_come, legality_to
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.theme import FELT_GREEN
-from game.ui.painters.table import carom_dress
+from game.ui.painters.table import Dress, carom_dress
 
 DRESS = carom_dress(
     FELT_GREEN, tuple((x / SNOOKER_WIDTH, y / SNOOKER_LENGTH) for x, y in SPOTS.values())
 )._replace(sights=False)
 LOOKS = np.array([look_number(ball) for ball in range(22)])
+DRESSES = dresses(DRESS)
 CUE_WORDS = 22.0  # design px below the ball
 
 
@@ -63,14 +65,20 @@ class SnookerView:
         self._magnifier = Magnifier()
         self._eye = CourseEye(course, hand.inset, layout.TABLE, _cue_ball_of, _row_of, BALL_RADIUS)
 
+    @property
+    def dress(self) -> Dress:
+        """What the table wears."""
+        return DRESSES[str(self.course.parameters.felt)]
+
     def draw(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
         course, frame = self.course, self.course.model.frame
         if self._eye.from_side:
             self._draw_side(canvas, alpha, clock_before)
             return
-        draw_table(canvas, frame.table, dress=DRESS)
-        canvas.halo = FELT_GREEN
+        dress = self.dress
+        draw_table(canvas, frame.table, dress=dress)
+        canvas.halo = dress.felt
         draw_lines(canvas)
         draw_marks(canvas, course)
         sight = self._sight()
@@ -80,7 +88,7 @@ class SnookerView:
             draw_fan(canvas, sight, spread)
             draw_sight(canvas, sight, BALL_RADIUS, BALL_RADIUS, bool(foul))
         balls = self._balls(alpha, clock_before)
-        draw_balls(canvas, balls, frame.table, felt=FELT_GREEN)
+        draw_balls(canvas, balls, frame.table, felt=dress.felt)
         if sight is not None:
             draw_label(canvas, sight, frame.layout.places, frame.table, BALL_RADIUS, foul)
         if course.parameters.considered and course.phase == STRIKING and not course.person_plays:
@@ -100,7 +108,7 @@ class SnookerView:
             self._magnify(canvas, sight, balls, place, bool(foul))
         lines = lines_of(sight) if sight is not None else []
         seen = Seen(balls, lines, ghost_of(sight, BALL_RADIUS, bool(foul)))
-        self._eye.draw_inset(canvas, Furniture(frame.table, DRESS, draw_lines), seen)
+        self._eye.draw_inset(canvas, Furniture(frame.table, dress, draw_lines), seen)
         self._draw_around(canvas, sight)
         last = frame.last
         if course.phase == ROLLING and last is not None and last.stroke == course.made:
@@ -109,8 +117,8 @@ class SnookerView:
     def _draw_side(self, canvas: Canvas, alpha: float, clock_before: Floats | None) -> None:
         """The stroke from its best side in place of the table from above."""
         table, balls = self.course.model.frame.table, self._balls(alpha, clock_before)
-        draw_table(canvas, table, dress=DRESS)
-        furniture = Furniture(table, DRESS, draw_lines)
+        draw_table(canvas, table, dress=self.dress)
+        furniture = Furniture(table, self.dress, draw_lines)
         self._eye.draw_side(canvas, furniture, balls, float(self.course.clock[0]))
         self._draw_around(canvas, None)
 
@@ -144,7 +152,9 @@ class SnookerView:
         if sight.ghost is None or not magnifies(str(self.course.parameters.magnifier), canvas):
             return
         others = [(x, y) for number, x, y in self.course.model.frame.layout.places if number != CUE_BALL]
-        self._magnifier.draw(canvas, box_beside(place, sight.ghost, others), balls, sight, foul)
+        self._magnifier.draw(
+            canvas, box_beside(place, sight.ghost, others), balls, sight, foul, self.dress.felt
+        )
 
     def _sight(self) -> Sight | None:
         """What is foreseen of the stroke that is aimed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -13,6 +14,7 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 
+LEAST = 12.0  # px; smaller letters are not read at 1280 x 720
 LEAD = 48.0  # design px of a row before its words
 
 
@@ -39,8 +41,9 @@ def draw_ground(canvas: Canvas, look: Look, title: str, under: str) -> pygame.Re
     look.text(
         canvas.surface, look.fonts.fit(title, 15, "semibold", space), (x, rect.y + px(18)), 15, "semibold"
     )
-    for row, said in enumerate(look.fonts.wrap(under, 12, "medium", max(space, 1))[:2]):
-        look.text(canvas.surface, said, (x, rect.y + px(38 + 16 * row)), 12, "medium", "text2")
+    size = legible(look)
+    for row, said in enumerate(look.fonts.wrap(under, size, "medium", max(space, 1))[:2]):
+        look.text(canvas.surface, said, (x, rect.y + px(38 + 16 * row)), size, "medium", "text2")
     return rect
 
 
@@ -50,13 +53,19 @@ def draw_rows(canvas: Canvas, look: Look, rows: Sequence[Row], first: int = 0) -
         _draw_row(canvas, look, rect_of(canvas, row_box(place)), row)
 
 
+def legible(look: Look) -> int:
+    """The size of the column's words, design px: 12, and more where the picture is small."""
+    return max(12, math.ceil(LEAST / look.k))
+
+
 def _draw_row(canvas: Canvas, look: Look, rect: pygame.Rect, row: Row) -> None:
     px, theme, surface = look.px, look.theme, canvas.surface
     if rect.w < px(LEAD) + px(20):
         return
+    size = legible(look)
     if row.head:
-        words = look.fonts.fit(row.words, 12, "semibold", rect.w)
-        look.text(surface, words, (rect.x + px(4), rect.centery), 12, "semibold", "text2")
+        words = look.fonts.fit(row.words, size, "semibold", rect.w)
+        look.text(surface, words, (rect.x + px(4), rect.centery), size, "semibold", "text2")
         return
     fill, line = (theme.accent_soft, theme.accent) if row.lit else (theme.inset, None)
     draw_box(surface, rect, px(6), fill, line, max(1, px(1.5)))
@@ -70,9 +79,9 @@ def _draw_row(canvas: Canvas, look: Look, rect: pygame.Rect, row: Row) -> None:
         full = pygame.Rect(bar.x, bar.y, max(1, round(bar.w * row.share)), bar.h)
         draw_box(surface, full, px(2), look.color("green"))
     x, space = rect.x + px(LEAD), rect.w - px(LEAD + 8)
-    y = rect.centery if not row.under else rect.centery - px(8)
-    words = look.fonts.fit(row.words, 12, "semibold", space)
-    look.text(surface, words, (x, y), 12, "semibold", quiet or row.color)
+    y = rect.centery if not row.under else rect.centery - px(9)
+    words = look.fonts.fit(row.words, size, "semibold", space)
+    look.text(surface, words, (x, y), size, "semibold", quiet or row.color)
     if row.under:
-        under = look.fonts.fit(row.under, 11, "medium", space)
-        look.text(surface, under, (x, rect.centery + px(8)), 11, "medium", quiet or "text2")
+        under = look.fonts.fit(row.under, size, "medium", space)
+        look.text(surface, under, (x, rect.centery + px(9)), size, "medium", quiet or "text2")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
+from game.billiards.game.arrangement import Stroke
 from game.billiards.game.register import REGISTER
+from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.shared.tables.choices import PERSON, ahead
-from game.stage.records.contested import Contested, StrokeMeasured
+from game.stage.records.contested import Contested, HandMeasured, StrokeMeasured
 
 
 def contest_of(course: Any) -> Contested | None:
@@ -31,7 +34,17 @@ def contest_of(course: Any) -> Contested | None:
     return Contested(
         name, game.players[0], course.grade_of(1), start, (max(won[0], 0), max(won[1], 0)), over,
         over and game.winner == 0, int(best[0]), int(course.model.frame.strokes),
+        hand_of(course.own_strokes) if over else None,
     )  # fmt: skip
+
+
+def hand_of(pairs: Sequence[tuple[Stroke, Stroke]]) -> HandMeasured | None:
+    """The noise of a person's strokes, (meant, made) each; None for too few, or a hand that is steady."""
+    from game.billiards.map.hand import noise_of
+
+    strayed = [pair for pair in pairs if pair[0] != pair[1]]
+    noise = noise_of(strayed, BALL_RADIUS)  # of the tip, which is not asked for here
+    return None if noise is None else HandMeasured(noise.azimuth, noise.speed, len(strayed))
 
 
 def stroke_of(course: Any) -> StrokeMeasured | None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.map.hand import FEWEST, noise_of
 from game.scenes.shared.tables.through.push import Push
 
+ROLLING = "rolling"  # phase, as of `course` and of pool's `play`
 TOLD_EVERY = 10  # strokes
 
 
@@ -26,6 +28,15 @@ def news_of_hand(pairs: Sequence[tuple[Stroke, Stroke]], radius: float) -> str:
     told = count == FEWEST or count % TOLD_EVERY == 0
     words = hand_words(pairs, radius) if told else ""
     return f"Your hand: {words}." if words else ""
+
+
+def pushed(course: Any) -> Stroke | None:
+    """The stroke that rolls, if it was pushed: the instruments show it as it was made, not as it was set."""
+    pair, last = course.aimed_and_done, course.model.frame.last
+    if course.phase != ROLLING or not course.push.chosen or pair is None or last is None:
+        return None
+    made: Stroke = pair[1]
+    return made if last.stroke == made else None
 
 
 def stroke_words(meant: Stroke, made: Stroke, ball_per_cue: float) -> str:

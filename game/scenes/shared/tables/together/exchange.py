@@ -36,6 +36,10 @@ class Exchange:
         """A frame with the cue ball in hand put at a place, m. ValueError if it may not lie there."""
         return frame.place_cue_ball(*place)
 
+    def like_new(self, frame: Any) -> Any:
+        """A frame without what earlier tries at the same position have left in it."""
+        return frame
+
     # -- both ways ----------------------------------------------------------------------------------
 
     def given(self) -> str:
@@ -44,12 +48,13 @@ class Exchange:
         last, played = frame.last, self.course.model.played
         if last is None or played is None:
             raise ValueError("stroke: none has been played yet")
-        before, steps = last.frame, []
+        before, steps = self.like_new(last.frame), []
         if getattr(before.game, "in_hand", ""):
             steps.append(("white", before.cue_ball))
         decision = self.decision_of(last)
         steps.append((decision.name, decision.values))
-        stroke = StrokeText(self._word(before), self._word(played.frame), tuple(steps))
+        after = played.frame if before is last.frame else self.tried(before, decision).frame
+        stroke = StrokeText(self._word(before), self._word(after), tuple(steps))
         return packed_stroke(self.scene, stroke)
 
     def taken(self, text: str) -> tuple[Decision, ...]:
@@ -60,7 +65,7 @@ class Exchange:
         told = read_stroke(text, self.scene)
         if self.course.phase != AIMING:
             raise ValueError("table: wait until the balls lie still")
-        frame, played = self.course.model.frame, None
+        frame, played = self.like_new(self.course.model.frame), None
         decisions = tuple(Decision(name, values) for name, values in told.steps)
         for decision in decisions:
             if played is not None:
