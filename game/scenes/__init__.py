@@ -38,6 +38,7 @@ from game.scenes import (
     solids,
     spacetime,
     spheres,
+    splash,
     springs,
     three_tables,
     tower,
@@ -91,6 +92,7 @@ CATALOGUE = Catalogue(
         *tower.ENTRIES,
         *burning_cloth.ENTRIES,
         *trebuchet.ENTRIES,
+        *splash.ENTRIES,
         *candle.ENTRIES,
     )
 )
