@@ -22,7 +22,7 @@ from game.worlds.world import World
 # Front over width against t sqrt(2 g / width), of a column twice as high as wide (Martin and Moyce 1952)
 EXPERIMENT = ((0.832, 1.217), (1.219, 1.474), (1.997, 2.292), (2.547, 2.995))
 GAP = 0.12  # of the column's height, between two tanks and above the upper one
-BESIDE = 0.3  # of the floor's length, right of the tanks: room for what is said of each method
+BESIDE = 0.3  # of the floor's length, right of the tanks, where each method is spoken of
 
 
 class DamContent(LevelEntry, frozen=True, kw_only=True):
