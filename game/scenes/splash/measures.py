@@ -82,7 +82,7 @@ class Measures(Member):
 
     touched: s, when it met the water. As it did: speed m/s, at m, energy J/m (of all water beside still
     water), own J/m (kinetic, of the drop), area m², momentum kg/s. closes: s, when the crater shrinks.
-    ways: (s, m) of the drop's foremost point. flies: m, how high the crown can fly. craters: speed and depth
+    number: of the drop, from 1. ways: (s, m) of the drop's foremost point. flies: m, how high the crown can fly. craters: speed and depth
     of each drop.
     last (FRAMES, nx): heights of the last steps; waves (3, MODES): parts of ripples that are foreseen, and
     their time; pockets (k, 3) as `find_pockets` has them; new: those that were not there a step before.
@@ -102,7 +102,7 @@ class Measures(Member):
             np.zeros(grid.shape, np.int64), np.zeros((grid.nx * grid.ny, 2), np.int64), np.zeros((64, 3))
         )  # fmt: skip
         self.craters: list[tuple[float, float]] = []
-        self.time = 0.0
+        self.time, self.number = 0.0, 0
         self.begin(0, math.nan)
 
     def begin(self, first: int, radius: float) -> None:
@@ -111,6 +111,7 @@ class Measures(Member):
         self.first, self.radius = first, radius
         self.level = first * liquid.area / self.wide
         self.falling = math.isfinite(radius)
+        self.number += self.falling
         self.touched = self.speed = self.at = self.energy = self.own = self.momentum = nan
         self.closes, self.flies, self.area = nan, nan, nan
         self.ways: list[tuple[float, float]] = []

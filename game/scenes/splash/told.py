@@ -35,7 +35,7 @@ def readouts(model: SplashWorld) -> list[Readout]:
     law, at = now.foreseen(), int(GAUGE / liquid.grid.cell)
     limit, since = now.limit(), now.time - now.touched
     return [
-        Readout("falls", int(now.falling)), Readout("touched", int(touched)),
+        Readout("drop", now.number), Readout("falls", int(now.falling)), Readout("touched", int(touched)),
         Readout("since it touched", since, "s"), Readout("speed", now.speed, "m/s"),
         Readout("drop's energy", now.own, "J/m"), Readout("energy", now.energy, "J/m"),
         Readout("kinetic energy", moving, "J/m"), Readout("potential energy", height, "J/m"),
