@@ -60,10 +60,13 @@ RAIL = (
 GLASS = (_Tone(2350.0, 1.0, 0.11), _Tone(5480.0, 0.7, 0.07), _Tone(9100.0, 0.4, 0.035))
 GROUND = (_Tone(54.0, 1.0, 0.13), _Tone(97.0, 0.7, 0.08), _Tone(171.0, 0.5, 0.045))
 STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
+BUBBLE_TONES = (160, 320, 640, 1280)  # Hz, at which bubbles ring: that of a radius of 2 cm, then of half of it
+BUBBLES = {f"bubble {hertz}": hertz for hertz in BUBBLE_TONES}
+RINGS = 9.0  # turns in which a bubble's tone fades
 KINDS = (
     "tip", "miscue", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
     "steel", "rail", "wind", "rustle", "glass", "ground",
-    "splash", "bubble",
+    "splash", "bubble", *BUBBLES,
 )  # fmt: skip
 
 
@@ -119,6 +122,8 @@ def sample_of(kind: str, layer: int) -> Floats:
     elif kind == "bubble":  # air under water swings; its tone rises as it comes up
         t = np.arange(int(0.12 * RATE)) / RATE
         made = np.sin(math.tau * (900.0 + 900.0 * bright) * t * (1.0 + 1.6 * t)) * np.exp(-t / 0.022)
+    elif kind in BUBBLES:
+        made = _tones((_Tone(BUBBLES[kind], 1.0, RINGS / BUBBLES[kind]),), 6.0 * RINGS / BUBBLES[kind], 1.0)
     elif kind in ("mortar", "burst", "crackle"):
         made = _explosion(kind, bright)
     else:

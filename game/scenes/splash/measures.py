@@ -82,8 +82,8 @@ class Measures(Member):
 
     touched: s, when it met the water. As it did: speed m/s, at m, energy J/m (of all water beside still
     water), own J/m (kinetic, of the drop), area m², momentum kg/s. closes: s, when the crater shrinks.
-    number: of the drop, from 1. ways: (s, m) of the drop's foremost point. flies: m, how high the crown can fly. craters: speed and depth
-    of each drop.
+    number: of the drop, from 1. ways: (s, m) of the drop's foremost point. flies: m, how high the crown can.
+    craters: of each drop, the Froude number and depth in radii. worst: error of the volume, of all steps.
     last (FRAMES, nx): heights of the last steps; waves (3, MODES): parts of ripples that are foreseen, and
     their time; pockets (k, 3) as `find_pockets` has them; new: those that were not there a step before.
     """
@@ -102,7 +102,7 @@ class Measures(Member):
             np.zeros(grid.shape, np.int64), np.zeros((grid.nx * grid.ny, 2), np.int64), np.zeros((64, 3))
         )  # fmt: skip
         self.craters: list[tuple[float, float]] = []
-        self.time, self.number = 0.0, 0
+        self.time, self.number, self.worst = 0.0, 0, 0.0
         self.begin(0, math.nan)
 
     def begin(self, first: int, radius: float) -> None:
@@ -113,7 +113,7 @@ class Measures(Member):
         self.falling = math.isfinite(radius)
         self.number += self.falling
         self.touched = self.speed = self.at = self.energy = self.own = self.momentum = nan
-        self.closes, self.flies, self.area = nan, nan, nan
+        self.closes = self.flies = self.area = self.lost_at_once = nan
         self.ways: list[tuple[float, float]] = []
         self.deepest = self.highest = self.jet_most = 0.0
 
@@ -130,6 +130,8 @@ class Measures(Member):
         liquid = self.water.liquid
         self.last[:-1], self.last[-1] = self.last[1:], heights(liquid)
         self._find_pockets()
+        full = liquid.count * liquid.area
+        self.worst = max(self.worst, abs(liquid.wet_area() / full - 1.0) if full else 0.0)
         if self.falling:
             self._await(dt)
         elif math.isfinite(self.touched):
@@ -170,11 +172,13 @@ class Measures(Member):
         self.deepest = max(self.deepest, depth)
         self.highest = max(self.highest, float(liquid.places[:, 1].max()) - self.level)
         if math.isnan(self.flies) and pace >= THROWN:
-            self.flies = self.can_fly()
+            self.flies, self.lost_at_once = self.can_fly(), 100.0 * (1.0 - sum(self.energies()) / self.energy)
         if math.isnan(self.closes):
             if pace > THROWN and depth < self.deepest - 0.5 * cell:
                 self.closes = self.time
-                self.craters.append((self.speed, self.deepest))
+                if self.pull() > 0.0:
+                    froude = self.speed * self.speed / (self.pull() * self.radius)
+                    self.craters.append((froude, self.deepest / self.radius))
         else:
             self.jet_most = max(self.jet_most, jet)
 

@@ -9,8 +9,9 @@ import numpy as np
 from game.arrays import Point
 from game.scenes.splash.measures import surface_length
 from game.scenes.splash.parameters import HIGH, WIDE
-from game.scenes.splash.world import APART, BUBBLE, MINNAERT, SPLASH, TONES, SplashWorld
+from game.scenes.splash.world import APART, BUBBLE, MINNAERT, SPLASH, SplashWorld
 from game.stage import Comparison, Hearing, Readout
+from game.ui.sound import BUBBLES
 from game.worlds.hands.hand import Hand, Use
 from game.worlds.hearing import ROOM
 
@@ -18,7 +19,7 @@ TENSION = 0.0728  # N/m: of water with air, at 20 °C
 GAUGE = 0.62  # m: where the height of ripples is read
 LOUD = 1500.0  # W/m of blows that roar as loud as can be
 HAND_RATE = 30.0  # 1/s: speed of stirred water for a move of the hand
-NAMES = {SPLASH: "splash"} | {BUBBLE + k: f"bubble {tone:.0f}" for k, tone in enumerate(TONES)}
+NAMES = {SPLASH: "splash"} | {BUBBLE + k: kind for k, kind in enumerate(BUBBLES)}
 MM = 1000.0
 
 
@@ -39,22 +40,26 @@ def readouts(model: SplashWorld) -> list[Readout]:
         Readout("since it touched", since, "s"), Readout("speed", now.speed, "m/s"),
         Readout("drop's energy", now.own, "J/m"), Readout("energy", now.energy, "J/m"),
         Readout("kinetic energy", moving, "J/m"), Readout("potential energy", height, "J/m"),
-        Readout("lost", lost, "%"), Readout("lifted", 100.0 * height / now.energy if touched else nan, "%"),
+        Readout("lost", lost, "%"), Readout("lost at once", now.lost_at_once, "%"),
+        Readout("lifted", 100.0 * height / now.energy if touched else nan, "%"),
         Readout("surface energy", TENSION * max(surface_length(liquid) - WIDE, 0.0), "J/m"),
         Readout("crater", 100.0 * now.crater(), "cm"), Readout("deepest", 100.0 * now.deepest, "cm"),
         Readout("closes", int(math.isfinite(now.closes))), Readout("limit", 100.0 * limit, "cm"),
         Readout("of the limit", 100.0 * now.deepest / limit if limit else nan, "%"),
         Readout("sinks", 100.0 * now.sinks(), "%"),
         Readout("highest water", 100.0 * now.highest, "cm"), Readout("can fly", 100.0 * now.flies, "cm"),
+        Readout("free flight error", 100.0 * abs(now.highest / now.flies - 1.0), "%"),
         Readout("jet", 100.0 * now.jet(), "cm"), Readout("jet's height", 100.0 * now.jet_most, "cm"),
         Readout("momentum", now.momentum_now(), "kg/s"), Readout("momentum brought", now.momentum, "kg/s"),
+        Readout("momentum kept", 100.0 * now.momentum_now() / now.momentum if now.momentum else nan, "%"),
         Readout("ripple", MM * float(now.last[-1][at] - now.last[-1].mean()), "mm"),
         Readout("ripple by law", MM * float(law[at] - law.mean()) if law is not None else nan, "mm"),
         Readout("likeness", 100.0 * now.likeness(), "%"),
         Readout("pockets", len(now.pockets)), Readout("bubble", MM * bubble, "mm"),
         Readout("tone", MINNAERT / bubble if bubble > 0.0 else nan, "Hz"),
         Readout("volume error", 100.0 * (liquid.wet_area() / full - 1.0), "%"),
-        Readout("drops", len(now.craters)), Readout("part steps", model.water.parts),
+        Readout("worst volume error", 100.0 * now.worst, "%"),
+        Readout("part steps", model.water.parts),
         Readout("a step", model.water.watch.median("step"), "s"),
     ]  # fmt: skip
 
@@ -82,14 +87,12 @@ def sizes(model: SplashWorld) -> dict[str, float]:
 
 
 def charts(model: SplashWorld) -> dict[str, Comparison]:
-    """Depths of all craters over the speed of their drops, beside the limit by energy for drops of now."""
-    pull, area = model.measures.pull(), math.pi * float(model.parameters.size) ** 2
-    speeds = np.linspace(0.0, 5.0, 40)
-    law = 100.0 * np.cbrt(0.75 * area * speeds**2 / pull) if pull else np.zeros(40)
-    points = np.array(model.measures.craters, dtype=np.float64).reshape(-1, 2) * (1.0, 100.0)
-    both = ("measured", "limit by energy")
-    found = Comparison(points, np.stack([speeds, law], axis=1), both, "cm", "speed", "m/s", single=True)
-    return {"craters": found}
+    """Depths of all craters in radii of their drops over the Froude number, beside the limit by energy."""
+    points = np.array(model.measures.craters, dtype=np.float64).reshape(-1, 2)
+    froude = np.linspace(0.0, max(35.0, float(points[:, 0].max(initial=0.0))), 60)
+    law = np.stack([froude, np.cbrt(0.75 * math.pi * froude)], axis=1)
+    both = ("measured, radii", "limit by energy")
+    return {"craters": Comparison(points, law, both, "", "Froude number U² / (g a)", "", single=True)}
 
 
 def names(model: SplashWorld) -> list[tuple[Point, str]]:

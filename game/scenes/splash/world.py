@@ -15,6 +15,7 @@ from game.physics.kernels import elementary
 from game.physics.liquid import LiquidState
 from game.scenes.splash.measures import Measures
 from game.scenes.splash.parameters import HIGH, STEP, WIDE, SplashContent, SplashParameters
+from game.ui.sound import BUBBLE_TONES
 from game.worlds.hearing import HEARD_KIND, Heard, rows_of
 from game.worlds.members.water import Roar, Water
 from game.worlds.world import World
@@ -22,9 +23,8 @@ from game.worlds.world import World
 CLEAR = 0.3  # m that a drop falls freely in sight before it meets the water, at most
 APART = 3.3  # radii from the middle, of two drops that fall at the same time
 REFERENCE = 60.0  # J/m of a blow that sounds as fast as it was
-SPLASH, BUBBLE = 0, 1  # kinds of what is heard; a bubble's is this and its number in TONES
+SPLASH, BUBBLE = 0, 1  # kinds of what is heard; a bubble's is this and its number in BUBBLE_TONES
 MINNAERT = 3.26  # m/s: frequency times radius of an air bubble in water (Minnaert 1933)
-TONES = (160.0, 320.0, 640.0, 1280.0)  # Hz, of bubbles as they can be heard
 
 
 class SplashState(NamedTuple):
@@ -135,5 +135,5 @@ class SplashWorld(World):
 
 
 def octave(hertz: float) -> int:
-    """The number of the nearest of TONES."""
-    return int(np.argmin([abs(math.log2(hertz / tone)) for tone in TONES]))
+    """The number of the nearest of BUBBLE_TONES."""
+    return int(np.argmin([abs(math.log2(hertz / tone)) for tone in BUBBLE_TONES]))
