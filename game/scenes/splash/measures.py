@@ -18,6 +18,7 @@ FRAMES, MODES = 7, 40  # steps by which ripples are known as they are foreseen; 
 WINDOW = (0.5, 2.0)  # radii over speed: between them the way into the pool is timed
 THROWN = 3.5  # the same: by then the crown has been thrown
 SMALLEST = 2  # cells, of a pocket of air that rings
+FEW, BESIDE = 10, 0.15  # particles that make water; m from a wall, at which water runs up
 SAME = 4.0  # cells that a pocket moves in a step at most
 
 
@@ -113,7 +114,7 @@ class Measures(Member):
         self.falling = math.isfinite(radius)
         self.number += self.falling
         self.touched = self.speed = self.at = self.energy = self.own = self.momentum = nan
-        self.closes = self.flies = self.area = self.lost_at_once = nan
+        self.closes = self.flies = self.area = self.lost_at_once = self.lands = nan
         self.ways: list[tuple[float, float]] = []
         self.deepest = self.highest = self.jet_most = 0.0
 
@@ -170,11 +171,14 @@ class Measures(Member):
             self.ways.append((since, self.level - float(liquid.places[self.first :, 1].min())))
         depth, jet = self.crater(), self.jet()
         self.deepest = max(self.deepest, depth)
-        self.highest = max(self.highest, float(liquid.places[:, 1].max()) - self.level)
+        if not self.time > self.lands:
+            self.highest = max(self.highest, self._high(liquid.places[:, 1]))
         if math.isnan(self.flies) and pace >= THROWN:
             self.flies, self.lost_at_once = self.can_fly(), 100.0 * (1.0 - sum(self.energies()) / self.energy)
+            if self.flies > 0.0:
+                self.lands = self.time + math.sqrt(2.0 * self.flies / self.pull())
         if math.isnan(self.closes):
-            if pace > THROWN and depth < self.deepest - 0.5 * cell:
+            if pace > THROWN and depth < self.deepest - 0.2 * cell:
                 self.closes = self.time
                 if self.pull() > 0.0:
                     froude = self.speed * self.speed / (self.pull() * self.radius)
@@ -214,11 +218,15 @@ class Measures(Member):
     def can_fly(self) -> float:
         """m above the level that what is in the air can reach, if only its weight acts: y + v^2 / (2 g)."""
         liquid = self.water.liquid
-        air = liquid.places[:, 1] > self.level + 2.0 * liquid.grid.cell
-        pull, up = self.pull(), np.maximum(liquid.speeds[air, 1], 0.0)
-        if pull <= 0.0 or not air.any():
-            return math.nan
-        return float((liquid.places[air, 1] + up * up / (2.0 * pull)).max()) - self.level
+        pull, up = self.pull(), np.maximum(liquid.speeds[:, 1], 0.0)
+        free = liquid.places[:, 1] > self.level + 2.0 * liquid.grid.cell
+        return self._high(liquid.places[:, 1] + free * up * up / (2.0 * pull)) if pull > 0.0 else math.nan
+
+    def _high(self, y: Floats) -> float:
+        """m above the level: the FEW-th highest of places (n,) of particles that are not beside a wall."""
+        inside = np.abs(self.water.liquid.places[:, 0] - 0.5 * self.wide) < 0.5 * self.wide - BESIDE
+        few = min(FEW, int(np.count_nonzero(inside)))
+        return float(np.partition(y[inside], -few)[-few]) - self.level if few else 0.0
 
     def limit(self) -> float:
         """m: radius of a half round crater with all of the drop's energy, (3 A U^2 / (4 g))^(1/3)."""

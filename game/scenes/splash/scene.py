@@ -26,8 +26,8 @@ class Splash(WorldScene):
     which is not computed: for a drop as thick as an arm it hardly matters, as its energy in the chart shows.
     Amounts are those of a metre of water across the picture.
 
-    Where sheets are thinner than two cells they tear. How many drops fly is the grid's answer, where the
-    crater and the height of the crown hardly depend on it.
+    Where sheets are thinner than two cells they tear. So how many drops fly, and how high, depends on the
+    cells; the crater hardly does.
 
     In the equations: A area of the drop, U its speed, R radius of a half round crater, g gravity, y height
     and v upward speed of what flies, k number and w rate of a wave, h depth, p pressure of air, ρ density of

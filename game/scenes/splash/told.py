@@ -91,8 +91,8 @@ def charts(model: SplashWorld) -> dict[str, Comparison]:
     points = np.array(model.measures.craters, dtype=np.float64).reshape(-1, 2)
     froude = np.linspace(0.0, max(35.0, float(points[:, 0].max(initial=0.0))), 60)
     law = np.stack([froude, np.cbrt(0.75 * math.pi * froude)], axis=1)
-    both = ("measured, radii", "limit by energy")
-    return {"craters": Comparison(points, law, both, "", "Froude number U² / (g a)", "", single=True)}
+    both = ("measured", "limit")
+    return {"craters": Comparison(points, law, both, "radii", "Froude number U² / (g a)", "", single=True)}
 
 
 def names(model: SplashWorld) -> list[tuple[Point, str]]:

@@ -76,7 +76,7 @@ class SplashView:
         now = self.model.measures
         law = now.foreseen()
         if law is not None:
-            canvas.polyline(np.stack([now.x, law], axis=1), "amber", 2.0, dash=(7.0, 5.0))
+            canvas.polyline(np.stack([now.x, law], axis=1), "amber", 2.6, dash=(8.0, 5.0))
             canvas.line((GAUGE, now.level - 0.1), (GAUGE, now.level + 0.14), "text2", 1.2, dash=(3.0, 3.0))
         if self._shows_limit():
             turn = np.linspace(math.pi, math.tau, 60)

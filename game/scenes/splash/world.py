@@ -20,7 +20,7 @@ from game.worlds.hearing import HEARD_KIND, Heard, rows_of
 from game.worlds.members.water import Roar, Water
 from game.worlds.world import World
 
-CLEAR = 0.3  # m that a drop falls freely in sight before it meets the water, at most
+CLEAR = 0.42  # m that a drop falls freely in sight before it meets the water, at most
 APART = 3.3  # radii from the middle, of two drops that fall at the same time
 REFERENCE = 60.0  # J/m of a blow that sounds as fast as it was
 SPLASH, BUBBLE = 0, 1  # kinds of what is heard; a bubble's is this and its number in BUBBLE_TONES
