@@ -38,8 +38,9 @@ def heights(liquid: Liquid) -> Floats:
 def surface_length(liquid: Liquid) -> float:
     """m, of the liquid's surface: the share of cells that is full, by how it changes from cell to cell."""
     full = np.clip(0.5 - liquid.cells.phi, 0.0, 1.0)
-    along, up = np.diff(full, axis=1)[:-1], np.diff(full, axis=0)[:, :-1]
-    return float(elementwise.hypot(along, up).sum()) * liquid.grid.cell
+    along, up = np.diff(full, axis=1), np.diff(full, axis=0)
+    corners = elementwise.hypot(0.5 * (along[1:] + along[:-1]), 0.5 * (up[:, 1:] + up[:, :-1]))
+    return float(corners.sum()) * liquid.grid.cell
 
 
 @lean_kernel
