@@ -9,7 +9,7 @@ here: in the print it changes velocities, and errors of packing become motion.
 
 Two things are ours, and liquids of very different densities need both. Steps are divided by a bound of the
 matrix, not by its diagonal. Walls stop velocities within the iterations: what is stopped only afterwards
-lets a light particle be pressed into a wall, as the cheapest way to make room for heavy ones.
+lets a light particle be pressed into a wall, as that relieves heavy ones at the least cost.
 """
 
 from __future__ import annotations
