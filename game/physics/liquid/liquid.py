@@ -23,7 +23,7 @@ from game.physics.liquid import bodies, equation, faces, moving, projection, tra
 from game.physics.liquid.arrays import LEAST_OPEN, make_cells, make_particles, make_system, make_walls
 from game.physics.liquid.effects import KEEP_VOLUME, LIQUID
 from game.physics.liquid.settings import CARRIERS, SURFACES, LiquidSettings
-from game.physics.liquid.surface import fill_room, find_surface
+from game.physics.liquid.surface import fill_room, find_surface, wet_cells
 from game.physics.surfaces.surface import Surface
 
 SIDES = ("left", "right", "bottom", "top")
@@ -316,9 +316,9 @@ class Liquid:
         find_surface(self.cells, self.walls)
 
     def wet_area(self) -> float:
-        """m² within the surface, as of the last part step: by one rule, half a cell wide at the surface."""
-        inside = np.clip(0.5 - self.cells.phi, 0.0, 1.0) * np.clip(self.obstacles.faces.volume, 0.0, 1.0)
-        return float(inside.sum()) * self.grid.cell * self.grid.cell
+        """m² of liquid by the cells that it fills, as of the last part step. Crowded particles count less."""
+        cells: float = wet_cells(self.cells, self.obstacles.faces.volume)
+        return cells * self.grid.cell * self.grid.cell
 
     def energy(self) -> tuple[float, float]:
         """J/m of motion, and of height above the grid's lower side."""
