@@ -130,7 +130,8 @@ def outflow(cells, walls, s, count):
 def crowding(cells, s, count, share):
     """b: the part of a cell by which it is too full, or below 0 too empty, times a share; p as it was.
 
-    A cell beside air is only ever too full; one beside a solid can be too empty (Kugelstadt, Longva, Thürey and Bender 2021).
+    A cell beside air is only ever too full, one beside a solid also too empty (Kugelstadt, Longva, Thürey and
+    Bender 2021).
     """
     nx = cells.phi.shape[1]
     for k in range(1, count + 1):

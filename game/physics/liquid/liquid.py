@@ -211,12 +211,12 @@ class Liquid:
             walls.distance[::2, 1::2], walls.distance[1::2, 1::2] = mid_y * cells, centres * cells
         else:
             walls.distance[:] = SOLID_FAR
+        walls.present[0] = bool(self.surfaces)
         self.walls = walls._replace(
             closed_u=np.flatnonzero(walls.ax < LEAST_OPEN),
             closed_v=np.flatnonzero(walls.ay < LEAST_OPEN),
         )
-        walls.present[0] = bool(self.surfaces)
-        fill_room(self.cells, walls.distance, self.quarters)
+        fill_room(self.cells, walls, self.quarters)
 
     def _push_out(self) -> None:
         """Particles in a solid go out as far as they were in, each a little to its own side."""
@@ -260,7 +260,7 @@ class Liquid:
         """One part step of dt, s."""
         settings, cells, walls, origin = self.settings, self.cells, self.walls, self._origin
         pull, ghost = self._pull(), settings.surface == SURFACES.index("ghost")
-        transfer.to_cells(self.particles, cells, origin, 1.0 / (self.spread * self.spread))
+        transfer.to_cells(self.particles, cells, walls, origin, 1.0 / (self.spread * self.spread))
         faces.pull(cells, -pull * dt)
         wet, regions, turns, after = int(find_surface(cells, walls)), 0, 0, 0.0
         if wet:
@@ -312,7 +312,8 @@ class Liquid:
 
     def refresh(self) -> None:
         """Find fill and surface of the particles as they are now."""
-        transfer.to_cells(self.particles, self.cells, self._origin, 1.0 / (self.spread * self.spread))
+        share = 1.0 / (self.spread * self.spread)
+        transfer.to_cells(self.particles, self.cells, self.walls, self._origin, share)
         find_surface(self.cells, self.walls)
 
     def wet_area(self) -> float:
