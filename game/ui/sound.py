@@ -60,7 +60,12 @@ RAIL = (
 GLASS = (_Tone(2350.0, 1.0, 0.11), _Tone(5480.0, 0.7, 0.07), _Tone(9100.0, 0.4, 0.035))
 GROUND = (_Tone(54.0, 1.0, 0.13), _Tone(97.0, 0.7, 0.08), _Tone(171.0, 0.5, 0.045))
 STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
-BUBBLE_TONES = (160, 320, 640, 1280)  # Hz, at which bubbles ring: that of a radius of 2 cm, then of half of it
+BUBBLE_TONES = (
+    160,
+    320,
+    640,
+    1280,
+)  # Hz, at which bubbles ring: of a radius of 2 cm, then 1 cm
 BUBBLES = {f"bubble {hertz}": hertz for hertz in BUBBLE_TONES}
 RINGS = 9.0  # turns in which a bubble's tone fades
 KINDS = (

@@ -232,7 +232,7 @@ class Measures(Member):
     def limit(self) -> float:
         """m: radius of a half round crater with all of the drop's energy, (3 A U^2 / (4 g))^(1/3)."""
         pull = self.pull()
-        return elementary.cbrt(0.75 * self.area * self.speed**2 / pull) if pull > 0.0 else math.nan
+        return elementary.cbrt(0.75 * self.area * self.speed * self.speed / pull) if pull > 0.0 else math.nan
 
     def sinks(self) -> float:
         """Speed of the drop's foremost point in the pool, over that of the drop; NaN before it is timed."""
@@ -245,9 +245,9 @@ class Measures(Member):
 
     def rates(self) -> tuple[Floats, Floats]:
         """Wave numbers (MODES,) 1/m that fit into the pool, and rates: w^2 = g k tanh(k h) (Airy 1841)."""
-        k = np.arange(1, MODES + 1) * (math.pi / self.wide)
+        k: Floats = np.arange(1, MODES + 1) * (math.pi / self.wide)
         h = float(self.last[-1].mean())
-        return k, np.sqrt(self.pull() * k * elementwise.tanh(k * h))
+        return k, np.asarray(np.sqrt(self.pull() * k * elementwise.tanh(k * h)), dtype=np.float64)
 
     def foresee(self, dt: float) -> None:
         """Take ripples as they were in the last steps of dt (s) as waves that do not disturb each other."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
+import pygame
 
 from game.arrays import Singles
 from game.scenes.splash.parameters import HIGH, TOOLS, WIDE
@@ -61,7 +62,7 @@ class SplashView:
             own = places[self.model.measures.first :]
             canvas.discs(own, 0.4 * math.sqrt(liquid.area), DYE)
 
-    def _draw_stone(self, canvas: Canvas, ink: str) -> None:
+    def _draw_stone(self, canvas: Canvas, ink: pygame.Color) -> None:
         """Floor and walls of the pool, as far as they are seen."""
         seen, edge = canvas.camera.visible(), float(self.model.parameters.depth) + 0.12
         if seen.bottom < 0.0:

@@ -100,14 +100,14 @@ class SplashWorld(World):
             if pull > 0.0:
                 fall = min(fall, 0.5 * down * down / pull)
             if fall <= 0.0:
-                return "There is no room above the water."
+                return "There is no space above the water."
             begins = math.sqrt(max(down * down - 2.0 * pull * fall, 0.0))
             time = fall / (0.5 * (begins + down))
             at = (x - along * time, top + radius + cell + fall)
             given += self.water.let_fall(at, radius, (along, -begins))
         if given:
             self.measures.begin(first, radius)
-        return "" if given else "There is no room above the water."
+        return "" if given else "There is no space above the water."
 
     def _top(self, x: float, reach: float) -> float:
         """m: the highest water within a reach of x."""
@@ -125,7 +125,7 @@ class SplashWorld(World):
     def _put(self, at: Point, radius: float, speed: Point) -> str:
         first = self.liquid.count
         if not self.water.let_fall(at, radius, speed):
-            return "There is no room for a drop."
+            return "There is no space for a drop."
         self.measures.begin(first, radius)
         return ""
 

@@ -170,7 +170,7 @@ def test_faster_drops_dig_deeper_by_the_same_share() -> None:
     assert (share > 0.5).all() and (share < 0.7).all()
 
 
-# -- ripples ------------------------------------------------------------------------------------------------
+# -- ripples ----------------------------------------------------------------------------------------------
 
 
 def test_a_single_wave_is_led_on_by_its_own_rate() -> None:
@@ -197,7 +197,7 @@ def test_ripples_of_the_pool_go_on_by_dispersion() -> None:
     assert run(stage, 0.3)["likeness"] > 86.0
 
 
-# -- air ------------------------------------------------------------------------------------------------------
+# -- air --------------------------------------------------------------------------------------------------
 
 
 def test_pockets_are_those_from_which_no_way_leads_out() -> None:
@@ -214,7 +214,8 @@ def test_pockets_are_those_from_which_no_way_leads_out() -> None:
 
 def test_a_bubble_rings_by_minnaert() -> None:
     """f = sqrt(3 gamma p / rho) / (2 pi r): 3.26 m/s over the radius at 101.3 kPa."""
-    assert MINNAERT == pytest.approx(math.sqrt(3.0 * 1.4 * 101325.0 / 1000.0) / math.tau, rel=0.01)
+    law = math.sqrt(3.0 * 1.4 * 101325.0 / 1000.0) / math.tau
+    assert law == pytest.approx(MINNAERT, rel=0.01)
     assert [BUBBLE_TONES[octave(MINNAERT / r)] for r in (0.04, 0.02, 0.01, 0.0051, 0.001)] == [
         160, 160, 320, 640, 1280,
     ]  # fmt: skip
@@ -245,7 +246,7 @@ def test_it_is_heard_as_it_meets_the_water() -> None:
     assert {one.kind for one in stage.scene.hearing().steady} >= {"room", "water"}
 
 
-# -- the hand ---------------------------------------------------------------------------------------------------
+# -- the hand ---------------------------------------------------------------------------------------------
 
 
 def test_a_hand_drops_stirs_and_calms() -> None:
@@ -286,7 +287,7 @@ def test_a_drop_without_room_is_refused() -> None:
     stage = opened(depth=0.9, size=0.2)
     stage.post(Action("drop"))
     stage.run(1)
-    assert tuple(stage.scene.messages()) == ("There is no room above the water.",)
+    assert tuple(stage.scene.messages()) == ("There is no space above the water.",)
 
 
 def test_without_gravity_a_drop_flies_straight() -> None:
@@ -308,7 +309,7 @@ def test_a_step_back_leads_on_the_same() -> None:
         assert stage.digest() == digest
 
 
-# -- the study --------------------------------------------------------------------------------------------------
+# -- the study --------------------------------------------------------------------------------------------
 
 
 def test_the_ellipse_is_the_known_one() -> None:
