@@ -245,7 +245,7 @@ class Measures(Member):
 
     def rates(self) -> tuple[Floats, Floats]:
         """Wave numbers (MODES,) 1/m that fit into the pool, and rates: w^2 = g k tanh(k h) (Airy 1841)."""
-        k: Floats = np.arange(1, MODES + 1) * (math.pi / self.wide)
+        k: Floats = np.arange(1.0, MODES + 1.0) * (math.pi / self.wide)
         h = float(self.last[-1].mean())
         return k, np.asarray(np.sqrt(self.pull() * k * elementwise.tanh(k * h)), dtype=np.float64)
 

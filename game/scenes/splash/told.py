@@ -34,6 +34,8 @@ def readouts(model: SplashWorld) -> list[Readout]:
     largest = float(now.pockets[:, 2].max()) if len(now.pockets) else 0.0
     bubble = liquid.grid.cell * math.sqrt(largest / math.pi)
     law, at = now.foreseen(), int(GAUGE / liquid.grid.cell)
+    off = 100.0 * abs(now.highest / now.flies - 1.0) if now.time > now.lands else nan
+    kept = 100.0 * now.momentum_now() / now.momentum if abs(now.momentum) > 1.0 else nan
     limit, since = now.limit(), now.time - now.touched
     return [
         Readout("drop", now.number), Readout("falls", int(now.falling)), Readout("touched", int(touched)),
@@ -48,10 +50,10 @@ def readouts(model: SplashWorld) -> list[Readout]:
         Readout("of the limit", 100.0 * now.deepest / limit if limit else nan, "%"),
         Readout("sinks", 100.0 * now.sinks(), "%"),
         Readout("highest water", 100.0 * now.highest, "cm"), Readout("can fly", 100.0 * now.flies, "cm"),
-        Readout("free flight error", 100.0 * abs(now.highest / now.flies - 1.0) if now.time > now.lands else nan, "%"),
+        Readout("free flight error", off, "%"),
         Readout("jet", 100.0 * now.jet(), "cm"), Readout("jet's height", 100.0 * now.jet_most, "cm"),
         Readout("momentum", now.momentum_now(), "kg/s"), Readout("momentum brought", now.momentum, "kg/s"),
-        Readout("momentum kept", 100.0 * now.momentum_now() / now.momentum if abs(now.momentum) > 1.0 else nan, "%"),
+        Readout("momentum kept", kept, "%"),
         Readout("ripple", MM * float(now.last[-1][at] - now.last[-1].mean()), "mm"),
         Readout("ripple by law", MM * float(law[at] - law.mean()) if law is not None else nan, "mm"),
         Readout("likeness", 100.0 * now.likeness(), "%"),
