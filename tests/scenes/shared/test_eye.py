@@ -257,7 +257,8 @@ def test_the_corner_that_is_dragged_lies_under_the_pointer(far: bool, monkeypatc
     stage = OPEN["pool"](eye=True)
     inset = stage.scene.hand.inset
     length = inset.table.length
-    monkeypatch.setattr(inset, "lying", lambda: ((0.6, 0.2 if far else length - 0.2), []))
+    end = 0.2 if far else length - 0.2  # where the balls lie: the view is at the other one
+    monkeypatch.setattr(inset, "lying", lambda: ((0.3, end), [(1.0, end)]))
     box = inset.box
     x, y = inner_corner(box, inset.table)
     assert (box.left > 0.3 * length) is far
