@@ -77,11 +77,11 @@ class DraftTrial:
 
 def _settings() -> list[Setting]:
     law = [
-        Setting(method, STEP / parts, {}, {}, float(parts))
+        Setting(method, STEP / parts, {}, {"added": method, "both": False}, float(parts))
         for method in ("none", "ellipse")
         for parts in PARTS
     ]
-    return [*law, *(Setting("liquid", TANK / n, {}, {}, 30.0 * n) for n in CELLS)]
+    return [*law, *(Setting("liquid", TANK / n, {}, {"both": True}, 30.0 * n) for n in CELLS)]
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:
