@@ -28,6 +28,7 @@ from game.scenes import (
     levitation,
     liquid,
     metal,
+    ocean,
     plates,
     pond,
     real_table,
@@ -92,5 +93,6 @@ CATALOGUE = Catalogue(
         *burning_cloth.ENTRIES,
         *trebuchet.ENTRIES,
         *candle.ENTRIES,
+        *ocean.ENTRIES,
     )
 )
