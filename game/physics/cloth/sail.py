@@ -131,8 +131,9 @@ class SailState(NamedTuple):
 
 
 class Sail:
-    """Corners (4, 2) m from the mast and the origin of the boat: tack, throat, peak, clew; u aft of the mast, y
-    up. weight kg/m²; fullness: share by which it is cut wider than it is set. ValueError for nonsense.
+    """Corners (4, 2) m from the mast and the origin of the boat: tack, throat, peak, clew; u aft of the
+    mast, y up. weight kg/m²; fullness: share by which it is cut wider than it is set. ValueError for
+    nonsense.
 
     Its plane turns about the mast by an angle, 0 with the boom aft (towards -x), above 0 towards +z.
     """

@@ -99,8 +99,8 @@ def sea_at(rows, points, under, out):
 
 
 class Sea:
-    """``count`` waves of ``lengths`` from the shortest to the longest (m), and last of the rows (n, COLUMNS) a
-    swell of one length, along x.
+    """``count`` waves of ``lengths`` from the shortest to the longest (m), and last of the rows (n,
+    COLUMNS) a swell of one length, along x.
 
     heading: rad from x to where the wind blows; spread: rad to either side, by which directions differ, with
     the density of a cosine. ValueError for nonsense.
@@ -150,7 +150,8 @@ class Sea:
         self.rows[-1, RATE] = math.sqrt(self.gravity * math.tau / length)
 
     def goals(self, model: str, wind: float, fetch: float, swell: float = 0.0) -> Floats:
-        """Amplitudes (n,) m of a sea by a model of MODELS, for a wind (m/s), a fetch (m), a swell (m) high."""
+        """Amplitudes (n,) m of a sea by a model of MODELS, for a wind (m/s), a fetch (m), a swell (m)
+        high."""
         rates = self.rows[:-1, RATE]
         if model == "pierson-moskowitz":
             found = pierson_moskowitz(np.maximum(rates, 1e-9), wind, self.gravity)

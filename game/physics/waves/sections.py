@@ -1,10 +1,10 @@
 """A hull of cross sections among waves: lift by the volume under water, in heave, pitch and roll.
 
-Each section is a polygon; what is under the water's line is cut out anew at each step (clipped polygon), so
-large angles need nothing of their own: the righting arm at any heel follows from the same cut. The water
+Each section is a polygon. What is under the water's line is cut out anew at each step (clipped polygon). So
+large angles need nothing of their own, and the righting arm at any heel follows from the same cut. The water
 pushes at right angles to its own surface (Froude 1861, Krylov 1896). The water that swings along with a
-section is that of a half disc as wide as it is at the water (Lewis 1929), and what is added as it goes in
-strikes it (von Karman 1929). Waves that leave take energy, by a coefficient.
+section is that of a half disc as wide as it is at the water (Lewis 1929). What is added as it goes in strikes
+it (von Karman 1929). Waves that leave take energy, by a coefficient.
 """
 
 from __future__ import annotations
@@ -83,14 +83,18 @@ def cut_section(points, turn, line):
 
 
 @lean_kernel
-def push_hull(sections, stations, width, pose, water, before, settings, gravity, dt, cuts, found):
+def push_hull(form, pose, water, before, settings, pace, out):
     """Forces of the water on a hull, and how much water swings along.
 
-    sections (n, p, 2), stations (n,) m from the middle of mass; width m of each. pose: height of the middle of
-    mass m, pitch, heel rad, then velocities along, up m/s, pitching, rolling rad/s. water (n, 5): `sea`. before
-    (n,) m, breadths a step ago; below 0: none is known. cuts (n, 5): AREA to STRIKE, over all. found (2, 4):
+    form: sections (n, p, 2), stations (n,) m from the middle of mass, width m of each. pose: height of the
+    middle of mass m, pitch, heel rad, then velocities along, up m/s, pitching, rolling rad/s. water (n,
+    5): `sea`. before (n,) m, breadths a step ago; below 0: none is known. pace: gravity m/s² and the step
+    s. out: cuts (n, 5), AREA to STRIKE; found (2, 4):
     forces N, N m by HEAVE to SURGE; then added mass kg, kg m², how strongly it heaves kg/s, pitches kg m²/s.
     """
+    sections, stations, width = form
+    gravity, dt = pace
+    cuts, found = out
     up, pitch, heel, along, rising, pitching, _ = pose
     c, s = elementary.cos(heel), elementary.sin(heel)
     tilt_c, tilt_s = elementary.cos(pitch), elementary.sin(pitch)
@@ -124,8 +128,8 @@ def push_hull(sections, stations, width, pose, water, before, settings, gravity,
 
 
 class Hydrostatics(NamedTuple):
-    """Of a hull at rest: height of its middle of mass over the water m, volume m³, water plane m², height of
-    the metacentre over the middle of mass m, mass that swings along kg.
+    """Of a hull at rest: height of its middle of mass over the water m, volume m³, water plane m². Then
+    height of the metacentre over the middle of mass m, and mass that swings along kg.
     """
 
     up: float
@@ -161,8 +165,8 @@ class SectionHull:
     ) -> Floats:
         """Forces (2, 4), see `push_hull`; `cuts` are those of this pose."""
         push_hull(
-            self.sections, self.stations, self.width, pose, water, before, self.settings, gravity, dt,
-            self.cuts, self.found,
+            (self.sections, self.stations, self.width), pose, water, before, self.settings, (gravity, dt),
+            (self.cuts, self.found),
         )  # fmt: skip
         return self.found
 
@@ -202,7 +206,7 @@ class SectionHull:
         return Hydrostatics(up, volume, plane, inertia / volume + middle, float(self.found[1, 0]))
 
     def periods(self, gravity: float = 9.81) -> tuple[float, float]:
-        """s of heaving, as waves that leave slow it, and of rolling by a little (Bouguer 1746); inf: it does not."""
+        """s of heaving, slowed by waves that leave, and of rolling by a little (Bouguer 1746); inf: never."""
         rest = self.at_rest()
         stiff = self.settings.density * gravity * rest.plane
         upright = self.mass * gravity * rest.metacentre
@@ -225,8 +229,8 @@ def box_sections(breadth: float, height: float, below: float, count: int = 1) ->
 
 
 def rounded_sections(ends: Floats, points: int = 9) -> Floats:
-    """(n, 2 points, 2) sections from keel to deck. ends (n, 3): half breadth, draft and freeboard m; z, y from
-    the water line that it was drawn with.
+    """(n, 2 points, 2) sections from keel to deck. ends (n, 3): half breadth, draft and freeboard m; z, y
+    from the water line that it was drawn with.
     """
     share = np.arange(points) / (points - 1.0)
     full = 1.0 - (1.0 - share) * (1.0 - share)  # round below, upright sides

@@ -1,7 +1,7 @@
 """The boat: a hull of sections, ballast in its keel, one sail on a mast; how water and wind move it.
 
-It goes along x, on a course that a helmsman keeps; it drifts to no side and turns to none, and its picture goes
-with it. Heel is above 0 to where the wind blows, pitch with the bow up.
+It goes along x, on a course that a helmsman keeps; it drifts to no side and turns to none, and its picture
+goes with it. Heel is above 0 to where the wind blows, pitch with the bow up.
 """
 
 from __future__ import annotations
@@ -40,17 +40,17 @@ MAST, KEEL = (
 )  # m before the middle; m below the middle of mass, where the keel holds against the wind
 CORNERS = np.array([(0.06, 1.3), (0.06, 5.6), (3.9, 8.7), (5.9, 1.55)])  # tack, throat, peak, clew
 COLUMNS, ROWS = 15, 13  # of the sail
-AIR, PLATE, OUT = 1.2, 1.25, 3.3  # kg/m³; coefficient of a plate square to the wind; m of cloth from the mast
+AIR, PLATE, OUT = 1.2, 1.25, 3.3  # kg/m³; coefficient of a plate; m of the cloth's middle from the mast
 CENTRE = 4.5  # m up: of the sail
 SMITH = 0.3  # m below the water line at which waves are felt
 WETTED, SKIN = 15.0, 0.008  # m²; coefficient of what the hull drags
 KEEL_DRAG, HULL_DAMP = 1100.0, 0.02  # N m s² of a keel that swings; share of critical, of the hull
-BOOM, BOOM_DAMP, HAULED = 60.0, 25.0, 0.6  # kg m²; N m s; rad/s at which its sheet is hauled in
+BOOM, BOOM_DAMP, HAULED = 60.0, 25.0, 0.6  # kg m²; N m s; rad/s at which a sheet is hauled in
 UP, PITCHED, HEEL, SPEED, RISING, PITCHING, ROLLING, SWUNG, SWINGING, SAILED = range(10)
 # when heel and heave last came up through their middle (s), and how long it took since the time before
 ROLL_AT, ROLL_S, HEAVE_AT, HEAVE_S = range(4)
 LEAST_SWING = math.radians(0.15)  # of a heel, and m of a heave, that count as a swing
-LEAST_HEAVE = 0.004
+LEAST_HEAVE = 0.0005
 ROLLS, PITCHES = 0.36, 0.25  # radii of gyration, of beam and length
 
 
@@ -65,7 +65,8 @@ def hull_ends() -> tuple[Floats, Floats]:
 
 
 class Boat(Member):
-    """``pose`` (10,) by UP to SAILED; ``breadths`` (n,) m at the water, a substep ago; ``beats`` (4,) s, 0 while a period is not known.
+    """``pose`` (10,) by UP to SAILED; ``breadths`` (n,) m at the water, a substep ago; ``beats`` (4,) s, 0
+    while a period is not known.
 
     ``forces`` (6,): of the sail on the boat, N and N m about the middle of mass: drive, lift, side, heeling,
     pitching; last the righting moment of the water. ``struck``: N s of blows in the last step.
@@ -212,7 +213,7 @@ class Boat(Member):
         rolling += h * (float(found[0, ROLL]) + heeling) / hull.inertia[1]
         pose[ROLLING] = rolling / (1.0 + h * damping / hull.inertia[1])
         speed = float(pose[SPEED])
-        hump = (speed * speed / (0.16 * max(gravity, 0.1) * LENGTH)) ** 3
+        hump = elementary.cube(speed * speed / (0.16 * max(gravity, 0.1) * LENGTH))
         wet = min(float(np.sum(hull.cuts[:, 0])) * hull.width / max(self.rest.volume, 1e-9), 2.0)
         drag = 0.5 * hull.settings.density * WETTED * SKIN * wet * abs(speed) * (1.0 + hump)
         speed += h * (drive + float(found[0, SURGE])) / hull.mass

@@ -86,7 +86,8 @@ def _add_cuts(rows, z, first, step, sums):
 
 @lean_kernel
 def see_sea(rows, shrinks, eye, light, grain, gravity, sums, tops, colors):
-    """Cuts (l,) by how they shrink: tops (l, w) px, colors (l, w, 4) red, green, blue 0 to 255, foam 0 to 1."""
+    """Cuts (l,) by how they shrink: tops (l, w) px, colors (l, w, 4) red, green, blue 0 to 255, foam 0 to
+    1."""
     count = tops.shape[1]
     for cut in range(shrinks.shape[0]):
         part = shrinks[cut]

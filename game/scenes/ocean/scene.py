@@ -17,12 +17,12 @@ from game.worlds.scene import Parts, Told, WorldScene
 
 
 class Ocean(WorldScene):
-    """A boat with one sail on a sea of many waves. Each wave runs at the speed of its own length. How high they
-    are, the wind says, by a spectrum that was measured at sea.
+    """A boat with one sail on a sea of many waves. Each wave runs at the speed of its own length. How high
+    they are, the wind says, by a spectrum that was measured at sea.
 
-    The water lifts the hull by the volume that is under its surface, section by section. So it heaves, pitches
-    and heels, and rights itself as long as its lift is beside its weight. The sail is a cloth: the wind presses
-    it, its force drives the boat and heels it. Where sections strike the water, drops fly.
+    The water lifts the hull by the volume that is under its surface, section by section. So it heaves,
+    pitches and heels, and rights itself as long as its lift is beside its weight. The sail is a cloth: the
+    wind presses it, its force drives the boat and heels it. Where sections strike the water, drops fly.
 
     A helmsman keeps the course: drift and turning are left out, and waves do not feel the boat. Waves are low
     ones that do not break: foam stands where they would. The sea grows in seconds, not hours. Mast and sail
@@ -52,10 +52,10 @@ class Ocean(WorldScene):
     )  # fmt: skip
     hints = (
         Hint(("Drag",), "lift the boat, let it fall"), Hint(("Right click",), "send a gust"),
-        Hint(("P",), "pull the mast over"), Hint(("J",), "press the boat down"),
+        Hint(("O",), "pull the mast over"), Hint(("J",), "press the boat down"),
     )  # fmt: skip
     actions = (
-        SceneAction("gust", "send a gust", "U"), SceneAction("pull", "pull the mast over", "P"),
+        SceneAction("gust", "send a gust", "U"), SceneAction("pull", "pull the mast over", "O"),
         SceneAction("press", "press the boat down", "J"),
     )  # fmt: skip
     figure = staticmethod(draw_arms)

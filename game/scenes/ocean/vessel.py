@@ -26,7 +26,8 @@ BOOT, BELOW = 0.05, 6  # m over the drawn water line to which the hull is red; r
 
 
 class Vessel:
-    """Draws a boat: points of its own frame, x m before amidships, y over the drawn water line, z to leeward."""
+    """Draws a boat: points of its own frame, x m before amidships, y over the drawn water line, z to
+    leeward."""
 
     def __init__(self, boat: Boat):
         self.boat = boat
@@ -41,7 +42,9 @@ class Vessel:
         side = np.stack([along, y, -z], axis=2)
         self.skin = np.concatenate([side, side[:, ::-1] * np.array((1.0, 1.0, -1.0))], axis=1)  # (n, p, 3)
         one, other = self.skin[:-1], self.skin[1:]
-        self.quads: Floats = np.stack([one[:, :-1], one[:, 1:], other[:, 1:], other[:, :-1]], axis=2).reshape(-1, 4, 3)
+        self.quads: Floats = np.stack([one[:, :-1], one[:, 1:], other[:, 1:], other[:, :-1]], axis=2).reshape(
+            -1, 4, 3
+        )
         bands = [ANTIFOUL] * (BELOW - 1) + [TOPSIDE] * 3 + [STRIPE, TOPSIDE]
         row = channels(np.array([*bands, DECK, *bands[::-1]]))
         self.inks = np.tile(row, (len(x) - 1, 1))
@@ -71,9 +74,9 @@ class Vessel:
     ) -> None:
         """All of it; what is farther first. air: m/s of the wind along and across."""
         self._eye, self._light = eye, light
-        body = [self._hull, self._cabin] if math.cos(pose[2]) > 0.0 else [self._cabin, self._hull]
-        away = pose[3] >= 0.0  # what is swung out to leeward is behind the hull
-        parts = [self._keel, self._rig, *body] if away else [self._keel, *body, self._rig]
+        # heeled away, its near side hides what stands on deck; swung out to leeward, the sail is behind all
+        body = [self._cabin, self._hull] if math.sin(pose[2]) > 0.0 else [self._hull, self._cabin]
+        parts = [self._keel, self._rig, *body] if pose[3] >= 0.0 else [self._keel, *body, self._rig]
         for part in parts:
             part(canvas, pose, air)
 

@@ -1,4 +1,5 @@
-"""How the ocean is drawn: sky, sun, waves to the horizon, boat, spray, rain; the boat once more from astern."""
+"""How the ocean is drawn: sky, sun, waves to the horizon, boat, spray, rain; the boat once more from
+astern."""
 
 from __future__ import annotations
 
@@ -130,9 +131,13 @@ class OceanView:
         if not len(drops):
             return
         at = projected(eye, drops[:, DX], drops[:, DY], drops[:, DZ])
-        size = np.maximum(drops[:, 7] * shrink(drops[:, DZ]), canvas.px(0.9))
-        canvas.discs(at, 2.4 * size, color_of(0xEAF4F8), 0.16)
-        canvas.discs(at, size, color_of(0xF8FCFF), 0.85)
+        size = np.maximum(drops[:, 7] * shrink(drops[:, DZ]), canvas.px(0.7))
+        speed = float(self.model.boat.pose[3])
+        back = drops[:, :3] - 0.035 * (drops[:, 3:6] - (speed, 0.0, 0.0))
+        canvas.discs(at, 6.0 * size, color_of(0xDCE8EE), 0.05)
+        tails = projected(eye, back[:, 0], back[:, 1], back[:, 2])
+        canvas.segments(at, tails, color_of(0xF4FAFC), 1.3, 0.6)
+        canvas.discs(at, 0.8 * size, color_of(0xF8FCFF), 0.8)
 
     def _draw_rain(self, canvas: Canvas, eye: float, late: bool) -> None:
         rain = self.model.rain
@@ -166,7 +171,7 @@ class OceanView:
 
     def _draw_astern(self, canvas: Canvas, pose: Any, light: Light) -> None:
         """The boat in cross section from astern, the wind from the left: water line, weight and lift."""
-        seen, model = canvas.camera.visible(), self.model
+        seen = canvas.camera.visible()
         tall = seen.top - seen.bottom
         side = INSET * tall
         low = (seen.right - side - 0.025 * tall, seen.bottom + 0.2 * tall)

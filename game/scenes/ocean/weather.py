@@ -12,8 +12,8 @@ from game.physics.kernels import elementwise, linear
 from game.worlds.world import Member
 
 DX, DY, DZ, DVX, DVY, DVZ, DAGE, DSIZE = range(8)  # columns of a drop: m, m/s, s, m
-MOST_SPRAY, MOST_FOAM, MOST_RAIN = 900, 160, 700
-PER_JOULE, MOST_OF_ONE = 0.6, 40
+MOST_SPRAY, MOST_FOAM, MOST_RAIN = 1200, 160, 700
+PER_JOULE, MOST_OF_ONE, JET = 0.6, 40, 3.4  # drops; times the blow's speed that a jet has (Wagner 1932)
 RAIN_FALLS = 8.0  # m/s, of drops of 3 mm (Gunn and Kinzer 1949)
 SPRAY_FALLS = 5.0  # m/s, of drops of 1.5 mm (the same)
 BOX = np.array(((-22.0, -0.5, -8.0), (22.0, 15.0, 34.0)))  # m in which it rains
@@ -84,7 +84,7 @@ class Spray(Member):
         drops = np.zeros((many, 8))
         drops[:, :3] = places[k] + linear.uniform(random, -0.15, 0.15, (many, 3))
         drops[:, DZ] += 0.5 * side * breadths[k]
-        pace = fast[k] * linear.uniform(random, 0.5, 1.9, many)
+        pace = fast[k] * linear.uniform(random, 0.8, JET, many)
         drops[:, DVX] = linear.uniform(random, -0.1, 0.6, many) * pace
         drops[:, DVY] = linear.uniform(random, 0.5, 1.3, many) * pace
         drops[:, DVZ] = side * linear.uniform(random, 0.2, 0.8, many) * pace

@@ -33,7 +33,7 @@ from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Kept, Whole, World
 
 SLAM, BOOM, CRACK = range(3)  # sounds
-HEARD_BLOW, LEAST_BLOW = 2500.0, 180.0  # N s of a blow that sounds as one of 1 m/s does; of the least
+HEARD_BLOW, LEAST_BLOW = 150.0, 25.0  # N s of a blow that sounds as one of 1 m/s does; of the least
 SPRAY_BLOW = 0.25  # m/s of a section into the water, from which drops fly
 NOW, RAINS, GUST, CREST, WAY, SINCE = range(6)  # of the air: m/s, mm/h, m/s; of a crest: m, m, s
 CRESTS, LOST = 33, -1e9  # places in which it is looked for; m, where there is none
@@ -69,8 +69,8 @@ def height_by_law(wind: float, fetch: float, gravity: float) -> float:
 
 
 class OceanWorld(World):
-    """``air`` (6,): wind and rain now, a gust of the hand, the crest that is followed (m from the boat, the way
-    it has made and since when). Places are beside the boat, which stands at x = 0.
+    """``air`` (6,): wind and rain now, a gust of the hand, the crest that is followed (m from the boat,
+    the way it has made and since when). Places are beside the boat, which stands at x = 0.
     """
 
     state_type = OceanState
@@ -246,8 +246,8 @@ class OceanWorld(World):
         return self.seen(1.75 - self.boat.middle_x, 8.0, 0.0)
 
     def seen(self, along: float, up: float, across: float) -> tuple[float, float]:
-        """A point of the boat, m before the middle of mass, over the drawn water line and to leeward, as it is
-        seen from the side."""
+        """A point of the boat, m before the middle of mass, over the drawn water line and to leeward, as
+        it is seen from the side."""
         pose = self.boat.pose
         c, s = elementary.cos(float(pose[HEEL])), elementary.sin(float(pose[HEEL]))
         y = (up - self.boat.middle_y) * c - across * s
