@@ -25,6 +25,9 @@ BREAKS, WHITE = 0.15, 0.36  # of gravity: where foam begins, and is full
 LAYERS_FAR, LAYERS_NEAR = 64, 50
 
 
+Triple = tuple[float, float, float]
+
+
 class Eye(NamedTuple):
     """Where the picture is seen from, m along; the height (m) of its horizon; px of a point of the world:
     columns and rows of the origin, px to a m."""
@@ -39,12 +42,12 @@ class Light(NamedTuple):
     """Colours of deep water, of a thin crest, of sky at the horizon and above, of the sun (0 to 255 each);
     the sun's direction."""
 
-    deep: tuple[float, float, float]
-    thin: tuple[float, float, float]
-    low: tuple[float, float, float]
-    high: tuple[float, float, float]
-    sun: tuple[float, float, float]
-    to: tuple[float, float, float]
+    deep: Triple
+    thin: Triple
+    low: Triple
+    high: Triple
+    sun: Triple
+    to: Triple
     glint: float
 
 
@@ -278,11 +281,14 @@ LEVELS = 16  # of a storm, in which the sky is kept
 def light_of(late: bool, storm: float) -> Light:
     """Between fair weather (0) and a storm (1)."""
     fair, bad = LIGHTS[late]
-    mixed = [
-        tuple(a + (b - a) * storm for a, b in zip(one, other, strict=True))
-        for one, other in zip(fair[:6], bad[:6], strict=True)
-    ]
-    return Light(*mixed, fair.glint + (bad.glint - fair.glint) * storm)  # type: ignore[arg-type]
+
+    def mixed(one: Triple, other: Triple) -> Triple:
+        red, green, blue = (a + (b - a) * storm for a, b in zip(one, other, strict=True))
+        return red, green, blue
+
+    colors = [mixed(one, other) for one, other in zip(fair[:6], bad[:6], strict=True)]
+    deep, thin, low, high, sun, to = colors
+    return Light(deep, thin, low, high, sun, to, fair.glint + (bad.glint - fair.glint) * storm)
 
 
 @lru_cache(maxsize=2)

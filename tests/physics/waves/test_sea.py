@@ -133,4 +133,4 @@ def test_amplitudes_grow_towards_their_goals() -> None:
 def test_nonsense_is_refused() -> None:
     for arguments in ({"count": 0}, {"count": 4, "spread": -1.0}, {"count": 4, "lengths": (2.0, 1.0)}):
         with pytest.raises(ValueError):
-            Sea(**arguments)  # type: ignore[arg-type]
+            Sea(**arguments)
