@@ -57,7 +57,7 @@ FOLDERS = {
         "fields proximity_effects dominoes accretion",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators acoustics spacetime deformables heat",
-        "surfaces cloth waves particle_fluids",
+        "surfaces cloth waves particle_fluids hydrostatics",
         "grid",
         "multigrid",
         "gas liquid",

@@ -272,7 +272,10 @@ class App:
             self._open_card(CareerCard.called, lambda: CareerCard(self))
 
     def open_challenge(self) -> None:
-        """The challenge of this day at its table."""
+        """The challenge of this day at its table; one line where the catalogue has no such table."""
+        if not any(entry.name == "billiards" for entry in self.catalogue):
+            self.tell("Challenge.", "There is no billiard table here.", "warning")
+            return
         try:
             path = write_challenge(today())
         except ValueError as error:

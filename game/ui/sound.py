@@ -63,6 +63,7 @@ STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4,
 KINDS = (
     "tip", "miscue", "ball", "cushion", "pocket", "wood", "thud", "stone", "mortar", "burst", "crackle",
     "steel", "rail", "wind", "rustle", "glass", "ground",
+    "splash", "bubble",
 )  # fmt: skip
 
 
@@ -113,6 +114,11 @@ def sample_of(kind: str, layer: int) -> Floats:
         made = _breath(bright)
     elif kind == "rustle":
         made = _rustle(bright)
+    elif kind == "splash":
+        made = _splash(bright)
+    elif kind == "bubble":  # air under water swings; its tone rises as it comes up
+        t = np.arange(int(0.12 * RATE)) / RATE
+        made = np.sin(math.tau * (900.0 + 900.0 * bright) * t * (1.0 + 1.6 * t)) * np.exp(-t / 0.022)
     elif kind in ("mortar", "burst", "crackle"):
         made = _explosion(kind, bright)
     else:
@@ -166,6 +172,22 @@ def _rustle(bright: float) -> Floats:
         start = int(chance.random() * (len(made) - len(tick)))
         made[start : start + len(tick)] += chance.uniform(0.3, 1.0) * tick
     return made - np.convolve(made, np.full(24, 1.0 / 24.0), "same")
+
+
+def _splash(bright: float) -> Floats:
+    """A body of water is struck: a slap, a rush that fades, and bubbles that ring (Minnaert 1933), the more
+    and the higher the harder it was.
+    """
+    length = 0.7
+    made = _noise(length, 500.0 + 2600.0 * bright, 0.03, 14) + 0.7 * _noise(length, 1800.0, 0.16, 15)
+    made += (0.3 + 0.3 * bright) * _noise(length, 260.0, 0.07, 16)
+    chance = np.random.default_rng(17)
+    for _ in range(4 + int(10 * bright)):
+        tone = _Tone(float(chance.uniform(420.0, 1500.0 + 1400.0 * bright)), 1.0, 0.012)
+        ring = _tones((tone,), 0.08, 1.0)
+        start = int(chance.uniform(0.03, 0.75) * (len(made) - len(ring)))
+        made[start : start + len(ring)] += chance.uniform(0.05, 0.2) * ring
+    return made
 
 
 def _explosion(kind: str, bright: float) -> Floats:

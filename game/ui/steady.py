@@ -1,4 +1,4 @@
-"""Sounds that go on: rolling, sliding, flames, wind, rustling, falling rubble, the tone of a place.
+"""Sounds that go on: rolling, sliding, flames, wind, rustling, falling rubble, water, the tone of a place.
 
 Each kind is a loop of noise whose spectrum falls off on both sides of a band and whose loudness swells at
 random. A loop is made by an inverse Fourier transform of random phases, so its end meets its beginning. Where
@@ -49,6 +49,7 @@ BANDS = {
     "rubble": (Band(24.0, 130.0, 1.5, 9.0, 0.6), Band(300.0, 1900.0, 6.0, 40.0, 1.0, 4.0)),
     "hiss": (Band(2800.0, 11_000.0, 0.5, 4.0, 0.4),),
     "room": (Band(30.0, 420.0, 0.3, 1.0, 0.2),),
+    "water": (Band(90.0, 900.0, 0.8, 6.0, 0.4), Band(900.0, 5200.0, 4.0, 30.0, 0.6, 2.0)),
 }
 STEADY_KINDS = tuple(BANDS)
 

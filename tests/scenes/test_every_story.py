@@ -11,7 +11,7 @@ import pygame
 import pytest
 
 from game.app.stagehand.headless import prepare
-from game.app.stagehand.story_picture import hidden, point_camera
+from game.app.stagehand.story_picture import covered, hidden, point_camera
 from game.app.stagehand.view import StageView
 from game.scenes import CATALOGUE
 from game.stage import Action, ParameterError, Pointer, Recording, Stage, replay_scene
@@ -31,6 +31,7 @@ SMALL, OTHER = (64, 36), 20  # px of pictures that are compared; of 255, by whic
 LARGE_CHANGE = 0.1  # of the picture, within a second
 REPLAYED_S = 12.0  # of a story: the rest is made twice in pieces, after each take-over
 TAKE_OVERS, BETWEEN_S, AFTER_S = 20, (0.5, 5.0), 0.25  # at least; s from one to the next, s that each lasts
+CHANGED_S = 1.0  # after which one thing changed has changed the state
 
 pytestmark = pytest.mark.compiled
 
@@ -55,6 +56,7 @@ class Performance(NamedTuple):
     changed: list[bool]  # by what the story offers at its end
     marked: list[tuple[float, int]]  # s of film; pixels that marks change there
     hidden: list[str]  # what keeps the subject of a moment from being seen well as it comes
+    covered: dict[str, float]  # what lay over it as long as words stood, and when first, s of film
     moved: list[tuple[float, float]]  # s of film; share of the picture that has changed since a second before
 
 
@@ -99,7 +101,7 @@ def played(request: pytest.FixtureRequest) -> Performance:
     found = result_of(runner)
     return Performance(
         story, stage, runner, found, off, outside, taken_over, harmed, beginning, changed, marked,
-        eye.hidden, eye.moved,
+        eye.hidden, eye.covered, eye.moved,
     )  # fmt: skip
 
 
@@ -112,6 +114,7 @@ class Eye:
         self.view.place(pygame.Rect(0, 0, 640, 360), self.look_of)
         self.view.show_marks(False)
         self.hidden: list[str] = []
+        self.covered: dict[str, float] = {}
         self.moved: list[tuple[float, float]] = []
         self._seen: set[str] = set()
         self._picture: np.ndarray | None = None
@@ -121,9 +124,11 @@ class Eye:
         """After some steps."""
         runner, shown_s = self.runner, self.runner.shown_s
         new = [name for name in runner.course.reached if name not in self._seen]
+        point_camera(self.view, runner, shown_s)
+        for words in covered(self.look_of, self.view, runner, shown_s):
+            self.covered.setdefault(words, shown_s)
         if new:
             self._seen.update(new)
-            point_camera(self.view, runner, shown_s)
             self.hidden += [f"{new[-1]}: {why}" for why in hidden(self.look_of, self.view, runner, shown_s)]
         if shown_s >= self._next_s:
             self._next_s = shown_s + 1.0
@@ -203,6 +208,11 @@ def test_what_a_moment_is_about_is_seen(played: Performance) -> None:
     assert played.hidden == []
 
 
+def test_no_words_ever_lie_over_what_is_to_be_seen(played: Performance) -> None:
+    """Not only as its moment comes, but for as long as they stand."""
+    assert played.covered == {}
+
+
 def test_there_is_something_new_every_eight_seconds(played: Performance) -> None:
     """A moment, words, another place of the camera; or the picture itself changes."""
     for begins, ends in played.found.idle:
@@ -242,13 +252,13 @@ def _try_what_if(runner: Runner) -> bool:
     stage, what_if = runner.stage, runner.story.what_if
     assert what_if is not None
     here = stage.step_number
-    stage.run(round(AFTER_S / stage.dt))
+    stage.run(round(CHANGED_S / stage.dt))
     plain = stage.digest()
     runner.return_to(here)
     runner.take_over()
     for event in events_of(what_if.do, (0.0, 0.0), (0.0, 0.0)):
         stage.post(event)
-    stage.run(round(AFTER_S / stage.dt))
+    stage.run(round(CHANGED_S / stage.dt))
     changed = stage.fault is None and stage.digest() != plain
     runner.return_to(here)
     return changed

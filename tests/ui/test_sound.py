@@ -16,6 +16,7 @@ LONGEST_S = {
     "burst": 1.5,
     "ground": 0.65,
     "glass": 0.45,
+    "splash": 0.75,
 }  # what rolls over open land or rings; all else is of a small room
 
 

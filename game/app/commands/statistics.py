@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import math
 from typing import Any
 
 from game.app.commands import output
@@ -13,7 +12,7 @@ from game.app.window.mistake import MistakeError
 def add(commands: Any) -> None:
     """Declare the command."""
     parser = commands.add_parser(
-        "statistics", help="strokes of the career: pots, position, breaks", allow_abbrev=False
+        "statistics", help="strokes of the career: pots, points, position, breaks", allow_abbrev=False
     )
     parser.add_argument("--player", default="", metavar="NAME", help="whose (who played last)")
     parser.add_argument("--csv", metavar="FILE", help="write every stroke; - is standard output")
@@ -25,7 +24,7 @@ def execute(options: argparse.Namespace) -> int:
     output.check_writable(options.csv, "--csv")
     from game.app.stagehand.career_file import read_career
     from game.app.stagehand.stroke_file import read_strokes
-    from game.billiards.career.strokes import by_opponent, csv_of, summary_of
+    from game.billiards.career.strokes import by_opponent, csv_of, summary_of, summary_words
 
     try:
         strokes, player = read_strokes(), read_career().player
@@ -39,17 +38,7 @@ def execute(options: argparse.Namespace) -> int:
     if options.csv:
         output.write_text(csv_of(facts), options.csv, "--csv")
     if options.csv != output.STANDARD_OUTPUT:
-        print(_line(name or "no player", summary_of(facts)))
+        print(summary_words(name or "no player", summary_of(facts)))
         for opponent, found in by_opponent(facts).items():
-            print("  " + _line(f"against {opponent}", found))
+            print("  " + summary_words(f"against {opponent}", found))
     return 0
-
-
-def _line(who: str, found: Any) -> str:
-    """A summary in words."""
-    words = f"{who}: {found.made} of {found.pots} pots, {found.expected:.1f} by the map"
-    if math.isfinite(found.stray):
-        words += f"; position {1000.0 * found.stray:.0f} mm off"
-    if math.isfinite(found.break_speed):
-        words += f"; break at {found.break_speed:.1f} m/s"
-    return words

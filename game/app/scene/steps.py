@@ -67,7 +67,8 @@ class Steps:
                 self._host.tell("Challenge.", answer.complaint, "warning")
         news = self._career.update(stage)
         if news.cause:
-            self._host.tell(news.cause, news.consequence)
+            key = self._host.keys.label("career")
+            self._host.tell(news.cause, f"{news.consequence} {key}: your career.".strip())
         if news.complaint:
             self._host.tell("Career.", news.complaint, "warning")
         if complaint := self._practice.update(stage):

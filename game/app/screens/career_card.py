@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from typing import ClassVar
 
+import msgspec
 import pygame
 
 from game.app.screens.card import HEAD, CardScreen
@@ -75,10 +76,9 @@ class CareerCard(CardScreen):
         player = self.player
         if player is None:
             return None
-        if self.in_cup and (cup := cup_match(player)) is not None:
-            return cup
-        start = fair_head_start(player, self.opponent, self.game) if self.start == FAIR else 0
-        return Match(self.game, self.opponent, start)
+        match = (cup_match(player) if self.in_cup else None) or Match(self.game, self.opponent)
+        start = fair_head_start(player, match.opponent, match.game) if self.start == FAIR else 0
+        return msgspec.structs.replace(match, head_start=start)
 
     @property
     def shown_game(self) -> str:
@@ -124,7 +124,6 @@ class CareerCard(CardScreen):
             self._open_players()
         elif kind == "start":
             self.start = LEVEL if self.start == FAIR else FAIR
-            self.in_cup = False
             self.refresh()
         elif kind == "statistics":
             self.host.open_statistics(self.player.name if self.player else "")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import ClassVar
 
@@ -13,14 +12,18 @@ from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.host import Host
 from game.app.stagehand.stroke_file import read_strokes
 from game.billiards.career.strokes import (
+    CHANCES,
     CUTS,
     DISTANCES,
+    POINT,
+    POT,
+    WAYS,
     Share,
-    Summary,
     by_opponent,
     csv_of,
     shares,
     summary_of,
+    summary_words,
 )
 from game.billiards.players.ladder import BY_NAME
 from game.files import FileProblem, write_text
@@ -32,7 +35,13 @@ from game.ui.widgets.hotspots import Hotspot
 
 CSV_NAME = "statistics.csv"
 FOOT, BUTTON, WIDE, GAP, LINE = 72, 36, 220, 20, 22  # design px
+NONE = {POT: "No pots", POINT: "No points"}
+MADE = {POT: "you pot", POINT: "you score"}
 CHARTS = 0.58  # share of the height
+CHARTED = {  # by kind of stroke: figures, units and classes of both charts
+    POT: (("distance", "m", DISTANCES), ("cut", "°", CUTS)),
+    POINT: (("chance", "", CHANCES), ("cushions", "before the first ball", WAYS)),
+}
 
 
 class StatisticsCard(CardScreen):
@@ -49,6 +58,9 @@ class StatisticsCard(CardScreen):
         except ValueError as error:
             self.facts = ()
             host.tell("Statistics.", str(error), "warning")
+        self.kind = POT  # of the strokes whose charts are shown
+        if any(one.kind == POINT for one in self.facts[-1:]):
+            self.kind = POINT
         super().__init__(host)
         self.restyle()
 
@@ -59,9 +71,16 @@ class StatisticsCard(CardScreen):
     def places(self) -> list[Hotspot]:
         px, card = self.host.look.px, self.veil.card
         y = card.bottom - px(FOOT) + (px(FOOT) - px(BUTTON)) // 2
-        return [Hotspot("csv", pygame.Rect(card.right - px(32 + WIDE), y, px(WIDE), px(BUTTON)))]
+        last = pygame.Rect(card.right - px(32 + WIDE), y, px(WIDE), px(BUTTON))
+        return [Hotspot("kind", last.move(-px(WIDE + GAP), 0)), Hotspot("csv", last)]
+
+    def state(self) -> object:
+        return self.kind
 
     def pressed(self, name: str) -> None:
+        if name == "kind":
+            self.kind = POINT if self.kind == POT else POT
+            self.refresh()
         if name != "csv":
             return
         path = user_folder() / CSV_NAME
@@ -78,18 +97,20 @@ class StatisticsCard(CardScreen):
         high = round(CHARTS * (picture.get_height() - px(HEAD) - px(FOOT)))
         left = pygame.Rect(px(32), px(HEAD - 8), width, high)
         right = left.move(width + px(GAP), 0)
-        self._paint_chart(picture, left, shares(self.facts, DISTANCES, by_cut=False), ("distance", "m"))
-        self._paint_chart(picture, right, shares(self.facts, CUTS, by_cut=True), ("cut", "°"))
+        for area, (by, unit, edges) in zip((left, right), CHARTED[self.kind], strict=True):
+            self._paint_chart(picture, area, shares(self.facts, edges, by, self.kind), (by, unit))
         y = left.bottom + px(18)
         rows = [("all", summary_of(self.facts))]
         for name, found in by_opponent(self.facts).items():
             rows.append((BY_NAME[name].title if name in BY_NAME else name, found))
-        for words in (row_of(name, found) for name, found in rows):
+        for words in (summary_words(name, found) for name, found in rows):
             if y > picture.get_height() - px(FOOT):
                 break
             fitted = look.fonts.fit(words, 13, "medium", picture.get_width() - px(64))
             look.text(picture, fitted, (px(32), y), 13, "medium", "text1")
             y += px(LINE)
+        other = "Points of carom" if self.kind == POT else "Pots"
+        self.draw_button(picture, "kind", other, primary=False)
         self.draw_button(picture, "csv", "Write all strokes as CSV", primary=True)
 
     def _paint_chart(
@@ -100,21 +121,11 @@ class StatisticsCard(CardScreen):
             look = self.host.look
             draw_box(picture, area, look.px(10), look.theme.inset)
             words = look.fonts.fit(
-                f"No pots yet, to be shown by {over[0]}.", 13, "medium", area.w - look.px(16)
+                f"{NONE[self.kind]} yet, to be shown by {over[0]}.", 13, "medium", area.w - look.px(16)
             )
             look.text(picture, words, area.center, 13, "medium", "text2", "center")
             return
         made = np.array([(one.middle, 100.0 * one.made) for one in found])
         expected = np.array([(one.middle, 100.0 * one.expected) for one in found])
-        names = ("you pot", "the map's chance")
+        names = (MADE[self.kind], "the map's chance")
         draw_comparison(picture, self.host.look, area, Comparison(made, expected, names, "%", *over), 1.0)
-
-
-def row_of(name: str, found: Summary) -> str:
-    """A summary in a line."""
-    words = f"{name}: {found.made} of {found.pots} pots, {found.expected:.1f} expected by the map"
-    if math.isfinite(found.stray):
-        words += f"; position {1000.0 * found.stray:.0f} mm off"
-    if math.isfinite(found.break_speed):
-        words += f"; break {found.break_speed:.1f} m/s"
-    return words

@@ -11,7 +11,7 @@ from game.app.stagehand.stroke_file import keep_stroke
 from game.billiards.career.career import Hand, Match, Player, Result, rating_of
 from game.billiards.career.matches import with_result
 from game.billiards.career.prizes import PRIZES, unlocked_of
-from game.billiards.career.strokes import BREAK, POT, StrokeFact
+from game.billiards.career.strokes import StrokeFact
 from game.billiards.players.ladder import BY_NAME
 
 if TYPE_CHECKING:
@@ -63,9 +63,8 @@ class CareerKeeper:
         if found is None:
             return ""
         fact = StrokeFact(
-            self._now().isoformat(timespec="seconds"), seen.game, seen.opponent,
-            BREAK if found.opening else POT, found.distance, found.cut, found.made, found.chance,
-            found.stray, found.speed,
+            self._now().isoformat(timespec="seconds"), seen.game, seen.opponent, found.kind,
+            found.distance, found.cut, found.made, found.chance, found.stray, found.speed, found.cushions,
         )  # fmt: skip
         return keep_stroke(seen.person, fact)
 

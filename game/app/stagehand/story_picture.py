@@ -17,6 +17,7 @@ from game.ui.painters import story_words
 from game.ui.painters.story_words import CARD_FADE_S, CardLine, opacity_at
 
 CLEAR = 12  # design px that a caption keeps from what is followed
+MOST_UNDER = 0.1  # of what is to be seen: so much may lie under words
 LEAST_SHARE = 0.05  # of the picture's height: what is smaller is not seen
 
 
@@ -73,21 +74,24 @@ def draw_chart(
 
 
 def _stands_above(look: Look, view: StageView, runner: Runner, caption: Caption) -> bool:
-    """Whether a caption stands at the head: the script says so, or it would hide something at the foot."""
+    """Whether a caption stands at the head: the script says so, or it hides less there than at the foot."""
     line = runner.story.lines[caption.line]
-    told = isinstance(line, Say) and line.above
-    return told or _hides_target(look, view, runner, caption.text)
+    if isinstance(line, Say) and line.above:
+        return True
+    foot, head = (_hidden_by(look, view, runner, caption.text, above) for above in (False, True))
+    return head < foot
 
 
-def _hides_target(look: Look, view: StageView, runner: Runner, text: str) -> bool:
-    """Whether a caption at the foot would lie over what the camera follows, or what is to be seen."""
+def _hidden_by(look: Look, view: StageView, runner: Runner, text: str, above: bool) -> int:
+    """px² that a caption, with the space it keeps, hides of what is to be seen and of what is followed."""
     places = [subject_rect(view, runner)]
     target = runner.target()
     if target is not None:
         places.append(pygame.Rect(view.camera.to_screen(*target), (1, 1)))
     clear = 2 * look.px(CLEAR)
-    foot = story_words.caption_rect(look, view.rect, text).inflate(clear, clear)
-    return any(place is not None and foot.colliderect(place) for place in places)
+    words = story_words.caption_rect(look, view.rect, text, above).inflate(clear, clear)
+    shared = [words.clip(place) for place in places if place is not None]
+    return sum(rect.w * rect.h for rect in shared)
 
 
 def subject_rect(view: StageView, runner: Runner) -> pygame.Rect | None:
@@ -119,11 +123,22 @@ def hidden(look: Look, view: StageView, runner: Runner, shown_s: float) -> list[
         found.append(f"{name} is too high or too low")
     if name in runner.stage.scene.story_sizes() and subject.h < LEAST_SHARE * picture.h:
         found.append(f"{name} is {subject.h / picture.h:.3f} of the picture's height")
-    caption = caption_at(runner, shown_s)
-    if caption is None:
-        return found
+    return found + covered(look, view, runner, shown_s)
+
+
+def covered(look: Look, view: StageView, runner: Runner, shown_s: float) -> list[str]:
+    """Which words and which chart lie over the subject of the moment that came last.
+
+    Words may lie over a tenth of what is seen of it, and not over its middle; a chart over no part of it.
+    """
+    subject, caption, name = subject_rect(view, runner), caption_at(runner, shown_s), runner.subject()
+    if subject is None or caption is None:
+        return []
+    found, seen, picture = [], subject.clip(view.rect), view.rect
     above = _stands_above(look, view, runner, caption)
-    if story_words.caption_rect(look, picture, caption.text, above).collidepoint(subject.center):
+    words = story_words.caption_rect(look, picture, caption.text, above)
+    under = words.clip(seen)
+    if words.collidepoint(subject.center) or under.w * under.h > MOST_UNDER * seen.w * seen.h:
         found.append(f"{name} is under the words {caption.text!r}")
     line = runner.story.lines[caption.line]
     chart = line.chart if isinstance(line, Say) else None

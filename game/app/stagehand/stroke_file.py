@@ -1,4 +1,5 @@
-"""Strokes that are counted for ever, in one file of the user's folder: strokes.json, format 1.
+"""Strokes that are counted for ever, in one file of the user's folder: strokes.json, format 2.
+Format 1, without cushions, is read.
 
 Written whole or not at all. A file that cannot be understood is kept beside as strokes.broken.json; one of a
 later version is left as it is.
@@ -15,7 +16,7 @@ from game.files import FileProblem, put_aside, read_text, write_text
 from game.folders import user_folder
 
 FILE_NAME = "strokes.json"
-FORMAT = 1
+FORMAT = 2
 LARGEST_BYTES = 64 << 20
 MOST = 100_000  # strokes of each person; of more the oldest are given up
 
@@ -49,7 +50,9 @@ def read_strokes() -> Strokes:
         text = read_text(path, LARGEST_BYTES)
         version = msgspec.json.decode(text, type=_Format).format
         if version > FORMAT:
-            raise LaterStrokesError(f"{FILE_NAME}: is of format {version}; this Carom reads format {FORMAT}")
+            raise LaterStrokesError(
+                f"{FILE_NAME}: is of format {version}; this Carom reads formats up to {FORMAT}"
+            )
         return msgspec.json.decode(text, type=_File).strokes
     except LaterStrokesError:
         raise

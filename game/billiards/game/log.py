@@ -36,6 +36,11 @@ class Logged(msgspec.Struct, frozen=True, eq=False):
         return self.struck.frame.game.shooter
 
     @property
+    def scored(self) -> int:
+        """Balls that it brought its player."""
+        return 0 if self.foul else len(self.down)
+
+    @property
     def branches(self) -> bool:
         """True if it does not follow from the stroke that was played before it."""
         return self.after != self.number - 1

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from game.compiler.decorator import inner_kernel, lean_kernel
 from game.physics.liquid.arrays import LEAST_OPEN
+from game.physics.liquid.surface import lies_inside
 
 NEAREST = 0.01  # cells from a centre to the surface, at least
 
@@ -129,18 +130,15 @@ def outflow(cells, walls, s, count):
 def crowding(cells, s, count, share):
     """b: the part of a cell by which it is too full, or below 0 too empty, times a share; p as it was.
 
-    A cell beside air is only ever too full (Kugelstadt, Longva, Thürey and Bender 2021).
+    A cell beside air is only ever too full, one beside a solid also too empty (Kugelstadt, Longva, Thürey and
+    Bender 2021).
     """
-    ny, nx = cells.phi.shape
+    nx = cells.phi.shape[1]
     for k in range(1, count + 1):
         j, i = s.cell[k] // nx, s.cell[k] % nx
         excess = min(max(cells.fill[j, i] - 1.0, -0.5), 0.5)
-        if excess < 0.0:
-            inside = True
-            for y in range(max(j - 1, 0), min(j + 2, ny)):
-                for x in range(max(i - 1, 0), min(i + 2, nx)):
-                    inside = inside and cells.rank[y, x] > 0
-            excess = excess if inside else 0.0
+        if excess < 0.0 and not lies_inside(cells, j, i):
+            excess = 0.0
         s.b[k] = share * excess
         s.p[k] = cells.q_shift[j, i]
 

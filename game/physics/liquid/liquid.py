@@ -23,7 +23,7 @@ from game.physics.liquid import bodies, equation, faces, moving, projection, tra
 from game.physics.liquid.arrays import LEAST_OPEN, make_cells, make_particles, make_system, make_walls
 from game.physics.liquid.effects import KEEP_VOLUME, LIQUID
 from game.physics.liquid.settings import CARRIERS, SURFACES, LiquidSettings
-from game.physics.liquid.surface import fill_room, find_surface
+from game.physics.liquid.surface import fill_room, find_surface, wet_cells
 from game.physics.surfaces.surface import Surface
 
 SIDES = ("left", "right", "bottom", "top")
@@ -211,12 +211,12 @@ class Liquid:
             walls.distance[::2, 1::2], walls.distance[1::2, 1::2] = mid_y * cells, centres * cells
         else:
             walls.distance[:] = SOLID_FAR
+        walls.present[0] = bool(self.surfaces)
         self.walls = walls._replace(
             closed_u=np.flatnonzero(walls.ax < LEAST_OPEN),
             closed_v=np.flatnonzero(walls.ay < LEAST_OPEN),
         )
-        walls.present[0] = bool(self.surfaces)
-        fill_room(self.cells, walls.distance, self.quarters)
+        fill_room(self.cells, walls, self.quarters)
 
     def _push_out(self) -> None:
         """Particles in a solid go out as far as they were in, each a little to its own side."""
@@ -260,7 +260,7 @@ class Liquid:
         """One part step of dt, s."""
         settings, cells, walls, origin = self.settings, self.cells, self.walls, self._origin
         pull, ghost = self._pull(), settings.surface == SURFACES.index("ghost")
-        transfer.to_cells(self.particles, cells, origin, 1.0 / (self.spread * self.spread))
+        transfer.to_cells(self.particles, cells, walls, origin, 1.0 / (self.spread * self.spread))
         faces.pull(cells, -pull * dt)
         wet, regions, turns, after = int(find_surface(cells, walls)), 0, 0, 0.0
         if wet:
@@ -312,13 +312,14 @@ class Liquid:
 
     def refresh(self) -> None:
         """Find fill and surface of the particles as they are now."""
-        transfer.to_cells(self.particles, self.cells, self._origin, 1.0 / (self.spread * self.spread))
+        share = 1.0 / (self.spread * self.spread)
+        transfer.to_cells(self.particles, self.cells, self.walls, self._origin, share)
         find_surface(self.cells, self.walls)
 
     def wet_area(self) -> float:
-        """m² within the surface, as of the last part step: by one rule, half a cell wide at the surface."""
-        inside = np.clip(0.5 - self.cells.phi, 0.0, 1.0) * np.clip(self.obstacles.faces.volume, 0.0, 1.0)
-        return float(inside.sum()) * self.grid.cell * self.grid.cell
+        """m² of liquid by the cells that it fills, as of the last part step. Crowded particles count less."""
+        cells: float = wet_cells(self.cells, self.obstacles.faces.volume)
+        return cells * self.grid.cell * self.grid.cell
 
     def energy(self) -> tuple[float, float]:
         """J/m of motion, and of height above the grid's lower side."""

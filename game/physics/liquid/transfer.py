@@ -52,13 +52,26 @@ def _scatter(total, weight, x, y, value, along, up):
 
 
 @inner_kernel
-def _fill(field, x, y, share):
+def fill_around(field, x, y, share, walls):
+    """Add a share to the four cells around a place (points of centres), by hats. What would go to cells whose
+    centres lie in solids goes to the others.
+    """
     i, f, _ = split(x, field.shape[1] - 1)
     j, g, _ = split(y, field.shape[0] - 1)
-    field[j, i] += share * ((1.0 - f) * (1.0 - g))
-    field[j, i + ONE] += share * (f * (1.0 - g))
-    field[j + ONE, i] += share * ((1.0 - f) * g)
-    field[j + ONE, i + ONE] += share * (f * g)
+    a, b, c, d = (1.0 - f) * (1.0 - g), f * (1.0 - g), (1.0 - f) * g, f * g
+    if walls.present[0]:
+        row, column = int(2 * j + ONE), int(2 * i + ONE)
+        a_open = a if walls.distance[row, column] >= 0.0 else 0.0
+        b_open = b if walls.distance[row, column + 2] >= 0.0 else 0.0
+        c_open = c if walls.distance[row + 2, column] >= 0.0 else 0.0
+        d_open = d if walls.distance[row + 2, column + 2] >= 0.0 else 0.0
+        total = (a_open + b_open) + (c_open + d_open)
+        if total > 0.0:
+            a, b, c, d = a_open / total, b_open / total, c_open / total, d_open / total
+    field[j, i] += share * a
+    field[j, i + ONE] += share * b
+    field[j + ONE, i] += share * c
+    field[j + ONE, i + ONE] += share * d
 
 
 @inner_kernel
@@ -70,7 +83,7 @@ def _divide(field, weight):
 
 
 @lean_kernel
-def to_cells(particles, cells, origin, share):
+def to_cells(particles, cells, walls, origin, share):
     """Speeds at faces and the fill of cells. origin: x, y (m) of the grid and its cell; share: of a cell that
     a particle fills.
     """
@@ -82,7 +95,7 @@ def to_cells(particles, cells, origin, share):
         c = particles.affine[k]
         _scatter(cells.u, cells.weight_u, x, y - 0.5, particles.speeds[k, 0], c[0], c[1])
         _scatter(cells.v, cells.weight_v, x - 0.5, y, particles.speeds[k, 1], c[2], c[3])
-        _fill(cells.fill, x - 0.5, y - 0.5, share)
+        fill_around(cells.fill, x - 0.5, y - 0.5, share, walls)
     _divide(cells.u, cells.weight_u)
     _divide(cells.v, cells.weight_v)
 

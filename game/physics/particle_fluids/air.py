@@ -10,7 +10,7 @@ import numpy as np
 
 from game.arrays import Flags, Floats, Longs
 from game.physics.particle_fluids.fluid import ParticleFluid
-from game.physics.particle_fluids.sums import fill_response
+from game.physics.particle_fluids.sums import fill_gradients
 from game.physics.particle_fluids.walls import is_held
 
 DOWNWARDS = 0.5  # least share of the outward direction that points down
@@ -33,8 +33,8 @@ def renew_air(fluid: ParticleFluid) -> tuple[int, int]:
         return 0, 0
     work = fluid.scratch()
     work.gather(fluid)
-    outward, share = np.zeros((len(work.order), 2)), np.zeros(len(work.order))
-    fill_response(work.pairs, work.felt, work.body, outward, share)
+    outward = np.zeros((len(work.order), 2))
+    fill_gradients(work.pairs, work.felt, work.body, outward)
     free = _free(fluid, work.pairs.start, work.pairs.other, work.felt.weight, kind)
     gone = np.zeros(len(fluid.place), dtype=bool)
     gone[work.order[(work.kind == kind) & free & (work.body.light > 0.0)]] = True

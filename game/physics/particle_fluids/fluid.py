@@ -13,15 +13,17 @@ from game.physics.particle_fluids.forces import act, steadied
 from game.physics.particle_fluids.laws import follow_law
 from game.physics.particle_fluids.scratch import Scratch
 from game.physics.particle_fluids.search import SEARCHES, NeighbourSearch
-from game.physics.particle_fluids.settings import CLAVET, MUELLER
+from game.physics.particle_fluids.settings import CLAVET, DFSPH, MUELLER
 from game.physics.particle_fluids.store import FluidStore
 from game.physics.particle_fluids.sums import spread_heat
-from game.physics.particle_fluids.walls import PARTICLES, hold_inside
+from game.physics.particle_fluids.walls import MARGIN, PARTICLES, hold_inside
 
-MARGIN = 0.1  # spacings that a particle keeps off a wall
 MOST_SUBSTEPS = 200  # of one `advance`
 LONGEST = 0.02  # s of a substep
 FALLING = 0.1  # of the time in which a particle falls a spacing or so: longer steps heave liquid at rest
+PRESSED = (
+    0.5  # spacings that pressure over density, as the square of a speed, goes in a step: rows zigzag else
+)
 SOUND = 0.25  # supports that sound goes in a step of a law that squeezes
 
 
@@ -31,7 +33,12 @@ class ParticleFluid(FluidStore):
     _scratch: Scratch | None = None
 
     def longest_step(self) -> float:
-        """s: the fastest particle goes a share of the spacing, sound of soft laws a share of the support."""
+        """s: the fastest particle goes a share of the spacing, sound of soft laws a share of the support.
+
+        A particle between others is held in its place by pressure as by springs, of a frequency of about
+        √(p/ρ) over the spacing. Pressures are found for the places that a step begins with, so a step must be
+        shorter than such a swing. What is light under what is heavy, or deep, needs the shortest.
+        """
         fastest = math.sqrt(float(np.max(np.sum(np.square(self.velocity), axis=1), initial=0.0)))
         weight = self.settings.gravity if GRAVITY in self.active else 0.0
         step = LONGEST
@@ -46,6 +53,10 @@ class ParticleFluid(FluidStore):
                 step = min(step, 0.02 * self.support * self.support / max(stiff, 1e-12))
         elif self.settings.law == CLAVET:
             step = min(step, SOUND * self.support / self.settings.softness)
+        elif self.settings.law == DFSPH:
+            highest = float(np.max(self.pressure[1] / self.densities[self.kind], initial=0.0))
+            if highest > 0.0:
+                step = min(step, PRESSED * self.spacing / math.sqrt(highest))
         tension = max((a.tension / a.density for a in self.liquids), default=0.0)
         if TENSION in self.active and tension > 0.0:
             step = min(step, 0.4 * math.sqrt(self.spacing * self.spacing * self.spacing / tension))

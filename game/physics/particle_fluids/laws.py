@@ -19,7 +19,8 @@ from game.physics.particle_fluids.settings import CLAVET, DFSPH, MUELLER
 from game.physics.particle_fluids.smoothing import POLY6, fill_kernel
 from game.physics.particle_fluids.springs import pull_springs
 from game.physics.particle_fluids.store import FluidStore
-from game.physics.particle_fluids.sums import add_changes, fill_response, keep_apart, push_by_pressure
+from game.physics.particle_fluids.sums import add_changes, fill_bound, keep_apart, push_by_pressure
+from game.physics.particle_fluids.walls import MARGIN, fill_contacts
 
 LEAST_GAP = 0.5  # spacings
 STABILISED = 2  # iterations before a step's own
@@ -39,15 +40,26 @@ def follow_law(fluid: FluidStore, work: Scratch, dt: float) -> int:
 
 def _careful(fluid: FluidStore, work: Scratch, dt: float) -> int:
     settings, common = fluid.settings, (work.pairs, work.felt, work.body)
-    fill_response(*common, work.work.total, work.work.response)
+    fill_contacts(work.place, fluid.edges, fluid.spacing, MARGIN * fluid.spacing, work.contacts)
+    fill_bound(*common, work.work.total, work.spread, work.work.response)
     allowed = settings.error * dt / GROWS
     made, _ = relieve(
-        *common, work.velocity, work.pressure[1], work.work, (dt, allowed, settings.iterations, 1)
+        *common,
+        work.contacts,
+        work.velocity,
+        work.pressure[1],
+        work.work,
+        (dt, allowed, settings.iterations, 1),
     )
     work.spare[:] = work.velocity
     work.pressure[0] = 0.0
     more, _ = relieve(
-        *common, work.spare, work.pressure[0], work.work, (dt, 0.3 * settings.error, settings.iterations, 0)
+        *common,
+        work.contacts,
+        work.spare,
+        work.pressure[0],
+        work.work,
+        (dt, 0.3 * settings.error, settings.iterations, 0),
     )
     work.place[:] += dt * work.spare
     keep_apart(work.pairs, work.body, work.place, LEAST_GAP * fluid.spacing, work.spare)

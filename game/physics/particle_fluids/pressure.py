@@ -6,6 +6,10 @@ complementarity. Here they are solved by projected Jacobi steps with momentum (N
 whenever it points uphill (O'Donoghue and Candès 2015). Of a column of 40 layers, 25 of these come as near as
 160 plain ones. The first system begins with the pressures of the step before. The second only moves places
 here: in the print it changes velocities, and errors of packing become motion.
+
+Two things are ours, and liquids of very different densities need both. Steps are divided by a bound of the
+matrix, not by its diagonal. Walls stop velocities within the iterations: what is stopped only afterwards
+lets a light particle be pressed into a wall, as that relieves heavy ones at the least cost.
 """
 
 from __future__ import annotations
@@ -16,8 +20,8 @@ from typing import NamedTuple
 from game.arrays import Floats
 from game.compiler.decorator import lean_kernel
 from game.physics.particle_fluids.sums import fill_rates, push_by_pressure
+from game.physics.particle_fluids.walls import stop_at_walls
 
-RELAXED = 0.4  # of a Jacobi step; the matrix's largest eigenvalue against its diagonal is about 2.4
 LEAST_MADE = 2
 LOOSE, CLOSING = 0.2, 0.1  # lack of density up to which gaps close in steps, share of them in a step
 EASED = 0.05  # of an excess of density that a step takes away: places move by more than is linear otherwise
@@ -35,9 +39,10 @@ class Work(NamedTuple):
 
 
 @lean_kernel
-def relieve(pairs, felt, body, velocity, pressure, work, rules):
+def relieve(pairs, felt, body, contacts, velocity, pressure, work, rules):
     """Change velocities (n, 2) so that no density grows beyond 1; pressures (n,) Pa stay for the next step.
 
+    contacts: walls that stop velocities; work.response: the bound of the matrix, as `fill_bound` has it.
     rules: (dt, error, iterations, growth). error: root mean square excess of density at which it ends.
     growth: 0 asks besides that a share of what is above 1 goes. Returns iterations made and the error left.
     """
@@ -55,6 +60,7 @@ def relieve(pairs, felt, body, velocity, pressure, work, rules):
         for i in range(count):
             work.total[i, 0] = velocity[i, 0] + dt * work.pushed[i, 0]
             work.total[i, 1] = velocity[i, 1] + dt * work.pushed[i, 1]
+        stop_at_walls(work.total, contacts, dt)
         fill_rates(pairs, felt, body, work.total, work.rate)
         error = 0.0
         for i in range(count):
@@ -71,7 +77,7 @@ def relieve(pairs, felt, body, velocity, pressure, work, rules):
         uphill = 0.0
         for i in range(count):  # the pressure here is ahead of the iterate by the momentum
             if body.light[i] > 0.0 and response[i] > 0.0:
-                next_one = max(pressure[i] + RELAXED * work.rate[i] / (dt * dt * response[i]), 0.0)
+                next_one = max(pressure[i] + work.rate[i] / (dt * dt * response[i]), 0.0)
                 uphill += (pressure[i] - next_one) * (next_one - work.last[i]) * response[i]
                 work.rate[i] = next_one
         faster = 0.5 * (1.0 + math.sqrt(1.0 + 4.0 * speed * speed))

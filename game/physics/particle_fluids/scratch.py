@@ -12,7 +12,7 @@ from game.physics.particle_fluids.settings import MUELLER
 from game.physics.particle_fluids.smoothing import POLY6, SPIKY, fill_kernel
 from game.physics.particle_fluids.store import FluidStore
 from game.physics.particle_fluids.sums import Body, Felt, fill_density, weigh
-from game.physics.particle_fluids.walls import fill_shares, wall_table
+from game.physics.particle_fluids.walls import Contacts, fill_shares, wall_table
 
 ROW_SHARE = 0.8  # of the plane's volume that a row of wall particles stands for, within its kernels
 
@@ -33,6 +33,8 @@ class Scratch:
         self.velocity: Floats = np.zeros((rows, 2))
         self.spare: Floats = np.zeros((rows, 2))
         self.vectors: Floats = np.zeros((4, rows, 2))
+        self.spread: Floats = np.zeros((3, rows))
+        self.contacts = Contacts(np.zeros((rows, 2, 2)), np.full((rows, 2), np.inf))
         self.kind: Longs = np.zeros(rows, dtype=np.int64)
         self.pressure: Floats = np.zeros((2, rows))
         self.work = Work(

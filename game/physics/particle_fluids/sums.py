@@ -71,25 +71,72 @@ def fill_density(pairs, felt, body, own, density):
         density[i] += total
 
 
-@lean_kernel
-def fill_response(pairs, felt, body, total, response):
-    """How much a unit of a particle's own pressure takes of the rate of its density (n,); total: (n, 2)."""
-    for i in range(len(response)):
-        response[i], total[i, 0], total[i, 1] = 0.0, body.push[i, 0], body.push[i, 1]
-    for i in range(len(response)):
+@inner_kernel
+def add_gradients(pairs, felt, body, total):
+    """Gradient of each density by its own particle's place, (n, 2) 1/m."""
+    for i in range(len(total)):
+        total[i, 0], total[i, 1] = body.push[i, 0], body.push[i, 1]
+    for i in range(len(total)):
         for k in range(pairs.start[i], pairs.start[i + 1]):
             j = pairs.other[k]
             gx, gy = felt.pull[k, 0], felt.pull[k, 1]
-            square = gx * gx + gy * gy
             total[i, 0] += body.volume[j] * gx
             total[i, 1] += body.volume[j] * gy
             total[j, 0] -= body.volume[i] * gx
             total[j, 1] -= body.volume[i] * gy
-            response[i] += body.volume[j] * body.volume[j] * body.light[j] * square
-            response[j] += body.volume[i] * body.volume[i] * body.light[i] * square
-    for i in range(len(response)):
-        square = total[i, 0] * total[i, 0] + total[i, 1] * total[i, 1]
-        response[i] = body.volume[i] * (response[i] + body.light[i] * square)
+
+
+@lean_kernel
+def fill_gradients(pairs, felt, body, total):
+    """`add_gradients`, for callers in Python."""
+    add_gradients(pairs, felt, body, total)
+
+
+@inner_kernel
+def _widen(spread, i, x, y):
+    """Add g gᵀ / |g| to row i of a table of symmetric matrices (xx, yy) and half their xy."""
+    size = math.sqrt(x * x + y * y)
+    if size > 0.0:
+        spread[0, i] += x * x / size
+        spread[1, i] += y * y / size
+        spread[2, i] += x * y / size
+
+
+@lean_kernel
+def fill_bound(pairs, felt, body, total, spread, bound):
+    """A diagonal (n,) that is at least the matrix of the pressures, whatever the densities.
+
+    A particle k feels the pressures about it by gradients g_ik: it adds G = Σ g_ik g_jk / m_k to the matrix.
+    Let t be the largest eigenvalue of Σ_i g_ik g_ikᵀ / |g_ik|. Then G is at most diag(|g_ik| t / m_k), by
+    Cauchy's inequality, and a Jacobi step divided by the sum of these cannot overshoot. The matrix's own
+    diagonal is too small: the matrix is up to 2.2 times as large on a lattice, 3.3 times in disorder, and
+    5 times where light particles lie among heavy ones. total: (n, 2), spread: (3, n), scratch.
+    """
+    count = len(bound)
+    add_gradients(pairs, felt, body, total)
+    for i in range(count):
+        spread[0, i], spread[1, i], spread[2, i] = 0.0, 0.0, 0.0
+        _widen(spread, i, total[i, 0], total[i, 1])
+    for i in range(count):
+        for k in range(pairs.start[i], pairs.start[i + 1]):
+            j = pairs.other[k]
+            if body.light[j] > 0.0:
+                _widen(spread, i, body.volume[i] * felt.pull[k, 0], body.volume[i] * felt.pull[k, 1])
+            if body.light[i] > 0.0:
+                _widen(spread, j, body.volume[j] * felt.pull[k, 0], body.volume[j] * felt.pull[k, 1])
+    for i in range(count):
+        half, apart = 0.5 * (spread[0, i] + spread[1, i]), 0.5 * (spread[0, i] - spread[1, i])
+        spread[0, i] = body.light[i] * (half + math.sqrt(apart * apart + spread[2, i] * spread[2, i]))
+        size = math.sqrt(total[i, 0] * total[i, 0] + total[i, 1] * total[i, 1])
+        bound[i] = size * spread[0, i]
+    for i in range(count):
+        for k in range(pairs.start[i], pairs.start[i + 1]):
+            j = pairs.other[k]
+            size = math.sqrt(felt.pull[k, 0] * felt.pull[k, 0] + felt.pull[k, 1] * felt.pull[k, 1])
+            bound[i] += body.volume[j] * size * spread[0, j]
+            bound[j] += body.volume[i] * size * spread[0, i]
+    for i in range(count):
+        bound[i] *= body.volume[i]
 
 
 @lean_kernel

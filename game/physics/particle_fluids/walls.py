@@ -31,6 +31,7 @@ NONE, WEIGHTS, EXACT, PARTICLES = range(4)
 TABLE = 512
 GAUSS = 8  # points on each half of a chord
 MOST_EDGES = 2000
+MARGIN = 0.1  # spacings that a particle keeps off a wall
 
 
 class WallTable(NamedTuple):
@@ -179,6 +180,51 @@ def hold_inside(place, velocity, moving, edges, margin):
                 velocity[i, 0] -= into * nx
                 velocity[i, 1] -= into * ny
     return outside
+
+
+class Contacts(NamedTuple):
+    """Walls that particles may come to. normal: (n, 2, 2) of the two nearest, inwards.
+
+    room: (n, 2) m that a particle may still go towards each; infinite where there is none.
+    """
+
+    normal: Floats
+    room: Floats
+
+
+@lean_kernel
+def fill_contacts(place, edges, reach, margin, contacts):
+    """Fill the contacts of places (n, 2) m with walls nearer than ``reach``; ``margin``: what is kept off."""
+    for i in range(len(place)):
+        contacts.room[i, 0], contacts.room[i, 1] = math.inf, math.inf
+        for k in range(len(edges)):
+            dx, dy = nearest_on(edges, k, place[i, 0], place[i, 1])
+            gap = math.sqrt(dx * dx + dy * dy)
+            if not 0.0 < gap < reach:
+                continue
+            room, at = max(gap - margin, 0.0), 1
+            if room >= contacts.room[i, 1]:
+                continue
+            if room < contacts.room[i, 0]:
+                contacts.room[i, 1] = contacts.room[i, 0]
+                for c in range(2):
+                    contacts.normal[i, 1, c] = contacts.normal[i, 0, c]
+                at = 0
+            contacts.room[i, at] = room
+            contacts.normal[i, at, 0], contacts.normal[i, at, 1] = -dx / gap, -dy / gap
+
+
+@inner_kernel
+def stop_at_walls(velocity, contacts, dt):
+    """Take from velocities (n, 2) what would lead beyond a wall within dt (s)."""
+    for i in range(len(velocity)):
+        for c in range(2):
+            if contacts.room[i, c] < math.inf:
+                x, y = contacts.normal[i, c, 0], contacts.normal[i, c, 1]
+                beyond = velocity[i, 0] * x + velocity[i, 1] * y + contacts.room[i, c] / dt
+                if beyond < 0.0:
+                    velocity[i, 0] -= beyond * x
+                    velocity[i, 1] -= beyond * y
 
 
 @lru_cache(maxsize=8)

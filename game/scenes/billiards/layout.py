@@ -53,7 +53,7 @@ ELEVATION = (TABLE.top + metres(206.0), RIGHT_MIDDLE - metres(20.0))  # pivot
 ELEVATION_RADIUS = metres(40.0)
 NUMBERS_TOP, NUMBERS_PITCH = TABLE.top + metres(252.0), metres(48.0)  # of the numbers below each other
 
-BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(6.0)
+BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(2.5)  # eight of them leave space for numbers
 PLAY = Box(FOOT.top + metres(1.0), FOOT.left, FOOT.bottom - metres(1.0), FOOT.left + metres(64.0))
 SPEED = Box(PLAY.top, PLAY.right + metres(8.0), PLAY.bottom, PLAY.right + metres(72.0))
 SCRUBBER = Box(PLAY.top, SPEED.right + metres(20.0), PLAY.bottom, FOOT.right - metres(84.0))

@@ -10,7 +10,6 @@ from game.billiards.game.arrangement import Arrangement
 from game.billiards.game.deciding import deciding_strokes
 from game.billiards.game.frame import BestStroke, Struck, trajectory_of
 from game.billiards.game.games import Drill, RunDrill
-from game.levels import Level
 from game.scenes.billiards.level import BestPlayed, BilliardsContent, PlacedBall
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.billiards.opponents.thinking import decision_of
@@ -18,13 +17,11 @@ from game.scenes.billiards.play import SET_UP, SLOW, SLOW_AFTER_S, SLOW_BEFORE_S
 from game.scenes.billiards.practice.drill_maker import DrillMaker
 from game.scenes.billiards.practice.log_text import text_of_log
 from game.scenes.billiards.stroke.motion import PRACTISED, stroke_motion
+from game.scenes.shared.tables.kept.excerpts import REST_S, excerpt_of
 from game.stage.records.excerpt import Excerpt
 
 if TYPE_CHECKING:
     from game.stage import Scene
-
-REST_S = 0.25  # s that the balls are shown at rest after the stroke
-WHO_PLAYS = ("game", "first_player", "second_player")  # parameters that a single stroke does not depend on
 
 
 def content_of(play: Play, maker: DrillMaker) -> BilliardsContent:
@@ -85,23 +82,15 @@ def highlights(play: Play, scene: Scene) -> tuple[Excerpt, ...]:
 def _excerpt_of(last: Struck, play: Play, scene: Scene, end_s: float) -> Excerpt:
     """A stroke from the position before it, to its end, s, as it is shown."""
     model = play.model
-    declared = scene.declared_parameters()
-    changed = {
-        name: value for name, value in scene.values.items()
-        if value != declared[name].default and name not in WHO_PLAYS
-    }  # fmt: skip
-    balls = _placed(last.frame.layout)
     content = BilliardsContent(
-        game=model.content.game, players=model.content.players, calling=model.content.calling, balls=balls,
-        saved=msgspec.to_builtins(last.frame.game),
+        game=model.content.game, players=model.content.players, calling=model.content.calling,
+        balls=_placed(last.frame.layout), saved=msgspec.to_builtins(last.frame.game),
     )  # fmt: skip
-    level = Level(scene=scene.name, title="A stroke", parameters=changed, content=content)
-    event = decision_of(last.stroke, last.call)
     slowed_s = (SLOW_BEFORE_S + SLOW_AFTER_S) * (1.0 / SLOW - 1.0)
     motion = stroke_motion(last.stroke.cue_speed, PRACTISED)
     shown_s = max(end_s, motion.end_s - motion.hit_s) + 0.05
     longest_s = motion.hit_s + shown_s + slowed_s + REST_S
-    return Excerpt("stroke", level, scene.seed, scene.active, (event,), round(longest_s / scene.dt))
+    return excerpt_of(scene, content, decision_of(last.stroke, last.call), longest_s)
 
 
 def worth_keeping(model: BilliardsModel, plays_itself: bool) -> object:

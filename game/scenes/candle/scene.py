@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from game.lab.studies.heat import conduction_study
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import USUAL
 from game.scenes.candle import CANDLE
 from game.scenes.candle.card import draw_glass
 from game.scenes.candle.parameters import CandleContent, CandleParameters
+from game.scenes.candle.study import smothered_study
 from game.scenes.candle.told import candle_hand, charts, hearing, names, readouts, sizes, targets
 from game.scenes.candle.view import CandleView
 from game.scenes.candle.world import CandleWorld
@@ -47,7 +47,7 @@ class Candle(WorldScene):
     content_type, default_content = CandleContent, CandleContent()
     not_of_model = ("shown",)
     of_tier = ("cells",)
-    study = conduction_study
+    study = smothered_study
     strips = (
         Strip("Oxygen under the glass", "%", ("oxygen in all", "oxygen by the law"),
               sometimes=("oxygen in all", "oxygen by the law")),

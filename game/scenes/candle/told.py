@@ -30,7 +30,8 @@ LOUD, GRIP = (
     6e4,
     0.03,
 )  # W/m of a flame that is as loud as can be: a candle is hardly heard; m beside the glass that still take it
-WIDEST = 180.0  # cm² of air, to which the law is drawn
+WIDEST = 18.0  # l of air, to which the law is drawn
+OF_A_CANDLE = 77.0  # W: Hamins, Bundy and Dillon 2005, Characterization of candle flames
 
 
 def readouts(model: CandleWorld) -> list[Readout]:
@@ -43,6 +44,7 @@ def readouts(model: CandleWorld) -> list[Readout]:
     lived, law = model.lived(), model.to_limit() / rate if sealed else nan
     return [
         Readout("burns", int(model.burns())), Readout("power", model.power(), "W/m"),
+        Readout("candles a metre", model.power() / OF_A_CANDLE),
         Readout("flame height", model.flame_height(), "m"), Readout("oxygen beside it", air.fed(), "%"),
         Readout("shut", int(sealed)), Readout("shut for", gone, "s"),
         Readout("oxygen in all", whole * now, "%"),
@@ -52,7 +54,7 @@ def readouts(model: CandleWorld) -> list[Readout]:
         Readout("lived over law", lived / law if law else nan), Readout("oxygen for", first / rate, "s"),
         Readout("oxygen unaccounted", model.unaccounted(), "%"),
         Readout("smoke", 1e6 * air.inside("soot") if sealed else nan, "mg/m"),
-        Readout("air in the glass", model.cold_air(), "cm²"),
+        Readout("air in the glass", model.cold_air(), "l"),
         Readout("glass", float(air.flows[RIM]), "m"), Readout("hottest", float(air.temperature.max()), "K"),
         Readout("a step", model.watch.median("step"), "s"),
     ]  # fmt: skip
@@ -75,18 +77,18 @@ def sizes(model: CandleWorld) -> dict[str, float]:
 def charts(model: CandleWorld) -> dict[str, Comparison]:
     """How long flames lived under glasses, over the air in them, beside the law for gas that is mixed."""
     rate = VAPOUR["oxygen"] * model.parameters.supply
-    second = 1e-4 * FRESH * (1.0 - model.parameters.limit / PER_VOLUME) / rate  # s for a cm² of air
+    second = 1e-3 * FRESH * (1.0 - model.parameters.limit / PER_VOLUME) / rate  # s for a litre of air
     points = np.array(model.lives, dtype=np.float64).reshape(-1, 2)
     law = np.array([(0.0, 0.0), (WIDEST, second * WIDEST)])
-    both = ("measured", "if it is mixed")
-    return {"lives": Comparison(points, law, both, "s", "cold air in the glass", "cm²", single=True)}
+    both = ("it lived", "by the law")
+    return {"lives": Comparison(points, law, both, "s", "cold air in the glass", "l", single=True)}
 
 
 def names(model: CandleWorld) -> list[tuple[Point, str]]:
     """Flame and glass by what is measured at them."""
     places, found = targets(model), []
     if model.burns():
-        found.append((places["flame"], f"{model.power() / 1000.0:.1f} kW/m"))
+        found.append((places["flame"], f"{model.power() / 1000.0:.1f} kW a metre"))
     if model.sealed():
         found.append((places["smoke"], f"{model.air.share(model.air.under()):.0f} % oxygen"))
     return found

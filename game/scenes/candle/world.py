@@ -45,7 +45,8 @@ class CandleState(NamedTuple):
 class CandleWorld(World):
     """``air`` has flame and glass; ``watch``: what a step takes.
 
-    lives: of each glass under which a flame went out, cm² of cold air that held its oxygen, and s it lived.
+    lives: of each glass under which a flame went out, litres of cold air (of a
+    metre of glass) that held its oxygen, and s it lived.
     """
 
     state_type = CandleState
@@ -121,8 +122,8 @@ class CandleWorld(World):
         return float(self.air.flows[OXYGEN]) if self.sealed() else math.nan
 
     def cold_air(self) -> float:
-        """cm² of cold air that hold as much oxygen as there was under the glass; NaN if it is up."""
-        return 1e4 * self.oxygen_at_first() / FRESH
+        """Litres of cold air that hold the oxygen that was under a metre of the glass; NaN if it is up."""
+        return 1e3 * self.oxygen_at_first() / FRESH
 
     def lived(self) -> float:
         """s that the flame lived under the glass; NaN while it does."""

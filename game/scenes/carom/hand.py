@@ -173,6 +173,19 @@ class CaromHand(Part):
             course.undo()
         elif name == "next":
             course.next_game()
+        elif name == "film-strokes":
+            if course.may_film:
+                course.films += 1
+        else:
+            self._show(name)
+
+    def _show(self, name: str) -> None:
+        """What is shown beside the play, or put away."""
+        course, parameters = self.course, self.course.parameters
+        if name in ("replay", "side"):
+            course.replay(from_side=name == "side")
+        elif name in ("map", "explain", "ends", "eye"):
+            setattr(parameters, name, not getattr(parameters, name))
 
     def act(self, name: str) -> None:
         """A key's action."""
@@ -181,10 +194,8 @@ class CaromHand(Part):
             self.press_button(name)
         elif name == "safety" and course.may_aim:
             course.strike_by_hand(safety=True)
-        elif name in ("replay", "side"):
-            course.replay(from_side=name == "side")
-        elif name in ("map", "explain", "ends", "eye"):
-            setattr(parameters, name, not getattr(parameters, name))
+        elif name in ("side", "map", "explain", "ends"):
+            self._show(name)
         elif name == "thoughts":
             parameters.considered = not parameters.considered
         elif name == "breath":

@@ -25,8 +25,9 @@ HEAD, ROW = 0.155, 0.1405  # m; of the list
 ROWS = 9
 TIP = Box(1.26, COLUMN_LEFT, 1.93, COLUMN_RIGHT)
 TIP_MIDDLE, TIP_RADIUS = (1.62, COLUMN_LEFT + 0.30), 0.25  # the ball; LARGEST_TIP is nearer
-FOOT = Box(TABLE.bottom + 0.02, TABLE.left, 1.93, TABLE.right - 0.40)
-BUTTONS = ("play", "strike", "undo", "next")
+FOOT = Box(TABLE.bottom + 0.02, TABLE.left, 1.93, TABLE.right - 0.72)
+BUTTONS = ("play", "strike", "undo", "next", "eye", "replay", "film-strokes")
+IN_COLUMN = 4  # buttons below each other
 
 
 def row_box(row: int) -> Box:
@@ -41,9 +42,10 @@ def row_at(x: float, y: float) -> int:
 
 
 def button_box(row: int) -> Box:
-    """The button of that number, from above, right of the foot."""
-    top = FOOT.top + row * 0.094
-    return Box(top, FOOT.right + 0.04, top + 0.082, TABLE.right)
+    """The button of that number, from above, right of the foot; the first column is the right one."""
+    column, place = divmod(row, IN_COLUMN)
+    top, right = FOOT.top + place * 0.094, TABLE.right - column * 0.34
+    return Box(top, right - 0.32, top + 0.082, right)
 
 
 def option_box(row: int, count: int) -> Box:

@@ -40,6 +40,7 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.stage.records.excerpt import Excerpt
 
 
 class CaromScene(CueGameScene):
@@ -133,6 +134,13 @@ class CaromScene(CueGameScene):
 
     def worth_keeping(self) -> object:
         return saving.worth_keeping(self.model, self.course.plays_itself)
+
+    def highlights(self) -> tuple[Excerpt, ...]:
+        return saving.highlights(self.course, self)
+
+    @property
+    def film_wanted(self) -> int:
+        return self.course.films
 
     def save_content(self) -> CaromContent:
         return saving.content_of(self.model)

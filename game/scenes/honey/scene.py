@@ -24,9 +24,8 @@ class Honey(WorldScene):
 
     Four laws for the pressure can be chosen. Müller's of 2003 squeezes and pushes back. Clavet's of 2005
     moves particles apart, and adds springs for slime. Position based fluids solve for densities as for links.
-    DFSPH solves for a flow that squeezes nothing, and is the careful one: for liquids of up to some forty
-    layers, of about one density. Levels of several densities, the lamp and the boiling pot among them, are
-    computed by positions, which bears them.
+    DFSPH solves for a flow that squeezes nothing, and is the careful one. Its steps become shorter where a
+    light liquid lies deep, or under a heavy one.
 
     Beyond a wall there are no particles, and a density would lack them. The share of the kernel that lies
     there is added, for a vessel of any shape.

@@ -8,9 +8,14 @@ from game.scenes.liquid import DAM
 from game.scenes.liquid.dam_view import DamView
 from game.scenes.liquid.dam_world import DamContent, DamParameters, DamWorld, readouts
 from game.scenes.liquid.figure import draw_fall
+from game.scenes.liquid.methods import COLUMNS
 from game.stage import Equation, Strip
 from game.worlds.painting.liquid import warm_up_liquid
 from game.worlds.scene import Parts, Told, WorldScene
+
+FRONTS = tuple(f"front, {one.name}" for one in COLUMNS)
+PRICES = tuple(f"a step, {one.name}" for one in COLUMNS)
+KNOWN = ("front, experiment", "front, Ritter")
 
 
 class Dam(WorldScene):
@@ -39,19 +44,8 @@ class Dam(WorldScene):
     painters = (("water", warm_up_liquid),)
     dt = 1.0 / 240.0
     strips = (
-        Strip(
-            "Front",
-            "m",
-            ("front, liquid", "front, shallow", "front, experiment", "front, Ritter"),
-            exact=("front, experiment", "front, Ritter"),
-            sometimes=("front, experiment", "front, Ritter"),
-        ),
-        Strip(
-            "Price",
-            "s",
-            ("a step, liquid", "a step, shallow"),
-            sometimes=("a step, liquid", "a step, shallow"),
-        ),
+        Strip("Front", "m", (*FRONTS, *KNOWN), exact=KNOWN, sometimes=KNOWN),
+        Strip("Price", "s", PRICES, sometimes=PRICES),
     )
     equations = (
         Equation("Scaled time", r"T = t \sqrt{2 g / a}", "Martin and Moyce 1952"),

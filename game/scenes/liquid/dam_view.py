@@ -1,21 +1,71 @@
-"""How one dam by several methods is drawn: floor above floor, with lines where fronts are known."""
+"""How one dam by several methods is drawn: tank above tank, with lines where fronts are known."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
-from game.scenes.liquid.dam_world import DamState, DamWorld
-from game.scenes.liquid.methods import ByLiquid, ByShallowWater, DamMethod
+from game.scenes.liquid.dam_world import BESIDE, DamState, DamWorld
+from game.scenes.liquid.methods import TALL, ByLiquid, ByShallowWater, DamMethod
 from game.ui.canvas.canvas import Canvas
+from game.ui.look.numerals import format_si
 from game.ui.painters.wall import is_dark
 from game.worlds.painting.inks import color_of
 from game.worlds.painting.liquid import LiquidPainter, draw_backdrop
 
 WATER = (0x4F93B5, 0x235F82)  # by day, by night
+EXPERIMENT, RITTER = "experiment of 1952", "Ritter's front"
+AT_END = 0.01  # of the floor: so near to its end a front has arrived
+LINE = 22.0  # design px from line to line of what is said beside a tank
+
+
+def liquid_brush(one: Any) -> Callable[[Canvas], None]:
+    """Paints the liquid's surface."""
+    painter = LiquidPainter(one.liquid)
+    return lambda canvas: painter.draw(canvas, one.liquid.places)
+
+
+def shallow_brush(one: Any) -> Callable[[Canvas], None]:
+    """Paints depths as an area."""
+
+    def paint(canvas: Canvas) -> None:
+        depth = one.water.depth[0]
+        wet = np.flatnonzero(depth > 1e-4 * one.column.height)
+        if len(wet):
+            x, surface = one.x[: wet[-1] + 1], one.floor + depth[: wet[-1] + 1]
+            top = [(0.0, float(surface[0])), *zip(x.tolist(), surface.tolist(), strict=True)]
+            if wet[-1] == len(depth) - 1:
+                top.append((one.column.length, top[-1][1]))
+            below = [(top[-1][0], one.floor), (0.0, one.floor)]
+            canvas.polygon([*top, *below], color_of(WATER[is_dark(canvas)]))
+            canvas.polyline(np.array(top), "chalk", 2.0)
+
+    return paint
+
+
+BRUSHES: dict[type[DamMethod], Callable[[Any], Callable[[Canvas], None]]] = {
+    ByLiquid: liquid_brush,
+    ByShallowWater: shallow_brush,
+}
+
+
+def said_of(model: DamWorld, one: DamMethod) -> list[str]:
+    """Front, loss and price of a method, a line each."""
+    front, measured = one.front(), model.measured()
+    arrived = front > (1.0 - AT_END) * one.column.length
+    lines = ["front at the far wall" if arrived else f"front at {front:.2f} m"]
+    if not math.isnan(measured):
+        ahead = 100.0 * (front / measured - 1.0)
+        lines.append(f"{abs(ahead):.0f} % {'ahead of' if ahead >= 0.0 else 'behind'} the experiment")
+    lost = round(100.0 * (one.volume() / one.area - 1.0), 2)
+    lines.append(f"volume error {format_si(lost, '%', 2)}")
+    price = one.watch.median("step")
+    if not math.isnan(price):
+        lines.append(f"{format_si(price, 's', 2)} a step")
+    return lines
 
 
 class DamView:
@@ -23,12 +73,10 @@ class DamView:
 
     def __init__(self, model: DamWorld, hand: Any):
         self.model = model
-        self.painters = {
-            one.name: LiquidPainter(one.liquid) for one in model.methods if isinstance(one, ByLiquid)
-        }
+        self.brushes = [BRUSHES[type(one)](one) for one in model.methods]
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        """The lines through all floors."""
+        """The lines through all tanks."""
         rows = []
         if self.model.parameters.experiment and not math.isnan(self.model.measured()):
             rows.append(("line:amber", "front in the experiment (Martin and Moyce 1952)", ""))
@@ -37,45 +85,40 @@ class DamView:
         return rows
 
     def draw(self, canvas: Canvas, previous: DamState | None, alpha: float) -> None:
-        """All floors, as they are now."""
+        """All tanks, as they are now."""
         draw_backdrop(canvas)
+        for one, brush in zip(self.model.methods, self.brushes, strict=True):
+            brush(canvas)
+            self._draw_tank(canvas, one)
+        self._draw_known(canvas)
+
+    def _draw_tank(self, canvas: Canvas, one: DamMethod) -> None:
+        """Its walls and lid; beside it, what is said of it."""
+        length, low, high = one.column.length, one.floor, one.floor + TALL * one.column.height
+        canvas.polyline([(0.0, low), (length, low), (length, high), (0.0, high)], "text1", 2.4, closed=True)
+        at = (length * (1.0 + 0.05 * BESIDE), high)
+        canvas.label(at, one.title, "text1", 18, "semibold", "topleft")
+        for k, line in enumerate(said_of(self.model, one)):
+            canvas.label(at, line, "text1", 14, anchor="topleft", offset=(0.0, 30.0 + LINE * k))
+
+    def _draw_known(self, canvas: Canvas) -> None:
+        """Fronts that are known, through all tanks, and Ritter's surface on shallow water."""
         model, content = self.model, self.model.content
-        for one in model.methods:
-            self._draw_water(canvas, one)
-            floor, length = one.floor, content.length
-            canvas.line((0.0, floor), (length, floor), "text1", 2.4)
-            canvas.line((0.0, floor), (0.0, floor + content.height), "text1", 2.4)
-            canvas.line((length, floor), (length, floor + content.height), "text1", 2.4)
-            at = (0.5 * (content.width + length), floor + 0.92 * content.height)
-            canvas.label(at, one.title, "text1", 18, "semibold", "center")
-        top = 2.0 * content.rise - 0.1 * content.height
-        if model.parameters.exact:
-            self._draw_exact(canvas, top)
-        measured = model.measured()
+        top = (len(model.methods) - 1) * content.rise + (TALL + 0.04) * content.height
+        measured, front, found = model.measured(), model.exact_front(), model.surface()
+        if model.parameters.exact and found is not None:
+            for one in model.methods:
+                if isinstance(one, ByShallowWater):
+                    canvas.polyline(np.stack([found[0], one.floor + found[1]], axis=1), "vermilion", 1.8)
+                    at = float(found[0][len(found[0]) // 2]), one.floor + float(found[1][len(found[1]) // 2])
+                    canvas.label(
+                        at, "Ritter's surface", "vermilion", 14, "semibold", "bottomleft", (8.0, -8.0)
+                    )
+        marks = []
         if model.parameters.experiment and not math.isnan(measured):
-            canvas.line((measured, 0.0), (measured, top), "amber", 2.0, dash=(7.0, 4.0))
-
-    def _draw_water(self, canvas: Canvas, one: DamMethod) -> None:
-        if isinstance(one, ByLiquid):
-            self.painters[one.name].draw(canvas, one.liquid.places)
-        elif isinstance(one, ByShallowWater):
-            depth = one.water.depth[0]
-            wet = np.flatnonzero(depth > 1e-4 * one.column.height)
-            if len(wet):
-                x, surface = one.x[: wet[-1] + 1], one.floor + depth[: wet[-1] + 1]
-                top = list(zip(x.tolist(), surface.tolist(), strict=True))
-                top = [(0.0, top[0][1]), *top]
-                canvas.polygon(
-                    [*top, (top[-1][0], one.floor), (0.0, one.floor)], color_of(WATER[is_dark(canvas)])
-                )
-                canvas.polyline(np.array(top), "chalk", 2.0)
-
-    def _draw_exact(self, canvas: Canvas, top: float) -> None:
-        """Ritter's surface on the floor of shallow water, and his front through all."""
-        front, found = self.model.exact_front(), self.model.surface()
-        if not math.isnan(front):
-            canvas.line((front, 0.0), (front, top), "vermilion", 1.6, dash=(3.0, 3.0))
-        for one in self.model.methods:
-            if found is not None and isinstance(one, ByShallowWater):
-                x, depth = found
-                canvas.polyline(np.stack([x, one.floor + depth], axis=1), "vermilion", 1.8)
+            marks.append((measured, EXPERIMENT, "amber", (7.0, 4.0)))
+        if model.parameters.exact and not math.isnan(front):
+            marks.append((front, RITTER, "vermilion", (3.0, 3.0)))
+        for x, name, color, dash in marks:
+            canvas.line((x, 0.0), (x, top), color, 2.0, dash=dash)
+            canvas.label((x, top), name, color, 14, "semibold", "bottom", clear=True)

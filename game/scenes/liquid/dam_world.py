@@ -13,7 +13,7 @@ from game.physics.effects import EffectSet
 from game.physics.kernels import linear
 from game.physics.waves import DamBreak, dam_break
 from game.scenes.liquid.level import Size
-from game.scenes.liquid.methods import ByLiquid, ByShallowWater, Column, DamMethod, DamState
+from game.scenes.liquid.methods import COLUMNS, TALL, Column, DamMethod, DamState
 from game.stage import Choice, Param, Parameters, Readout, Toggle
 from game.worlds.entries.entry import LevelEntry, View
 from game.worlds.expectations import Expectations
@@ -21,7 +21,8 @@ from game.worlds.world import World
 
 # Front over width against t sqrt(2 g / width), of a column twice as high as wide (Martin and Moyce 1952)
 EXPERIMENT = ((0.832, 1.217), (1.219, 1.474), (1.997, 2.292), (2.547, 2.995))
-GAP = 0.18  # of the column's height, between two floors and above the upper one
+GAP = 0.12  # of the column's height, between two tanks and above the upper one
+BESIDE = 0.3  # of the floor's length, right of the tanks, where each method is spoken of
 
 
 class DamContent(LevelEntry, frozen=True, kw_only=True):
@@ -35,13 +36,16 @@ class DamContent(LevelEntry, frozen=True, kw_only=True):
     @property
     def rise(self) -> float:
         """m from one floor to the next."""
-        return (1.0 + GAP) * self.height
+        return (TALL + GAP) * self.height
 
     @property
     def view(self) -> View:
-        """Both floors."""
-        edge = 0.04 * self.length
-        return View(left=-edge, bottom=-0.1 * self.height, right=self.length + edge, top=2.0 * self.rise)
+        """All tanks, and what is said beside them."""
+        edge, many = 0.04 * self.length, len(COLUMNS)
+        right = (1.0 + BESIDE) * self.length
+        return View(
+            left=-edge, bottom=-0.1 * self.height, right=right, top=many * self.rise + 0.1 * self.height
+        )
 
 
 class DamParameters(Parameters):
@@ -73,9 +77,9 @@ class DamWorld(World):
             )
         column = Column(content.width, content.height, content.length, float(parameters.gravity))
         self.column = column
-        self.methods: tuple[DamMethod, ...] = (
-            ByLiquid(column, content.rise, int(parameters.cells), str(parameters.carrier)),
-            ByShallowWater(column, 0.0, int(parameters.row)),
+        floors = [content.rise * k for k in reversed(range(len(COLUMNS)))]
+        self.methods: tuple[DamMethod, ...] = tuple(
+            make(column, floor, parameters) for make, floor in zip(COLUMNS, floors, strict=True)
         )
         self.theory: DamBreak = dam_break(content.height, 0.0, column.gravity)
         super().__init__(content, parameters, active, *self.methods)

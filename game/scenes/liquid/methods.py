@@ -1,4 +1,7 @@
-"""Methods that a dam is shown by: each steps a column of water on its own floor and tells its front."""
+"""Methods that a dam is shown by: each steps a column of water in its own tank and tells its front.
+
+One more method is one more class here, its name in `COLUMNS` and in `DamState`, and its brush in the view.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,7 @@ from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Member
 
 THIN = 0.01  # of the column's height: shallower water is no front
+TALL = 1.15  # height of the tanks, in that of the column; there they have a lid
 
 
 class Column(NamedTuple):
@@ -28,12 +32,12 @@ class Column(NamedTuple):
 
 class DamMethod(Member):
     """One method. name, title: as readouts and the picture call it; floor: m, where it is drawn; area:
-    m² at first.
+    m² at first. parameters: of the scene.
     """
 
     name = title = ""
 
-    def __init__(self, column: Column, floor: float):
+    def __init__(self, column: Column, floor: float, parameters: Any):
         self.column, self.floor, self.watch = column, floor, Stopwatch()
         self.area = column.width * column.height
 
@@ -59,12 +63,12 @@ class ByLiquid(DamMethod):
 
     name, title = "liquid", "liquid"
 
-    def __init__(self, column: Column, floor: float, cells: int, carrier: str):
-        super().__init__(column, floor)
-        cell = column.width / cells
-        high = int(column.height / cell * 1.25) + 2
+    def __init__(self, column: Column, floor: float, parameters: Any):
+        super().__init__(column, floor, parameters)
+        cell = column.width / int(parameters.cells)
+        high = round(TALL * column.height / cell)
         grid = Grid(round(column.length / cell), high, cell, (0.0, floor))
-        settings = LiquidSettings(gravity=column.gravity, carrier=CARRIERS.index(carrier))
+        settings = LiquidSettings(gravity=column.gravity, carrier=CARRIERS.index(parameters.carrier))
         self.liquid = Liquid(grid, settings, most=min(6 * grid.nx * grid.ny, 200_000))
         self.liquid.add(self.liquid.lattice((0.0, floor), (column.width, floor + column.height)))
         self.area = self.liquid.count * self.liquid.area
@@ -94,8 +98,9 @@ class ByShallowWater(DamMethod):
 
     name, title = "shallow", "shallow water"
 
-    def __init__(self, column: Column, floor: float, cells: int):
-        super().__init__(column, floor)
+    def __init__(self, column: Column, floor: float, parameters: Any):
+        super().__init__(column, floor, parameters)
+        cells = int(parameters.row)
         self.x: Floats = np.asarray((np.arange(cells) + 0.5) * (column.length / cells))
         depth = np.where(self.x < column.width, column.height, 0.0)
         settings = ShallowSettings(gravity=column.gravity)
@@ -119,8 +124,11 @@ class ByShallowWater(DamMethod):
         self.water.restore(next(fields))
 
 
+COLUMNS: tuple[type[DamMethod], ...] = (ByLiquid, ByShallowWater)  # from the top
+
+
 class DamState(NamedTuple):
-    """Each method's own."""
+    """Each method's own, in the order of `COLUMNS`."""
 
     liquid: LiquidState
     shallow: ShallowState

@@ -71,12 +71,14 @@ def _pour(hand: Hand) -> str:
 
 
 def _stir(hand: Hand) -> str:
-    hand.model.stir(hand.at, (HAND_RATE * hand.moved[0], HAND_RATE * hand.moved[1]))
+    hand.model.water.stir(
+        hand.at, (HAND_RATE * hand.moved[0], HAND_RATE * hand.moved[1]), float(hand.parameters.size)
+    )
     return ""
 
 
 def _drop(hand: Hand) -> str:
-    hand.model.let_fall(hand.at)
+    hand.model.water.let_fall(hand.at, float(hand.parameters.size))
     return ""
 
 
@@ -109,11 +111,11 @@ def _tap(hand: Hand) -> str:
     speed = TAP_RATE * (x1 - x0), TAP_RATE * (y1 - y0)
     if elementary.hypot(*speed) < 0.2:
         speed = 0.0, -1.0
-    return str(hand.model.add_tap((x0, y0), speed, float(hand.parameters.size)))
+    return str(hand.model.mouths.add_tap((x0, y0), speed, float(hand.parameters.size)))
 
 
 def _drain(hand: Hand) -> str:
-    return str(hand.model.add_drain(hand.at, float(hand.parameters.size)))
+    return str(hand.model.mouths.add_drain(hand.at, float(hand.parameters.size)))
 
 
 def _let_go(hand: Hand) -> None:

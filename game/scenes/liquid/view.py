@@ -93,7 +93,7 @@ class LiquidView:
         draw_spheres(canvas, places[chosen], things[balls, WIDE], turned[chosen], inks[balls])
 
     def _draw_taps(self, canvas: Canvas) -> None:
-        for x, y, width, u, v in self.model.taps.tolist():
+        for x, y, width, u, v in self.model.mouths.taps.tolist():
             fast = max(math.hypot(u, v), 1e-9)
             nx, ny = u / fast, v / fast
             half, long = 0.6 * width, 1.4 * width
@@ -103,7 +103,7 @@ class LiquidView:
                 (x - ny * half - nx * long, y + nx * half - ny * long),
             ]  # fmt: skip
             canvas.polygon(corners, "text3", outline="text1")
-        for x, y, radius in self.model.drains.tolist():
+        for x, y, radius in self.model.mouths.drains.tolist():
             canvas.circle((x, y), radius, None, outline="amber")
 
     def _draw_cells(self, canvas: Canvas, pressure: bool) -> None:

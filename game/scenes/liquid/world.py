@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,26 +10,17 @@ import numpy as np
 from game.arrays import Floats, Longs, Point
 from game.physics.effects import EffectSet
 from game.physics.grid.layout import Grid
-from game.physics.kernels import elementary, elementwise
-from game.physics.liquid import Liquid, LiquidSettings, LiquidState
-from game.physics.liquid.effects import LIQUID
+from game.physics.liquid import LiquidState
 from game.physics.solids import Disc, Material, SolidState, box
-from game.physics.solids.arrays.state import DYNAMIC
-from game.physics.surfaces import SolidSurface
 from game.scenes.liquid.level import LiquidContent, SolidEntry
 from game.scenes.liquid.parameters import LiquidParameters
-from game.settings import taken
 from game.worlds.members.solids import Solids
-from game.worlds.stopwatch import Stopwatch
-from game.worlds.world import Kept, Member, World
+from game.worlds.members.water import DENSITY, Mouths, Water
+from game.worlds.world import Kept, World
 
-DENSITY = 1000.0  # kg/m³
 MOST_PARTICLES = 40_000
 MOST_THINGS = 64  # solids, and taps, and drains
-GOLDEN = 0.6180339887498949
-CROWDED = 1.0  # fill of a cell into which no tap runs
 BODY, WIDE, TALL, WEIGHT = range(4)  # columns of things: body, half width, half height (0: a ball), density
-FASTEST = 20.0  # m/s, of the hand in water
 
 
 class LiquidWorldState(NamedTuple):
@@ -44,35 +34,6 @@ class LiquidWorldState(NamedTuple):
     taps: Floats
     drains: Floats
     flow: Floats
-
-
-class Water(Member):
-    """The liquid as a member. Solids are sampled in each step in which one can have moved."""
-
-    def __init__(self, liquid: Liquid, solids: Solids, surface: SolidSurface):
-        self.liquid, self.solids, self.surface, self.watch = liquid, solids, surface, Stopwatch()
-        self.parts, self.stale = 0, True
-
-    def step(self, dt: float) -> None:
-        rows = self.solids.world.bodies
-        if self.stale or bool((rows.flags & DYNAMIC).any()):
-            self.liquid.set_solids(self.surface)
-            self.stale = False
-        with self.watch.time("step"):
-            self.parts = self.liquid.advance(dt)
-
-    def measure(self) -> None:
-        """Find surface and fill of what is there now. Nothing that later steps depend on changes."""
-        self.liquid.sample_solids(self.surface)
-        self.liquid.refresh()
-        self.stale = True
-
-    def state(self) -> tuple[Any, ...]:
-        return (self.liquid.state(),)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.liquid.restore(next(fields))
-        self.stale = True
 
 
 class LiquidWorld(World):
@@ -90,39 +51,27 @@ class LiquidWorld(World):
         self.anchor = self.solids.anchor()
         self.walls = self._build_walls(grid, content.open)
         self.things: Floats = np.zeros((0, 4))
-        self.taps: Floats = np.zeros((0, 5))
-        self.drains: Floats = np.zeros((0, 3))
-        self.flow: Floats = np.zeros(3)
         self.pours: Point | None = None
         self.scoops: Point | None = None
-        self.liquid = Liquid(
-            grid, self._settings(parameters), most=most, spread=spread, density=DENSITY,
-            effects=active & LIQUID.known, open_sides=content.open,
-        )  # fmt: skip
+        self.water = Water(
+            grid, parameters, active, self.solids, most=most, spread=spread, open_sides=content.open
+        )
+        self.liquid, self.mouths = self.water.liquid, Mouths(self.water, MOST_THINGS)
+        self.mouths.running = bool(parameters.running)
         for entry in content.solids:
             self._add(entry)
         for tap in content.taps:
-            self.add_tap(tap.at, tap.speed, tap.width)
+            self.mouths.add_tap(tap.at, tap.speed, tap.width)
         for drain in content.drains:
-            self.add_drain(drain.at, drain.radius)
-        surface = SolidSurface(self.solids.world, without=(self.anchor, *self.walls))
-        self.water = Water(self.liquid, self.solids, surface)
-        self.liquid.set_solids(surface)
+            self.mouths.add_drain(drain.at, drain.radius)
+        self.water.meet(without=(self.anchor, *self.walls))
         for one in content.water:
-            places = self.liquid.lattice(one.low, one.high)
-            if one.radius > 0.0:
-                places = self._disc(one.low, one.radius)
-            self.liquid.add(places, one.speed)
-        self.liquid.refresh()
-        self.start = max(self.liquid.wet_area(), 1e-12)
+            filled = self.water.disc(one.low, one.radius) if one.radius > 0.0 else None
+            self.liquid.add(self.liquid.lattice(one.low, one.high) if filled is None else filled, one.speed)
+        self.water.begin()
         super().__init__(
-            content, parameters, active, self.solids, self.water,
-            Kept(self, "things", "taps", "drains", "flow"),
-        )  # fmt: skip
-
-    @staticmethod
-    def _settings(chosen: LiquidParameters) -> LiquidSettings:
-        return taken(LiquidSettings, chosen.values)
+            content, parameters, active, self.solids, self.water, Kept(self, "things"), self.mouths
+        )
 
     def _build_walls(self, grid: Grid, open_sides: tuple[str, ...]) -> list[int]:
         """Bodies that keep solids in the tank."""
@@ -141,70 +90,22 @@ class LiquidWorld(World):
 
     def change_parameter(self, name: str) -> None:
         super().change_parameter(name)
-        self.liquid.settings = self._settings(self.parameters)
-        self.water.watch.clear()
-
-    def change_effects(self, active: EffectSet) -> None:
-        super().change_effects(active)
-        self.liquid.effects = active & LIQUID.known
+        self.mouths.running = bool(self.parameters.running)
 
     # -- a step -------------------------------------------------------------------------------------------
 
     def advance(self, dt: float) -> str:
-        if self.pours is not None or (self.parameters.running and len(self.taps)):
-            self.liquid.refresh()
-        if self.parameters.running:
-            for x, y, width, u, v in self.taps.tolist():
-                self._run((x, y), (u, v), width, dt)
+        self.mouths.step(dt)
         if self.pours is not None:
+            self.liquid.refresh()
             width = max(math.sqrt(self.parameters.poured * 0.02), 2.0 * self.liquid.grid.cell)
-            self._run(self.pours, (0.0, -self.parameters.poured / width), width, dt)
-        for x, y, radius in self.drains.tolist():
-            self.take_out((x, y), radius)
+            self.mouths.run(self.pours, (0.0, -self.parameters.poured / width), width, dt)
         if self.scoops is not None:
-            self.take_out(self.scoops, float(self.parameters.size))
+            self.mouths.take_out(self.scoops, float(self.parameters.size))
         self.water.step(dt)
         self.solids.step(dt)
         self.time += dt
         return ""
-
-    def _run(self, at: Point, speed: Point, width: float, dt: float) -> None:
-        """Let so much in as a mouth of a width gives in dt, s; what finds no space is refused."""
-        fast = elementary.hypot(*speed)
-        owed = float(self.flow[0]) + fast * width * dt / self.liquid.area
-        count = int(owed)
-        self.flow[0] = owed - count
-        if count == 0 or fast == 0.0:
-            return
-        number = self.flow[1] + np.arange(count)
-        across = number * GOLDEN
-        across = (across - np.floor(across) - 0.5) * width
-        along = (np.arange(count) + 0.5) / count * fast * dt
-        nx, ny = speed[0] / fast, speed[1] / fast
-        places = np.stack([at[0] + along * nx - across * ny, at[1] + along * ny + across * nx], axis=1)
-        grid, fill = self.liquid.grid, self.liquid.cells.fill
-        cells = np.floor((places - grid.lower) / grid.cell).astype(np.int64)
-        inside = (cells >= 0).all(axis=1) & (cells < (grid.nx, grid.ny)).all(axis=1)
-        free = np.array(inside)
-        free[inside] = self._around(fill, cells[inside]) < CROWDED
-        self.liquid.account[2] += count - int(np.count_nonzero(free))
-        self.liquid.add(places[free], speed)
-        self.flow[1] += count
-
-    @staticmethod
-    def _around(fill: Floats, cells: Longs) -> Floats:
-        """Mean fill (n,) of cells (n, 2), column and row, and the eight around each."""
-        ny, nx = fill.shape
-        total = np.zeros(len(cells))
-        for right in (-1, 0, 1):
-            for up in (-1, 0, 1):
-                total += fill[np.clip(cells[:, 1] + up, 0, ny - 1), np.clip(cells[:, 0] + right, 0, nx - 1)]
-        return total / 9.0
-
-    def take_out(self, at: Point, radius: float) -> None:
-        """Water within a radius (m) vanishes."""
-        away = self.liquid.places - at
-        self.flow[2] += self.liquid.keep_only((away * away).sum(axis=1) > radius * radius)
 
     # -- solids, taps, drains -------------------------------------------------------------------------------
 
@@ -247,43 +148,3 @@ class LiquidWorld(World):
     def bodies(self) -> Longs:
         """Those of all things."""
         return self.things[:, BODY].astype(np.int64)
-
-    def add_tap(self, at: Point, speed: Point, width: float) -> str:
-        """A tap; why not."""
-        if len(self.taps) >= MOST_THINGS:
-            return f"There are {MOST_THINGS} taps already."
-        self.taps = np.concatenate([self.taps, [(*at, width, *speed)]])
-        return ""
-
-    def add_drain(self, at: Point, radius: float) -> str:
-        """A drain; why not."""
-        if len(self.drains) >= MOST_THINGS:
-            return f"There are {MOST_THINGS} drains already."
-        self.drains = np.concatenate([self.drains, [(*at, radius)]])
-        return ""
-
-    # -- the hand -------------------------------------------------------------------------------------------
-
-    def _disc(self, at: Point, radius: float) -> Floats:
-        places = self.liquid.lattice(np.asarray(at) - radius, np.asarray(at) + radius)
-        away = places - at
-        return np.asarray(places[(away * away).sum(axis=1) <= radius * radius])
-
-    def let_fall(self, at: Point) -> None:
-        """A drop about a place, where there is no water yet."""
-        places = self._disc(at, float(self.parameters.size))
-        self.liquid.refresh()
-        grid, fill = self.liquid.grid, self.liquid.cells.fill
-        if len(places):
-            cells = np.clip(
-                np.floor((places - grid.lower) / grid.cell).astype(np.int64), 0, (grid.nx - 1, grid.ny - 1)
-            )
-            self.liquid.add(places[fill[cells[:, 1], cells[:, 0]] < 0.5])
-
-    def stir(self, at: Point, speed: Point) -> None:
-        """Let the water near a place go at a speed, m/s."""
-        reach = float(self.parameters.size)
-        away = self.liquid.places - at
-        near = elementwise.exp(-(away * away).sum(axis=1) / (reach * reach))[:, None]
-        goal = np.clip(speed, -FASTEST, FASTEST)
-        self.liquid.speeds[:] += near * (goal - self.liquid.speeds)

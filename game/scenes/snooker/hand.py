@@ -55,6 +55,8 @@ class SnookerHand(Part):
         if game.may_restart and len(game.players) == 2:
             rows.append(("restart", "Stalemate", False))
         if game.over:
+            if course.may_film:
+                rows.append(("film-strokes", "Film", False))
             words = "Again" if game.drill else "New match" if game.match_over else "Next frame"
             rows.append(("rack", words, True))
         elif course.may_aim:
@@ -234,6 +236,8 @@ class SnookerHand(Part):
             self.course.set_grade(held.number, next_player(self.course.grade_of(held.number)))
         elif held.kind is Held.OPTION:
             self.course.take_option(held.number)
+        elif held.name == "film-strokes":
+            self.course.films += 1
         else:
             self.act(held.name)
 

@@ -45,7 +45,7 @@ SPIN, SPIN_RADIUS = (TABLE.top + metres(50.0), RIGHT_MIDDLE), metres(30.0)
 ELEVATION = (TABLE.top + metres(206.0), RIGHT_MIDDLE - metres(20.0))  # pivot
 ELEVATION_RADIUS = metres(40.0)
 NUMBERS_TOP, NUMBERS_PITCH = TABLE.top + metres(252.0), metres(48.0)  # of the numbers below each other
-BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(6.0)
+BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(2.5)  # eight of them leave space for numbers
 CHIP, CHIP_PITCH = metres(11.0), metres(32.0)  # radius of a colour to be nominated, and from one to the next
 CHIPS_RIGHT = FOOT.right - metres(18.0)
 

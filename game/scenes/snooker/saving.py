@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import msgspec
 
+from game.billiards.game.frame import Frame, Struck
+from game.scenes.shared.tables.kept.excerpts import excerpts_of
+from game.scenes.snooker.course import Course
 from game.scenes.snooker.level import PlacedBall, SnookerContent
 from game.scenes.snooker.model import SnookerModel
+from game.scenes.snooker.opponents import decision_of
+from game.stage import Decision
+from game.stage.records.excerpt import Excerpt
+
+if TYPE_CHECKING:
+    from game.stage import Scene
 
 
 def content_of(model: SnookerModel) -> SnookerContent:
@@ -31,3 +42,20 @@ def worth_keeping(model: SnookerModel, plays_itself: bool) -> object:
     if model.game.drill or plays_itself or not frame.strokes:
         return None
     return frame.game, frame.layout.places
+
+
+def highlights(course: Course, scene: Scene) -> tuple[Excerpt, ...]:
+    """The strokes that decided the match, each from the position before it."""
+    model = course.model
+
+    def before(frame: Frame) -> SnookerContent:
+        balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in frame.layout.places]
+        return SnookerContent(
+            game=model.content.game, players=model.content.players, balls=balls,
+            saved=msgspec.to_builtins(frame.game),
+        )  # fmt: skip
+
+    def event(struck: Struck) -> Decision:
+        return decision_of(struck.stroke, struck.call)
+
+    return excerpts_of(scene, course, before, event)

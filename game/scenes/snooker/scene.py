@@ -34,6 +34,7 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.stage.records.excerpt import Excerpt
 
 
 class SnookerScene(CueGameScene):
@@ -119,6 +120,13 @@ class SnookerScene(CueGameScene):
 
     def worth_keeping(self) -> object:
         return saving.worth_keeping(self.model, self.course.plays_itself)
+
+    def highlights(self) -> tuple[Excerpt, ...]:
+        return saving.highlights(self.course, self)
+
+    @property
+    def film_wanted(self) -> int:
+        return self.course.films
 
     def save_content(self) -> SnookerContent:
         return saving.content_of(self.model)

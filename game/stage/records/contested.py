@@ -38,10 +38,11 @@ class Contested(NamedTuple):
 class StrokeMeasured(NamedTuple):
     """The last stroke of a person: of which kind, and what was measured of it; see `career.strokes`."""
 
-    opening: bool
+    kind: str
     distance: float
     cut: float
     made: bool
     chance: float
     stray: float | None
+    cushions: int
     speed: float

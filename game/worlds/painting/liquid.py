@@ -31,6 +31,7 @@ WALL_DAY, WALL_NIGHT = (0xF3F1EA, 0xC8D2D6), (0x27333E, 0x10161C)  # at the top 
 TABLE = (0xB08A63, 0x3B2C20)  # by day, by night
 COVERED = 0.85  # of the full field: with less, a point lies in a solid
 TORN, TORN_WHOLE = 0.7, 2.6  # change of speed over a cell, in sqrt(g cell): where foam begins, is full
+AIRY, AIRLESS = 4.0, 9.0  # points below the surface: down to here all foam is seen; from here on none
 SPRAY_LEAST = 0.3  # of the field: where it is less, a particle is drawn as a drop
 
 
@@ -133,6 +134,9 @@ def see_liquid(places, white, full, fields, frame):
                 field[j, i], foam[j, i] = _beside(spare, full, j, i), 0.0
     _find_depth(field, full, depth)
     _blur(depth, spare)
+    for j in range(rows):  # air is torn in at the surface; what is torn deeper down only shears
+        for i in range(columns):
+            foam[j, i] *= min(max((AIRLESS - depth[j, i]) / (AIRLESS - AIRY), 0.0), 1.0)
 
 
 @inner_kernel

@@ -65,7 +65,7 @@ def test_words_keep_out_of_the_way_and_are_found_where_they_do_not(monkeypatch):
     """Where a caption at the foot would lie over the ball it goes above; moved there, it is found."""
     camera = "[0.0, 14.65]\nwidth = 12.0"
     assert not any("under" in words for words in seen(camera))
-    monkeypatch.setattr(story_picture, "_hides_target", lambda *arguments: False)
+    monkeypatch.setattr(story_picture, "_hidden_by", lambda *arguments: 0)
     assert any(words.startswith("ball is under the words 'It is ") for words in seen(camera))
 
 

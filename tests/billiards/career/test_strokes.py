@@ -37,10 +37,10 @@ def test_shares_are_of_their_classes():
         fact(1.0, cut=50.0),
         fact(kind=BREAK, distance=0.1),
     ]
-    near, far = shares(facts, DISTANCES, by_cut=False)
+    near, far = shares(facts, DISTANCES)
     assert (near.pots, near.made, near.expected) == (2, 0.5, pytest.approx(0.6))
     assert (far.middle, far.pots, far.made) == (pytest.approx(1.0), 1, 1.0)
-    assert [one.pots for one in shares(facts, CUTS, by_cut=True)] == [2, 1]
+    assert [one.pots for one in shares(facts, CUTS, "cut")] == [2, 1]
 
 
 def test_a_summary_leaves_out_what_was_not_measured():
@@ -51,7 +51,7 @@ def test_a_summary_leaves_out_what_was_not_measured():
         fact(kind=BREAK, speed=8.0),
     ]
     found = summary_of(facts)
-    assert found == (2, 1, 1.0, pytest.approx(0.2), 7.0)
+    assert found == (2, 1, 1.0, pytest.approx(0.2), 7.0, 0, 0, 0.0)
     assert math.isnan(summary_of([]).stray)
     assert set(by_opponent([*facts, fact(opponent="vera")])) == {"tom", "vera"}
 
@@ -76,7 +76,7 @@ def test_distance_cut_and_stray_of_a_stroke_in_closed_form():
     assert straight.distance == pytest.approx(0.6 - 2.0 * BALL_RADIUS)
     assert straight.cut == pytest.approx(0.0, abs=1e-6)
     assert straight.stray is None
-    assert not straight.opening
+    assert straight.kind == POT
     aside = Stroke(1.0, 0.5 * math.pi + math.asin(BALL_RADIUS / 0.6))  # half a ball: sin of the cut is 1/2
     thin = measured(frame, frame.play(aside), aside)
     assert thin.cut == pytest.approx(30.0, abs=1e-6)

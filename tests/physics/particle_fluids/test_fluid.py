@@ -95,13 +95,41 @@ def test_a_light_liquid_rests_on_a_heavy_one(ratio):
     assert np.quantile(heavy, 0.9) < np.quantile(light, 0.1)
 
 
-def test_a_heavy_liquid_sinks_through_a_light_one():
-    fluid = filled(height=0.3, liquids=[Liquid(500.0), Liquid(1000.0)])
+@pytest.mark.parametrize("ratio", [2.0, 10.0, 100.0])
+def test_a_heavy_liquid_sinks_through_a_light_one(ratio):
+    """Neither is ever squeezed, whatever their densities, and they change places."""
+    fluid = filled(height=0.3, liquids=[Liquid(1000.0 / ratio), Liquid(1000.0)])
     random = np.random.default_rng(0)
     above = lattice((0.0, 0.3), (1.0, 0.6), 0.05)
     fluid.add(above + random.normal(0.0, 0.002, above.shape), 1)
-    played(fluid, 5.0)
+    for _ in range(round(60 * 4.0)):
+        fluid.advance(1.0 / 60.0)
+        assert fluid.worst < 0.15 and fluid.error < 0.02
     assert np.mean(fluid.place[fluid.kind == 1, 1]) < 0.22 < 0.38 < np.mean(fluid.place[fluid.kind == 0, 1])
+
+
+def test_light_liquid_under_heavy_takes_shorter_steps():
+    """As the root of the density: pressure over density is the square of a speed."""
+    steps = []
+    for density in (1000.0, 10.0):
+        fluid = filled(height=0.2, liquids=[Liquid(density), Liquid(1000.0)])
+        fluid.add(lattice((0.0, 0.2), (1.0, 0.8), 0.05), 1)
+        fluid.pressure[1] = 1000.0 * 9.81 * (0.8 - fluid.place[:, 1])
+        steps.append(fluid.longest_step())
+    assert steps[1] == pytest.approx(0.5 * 0.05 / np.sqrt(9.81 * 0.775 * 100.0), rel=1e-12)
+    assert steps[0] > 5.0 * steps[1]
+
+
+def test_vapour_a_tenth_as_dense_rises_through_what_boils():
+    water = Liquid(1000.0, boils=373.0, latent=20.0, vapour=1)
+    fluid = filled(height=0.6, liquids=[water, Liquid(100.0)], diffusivity=0.0)
+    fluid.heat[fluid.place[:, 1] < 0.1] = 420.0
+    worst = 0.0
+    for _ in range(120):
+        fluid.advance(1.0 / 60.0)
+        worst = max(worst, fluid.worst)
+    vapour = fluid.place[fluid.kind == 1, 1]
+    assert len(vapour) == 40 and np.mean(vapour) > 0.3 and worst < 0.15
 
 
 def test_a_column_of_fifty_layers_stands():

@@ -9,7 +9,9 @@ from game.physics.particle_fluids.dragging import drag_along, fill_drags
 from game.physics.particle_fluids.forces import act
 from game.physics.particle_fluids.laws import follow_law
 from game.physics.particle_fluids.settings import LAWS
-from game.physics.particle_fluids.sums import fill_rates, fill_response, push_by_pressure, spread_heat
+from game.physics.particle_fluids.sums import fill_bound, fill_rates, push_by_pressure, spread_heat
+
+BOX = [(0.0, 0.0), (0.6, 0.0), (0.6, 0.6), (0.0, 0.6)]
 
 
 def heap(law=3, noise=0.15, **liquid):
@@ -65,18 +67,33 @@ def test_pressure_tension_and_implicit_viscosity_act_along_pairs():
     assert np.max(np.abs(after - fluid.velocity)) > 0.1  # something has acted
 
 
-def test_pressure_takes_away_what_its_response_says():
-    """The diagonal is what one pressure does to its own particle's rate of density."""
-    fluid = heap()
+@pytest.mark.parametrize("ratio", [1.0, 10.0, 1000.0])
+def test_a_step_of_the_pressures_is_never_too_long(ratio):
+    """Eigenvalues of their matrix beside its bound: above 1 nowhere, and not far below, which would be slow."""
+    fluid = ParticleFluid(0.05, [Liquid(1000.0), Liquid(1000.0 / ratio)], [BOX], FluidSettings())
+    random = np.random.default_rng(3)
+    fluid.add(
+        np.clip(lattice((0.0, 0.0), (0.6, 0.6), 0.05) + random.normal(0.0, 0.015, (144, 2)), 0.01, 0.59)
+    )
+    fluid.kind[random.random(144) < 0.3] = 1
     work = fluid.scratch()
     work.gather(fluid)
-    fill_response(work.pairs, work.felt, work.body, work.work.total, work.work.response)
-    for i in (0, 40, 143):
+    bound, matrix = np.zeros(144), np.zeros((144, 144))
+    fill_bound(work.pairs, work.felt, work.body, work.work.total, work.spread, bound)
+    for i in range(144):
         pressure, pushed, rate = np.zeros(144), np.zeros((144, 2)), np.zeros(144)
         pressure[i] = 1.0
         push_by_pressure(work.pairs, work.felt, work.body, pressure, pushed)
         fill_rates(work.pairs, work.felt, work.body, pushed, rate)
-        assert -rate[i] == pytest.approx(work.work.response[i], rel=1e-12)
+        matrix[:, i] = -rate
+    assert matrix == pytest.approx(matrix.T, abs=1e-12 * np.max(matrix))
+    root = np.sqrt(bound)
+    largest = float(np.max(np.linalg.eigvalsh(matrix / root[:, None] / root)))
+    assert 0.6 < largest <= 1.0 + 1e-12
+    own = np.sqrt(np.diag(matrix))
+    assert float(np.max(np.linalg.eigvalsh(matrix / own[:, None] / own))) > 2.0, (
+        "its own diagonal is no bound"
+    )
 
 
 def slowing(explicit, direction):

@@ -3,14 +3,19 @@
 import numpy as np
 import pytest
 
+from game.compiler.decorator import kernel
 from game.physics.particle_fluids import FluidSettings, Liquid, ParticleFluid, lattice
+from game.physics.particle_fluids.laws import follow_law
 from game.physics.particle_fluids.smoothing import CUBIC, POLY6, WENDLAND, fill_kernel
 from game.physics.particle_fluids.walls import (
     EXACT,
     WEIGHTS,
+    Contacts,
     edges_of,
+    fill_contacts,
     fill_shares,
     hold_inside,
+    stop_at_walls,
     wall_table,
 )
 
@@ -79,6 +84,43 @@ def test_what_left_a_vessel_comes_back_and_stops():
     assert place[1] == pytest.approx((0.01, 0.01)) and velocity[1] == pytest.approx((0.0, 0.0))
     assert place[2].tolist() == [2.0, 2.0] and velocity[2].tolist() == [-1.0, 0.0]
     assert place[3] == pytest.approx((0.01, 3.0)) and velocity[3] == pytest.approx((0.0, 0.5))
+
+
+def stopped(place, velocity, dt=1.0):
+    """Velocity (m/s) left of one at a place, near the walls of a corner and 0.05 m kept off them."""
+    contacts = Contacts(np.zeros((1, 2, 2)), np.zeros((1, 2)))
+    fill_contacts(np.array([place]), CORNER, 0.5, 0.05, contacts)
+    left = np.array([velocity])
+    stop(left, contacts, dt)
+    return left[0]
+
+
+@kernel
+def stop(velocity, contacts, dt):
+    stop_at_walls(velocity, contacts, dt)
+
+
+def test_a_step_ends_at_a_wall_and_not_beyond():
+    assert stopped((2.0, 0.15), (3.0, -0.3)) == pytest.approx((3.0, -0.1))
+    assert stopped((2.0, 0.15), (3.0, -0.3), 0.1) == pytest.approx((3.0, -0.3)), (
+        "not that far in a short step"
+    )
+    assert stopped((2.0, 0.15), (3.0, 0.3)) == pytest.approx((3.0, 0.3)), "away from it"
+    assert stopped((0.15, 0.25), (-3.0, -3.0)) == pytest.approx((-0.1, -0.2)), "two walls of a corner"
+    assert stopped((2.0, 2.0), (0.0, -9.0)) == pytest.approx((0.0, -9.0)), "none near"
+
+
+def test_pressure_presses_nothing_light_into_a_wall():
+    """A light particle between a floor and heavy ones that come down on it stays where it is."""
+    fluid = ParticleFluid(0.05, [Liquid(1000.0), Liquid(10.0)], [[(0, 0), (1, 0), (1, 1), (0, 1)]])
+    fluid.add(lattice((0.0, 0.005), (1.0, 0.305), 0.05), 0, (0.0, -0.1))
+    fluid.kind[:20] = 1
+    work = fluid.scratch()
+    work.gather(fluid)
+    follow_law(fluid, work, 0.002)
+    light = work.kind == 1
+    assert float(np.min(work.place[light, 1])) >= 0.005 - 1e-12
+    assert float(np.min(work.place[:, 1])) >= 0.005 - 1e-12
 
 
 def density_error(walls):

@@ -27,7 +27,7 @@ from game.stage import Action, Decision, ParameterError, Stage
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
-from game.ui.look.theme import DARK
+from game.ui.look.theme import DARK, FELT
 from tests.app.tests_app import Driver
 from tests.scenes.billiards.billiards_stages import level_of, seconds, straight_pot, until_aiming
 
@@ -94,7 +94,7 @@ def test_from_near_a_ball_is_drawn_where_its_part_of_the_table_is():
     for shown in (ball, ball._replace(opacities=np.zeros(1))):
         canvas.begin(surface, surface.get_rect(), camera)
         draw_table(canvas, table)
-        close_up.CloseUpView().draw(canvas, table, shown, part)
+        close_up.CloseUpView().draw(canvas, table, shown, part, FELT)
         canvas.end()
         pictures.append(pygame.surfarray.array3d(surface).astype(int))
     changed = np.argwhere(np.abs(pictures[0] - pictures[1]).sum(axis=2) > 120)

@@ -11,7 +11,9 @@ import numpy as np
 import pygame
 import pytest
 
+from game.lab.study import Setting
 from game.levels import level_files, load_level
+from game.scenes.candle import study
 from game.scenes.candle.air import AIR, COMES, SUPPLY, TOP, UP, VAPOUR
 from game.scenes.candle.parameters import CandleContent
 from game.scenes.candle.scene import Candle
@@ -130,11 +132,11 @@ def test_the_law_is_the_oxygen_over_the_rate() -> None:
     stage = shut()
     air, found = stage.scene.model.air, read(stage)
     dense = float(np.sum(air.gas.field("air")[air.under()])) * air.cell**2
-    oxygen = 1e-4 * found["air in the glass"] * FRESH
+    oxygen = 1e-3 * found["air in the glass"] * FRESH
     spare = oxygen - 16.0 / 20.95 * FRESH / AIR * dense
     assert found["time by the law"] == pytest.approx(spare / (3.4 * 40e-6), rel=1e-9)
     assert found["oxygen for"] == pytest.approx(oxygen / (3.4 * 40e-6), rel=1e-9)
-    assert 0.5 * 0.16 * 0.13 < 1e-4 * found["air in the glass"] < 0.16 * 0.13
+    assert 0.5 * 0.16 * 0.13 < 1e-3 * found["air in the glass"] < 0.16 * 0.13
 
 
 @pytest.mark.parametrize(("wait", "half_width"), [(0.0, 0.08), (3.3, 0.05)])
@@ -341,3 +343,35 @@ def test_the_flame_lights_the_room_and_the_room_is_not_black_without_it() -> Non
     assert cold.min() > 12.0
     assert (warm[:, 0] > 1.6 * cold[:, 0]).all()
     assert (warm[:, 0] / warm[:, 2] > 1.5 * cold[:, 0] / cold[:, 2]).all()
+
+
+@pytest.fixture
+def compared(monkeypatch: pytest.MonkeyPatch) -> Setting:
+    """The study's coarsest point, compared with 16 % instead of the finest run."""
+    monkeypatch.setattr(study, "finest", lambda: 16.0)
+    return study.smothered_study.settings()[0]
+
+
+def test_the_study_measures_the_oxygen_that_the_scene_says(compared: Setting) -> None:
+    trial = study.smothered_study.trial(compared)
+    trial.reset()
+    trial.run()
+    stage = Stage(Candle, parameters=dict(compared.scene))
+    run(stage, study.BURNS_S)
+    stage.post(Action("glass"))
+    while math.isnan(read(stage)["flame lived"]):
+        stage.run(1)
+    left = read(stage)["oxygen in all"]
+    error, cells, failure = trial.outcome()
+    assert (error, failure) == (pytest.approx(abs(left - 16.0), abs=1e-12), "")
+    assert cells == 32 * 36
+
+
+def test_a_flame_of_the_study_that_burns_on_has_failed(
+    compared: Setting, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(study, "MOST_S", 1.0)
+    trial = study.smothered_study.trial(compared)
+    trial.reset()
+    trial.run()
+    assert trial.outcome().failure

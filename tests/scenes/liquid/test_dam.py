@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -10,7 +11,9 @@ import pytest
 from game.app.stagehand.headless import picture_of_stage
 from game.levels import level_files, load_level
 from game.scenes.liquid.dam_scene import Dam
+from game.scenes.liquid.dam_view import BRUSHES, said_of
 from game.scenes.liquid.dam_world import EXPERIMENT, DamContent
+from game.scenes.liquid.methods import COLUMNS, DamState
 from game.stage import Stage
 
 LEVELS = level_files("dam")
@@ -80,3 +83,48 @@ def test_levels_are_seen_and_keep_their_volume(path):
 def test_a_column_wider_than_its_floor_is_refused():
     with pytest.raises(ValueError, match="width"):
         Stage(Dam, level=None).scene.make(DamContent(width=5.0, length=3.0))
+
+
+def test_each_column_is_one_entry_and_they_stand_one_above_the_other():
+    stage = opened()
+    methods = stage.scene.model.methods
+    assert tuple(type(one) for one in methods) == COLUMNS and set(BRUSHES) == set(COLUMNS)
+    assert len(DamState._fields) == len(COLUMNS)
+    floors = [one.floor for one in methods]
+    assert floors == sorted(floors, reverse=True) and floors[-1] == 0.0
+    assert all(upper - lower > 1.15 * 1.0 for upper, lower in pairwise(floors))
+
+
+def test_front_loss_and_price_are_said_beside_each_method():
+    stage = opened()
+    stage.run(60)
+    model = stage.scene.model
+    measured_now = model.measured()
+    for one in model.methods:
+        front, ahead, lost, price = said_of(model, one)
+        assert front == f"front at {one.front():.2f} m" and price.endswith("s a step")
+        assert ahead == f"{100.0 * (one.front() / measured_now - 1.0):.0f} % ahead of the experiment"
+        assert lost.startswith("volume error")
+    stage.run(240)
+    assert said_of(model, model.methods[0])[0] == "front at the far wall"
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_no_water_is_seen_outside_its_tank(theme):
+    """As it climbs the far wall, where it once rose above it."""
+    stage = opened(exact=False, experiment=False)
+    dry = picture_of_stage(stage, (640, 360), theme)
+    stage.run(240)
+    wet = picture_of_stage(stage, (640, 360), theme)
+    shades = [sum(dry.get_at((200, y))[:3]) for y in range(360)]
+    lid = next(y for y in range(1, 360) if abs(shades[y] - shades[y - 1]) > 60)
+    rows = [sum(dry.get_at((x, lid + 110))[:3]) for x in range(640)]
+    wall = max(x for x in range(300, 560) if abs(rows[x] - rows[x - 1]) > 60)
+    assert 10 < lid < 60 and 400 < wall < 560
+
+    def touched(columns: range, lines: range) -> list[bool]:
+        return [wet.get_at((x, y)) != dry.get_at((x, y)) for x in columns for y in lines]
+
+    assert not any(touched(range(0, 640, 3), range(lid - 1)))
+    assert not any(touched(range(wall + 2, wall + 5), range(lid + 90, lid + 130, 3)))
+    assert all(touched(range(wall - 8, wall - 5), range(lid + 6, lid + 60, 4)))

@@ -74,10 +74,14 @@ def by_pointer(stage: Stage, random: np.random.Generator) -> None:
     else:
         x, y = frame.cue_ball
         others = [(px, py) for ball, px, py in frame.layout.places if ball in game.legal_first()]
-    tx, ty = others[int(random.integers(len(others)))]
+    chosen = int(random.integers(len(others)))
+    tx, ty = others[chosen]
     aim = math.atan2(ty - y, tx - x) + float(random.normal(0.0, 0.01))
     stage.post(SetParameter("power", round(float(random.uniform(1.5, 6.0)), 2)))
     stage.post(Pointer("move", x + 0.2 * math.cos(aim), y + 0.2 * math.sin(aim)))
+    if hasattr(course, "nominate") and game.needs_call():  # a snookered colour is nominated by its key
+        numbers = [ball for ball, _, _ in frame.layout.places if ball in game.legal_first()]
+        stage.post(Action(f"nominate-{numbers[chosen] - 14}"))
     stage.post(Action("strike"))
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import pygame
 
@@ -18,6 +17,7 @@ from game.scenes.billiards.play import REPLAY, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.motion import power_of
 from game.scenes.billiards.view.words import aim_words
 from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.beside.figures import Number, draw_numbers
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.odds import OFFSETS, Odds
@@ -30,8 +30,6 @@ from game.ui.painters.ball_picture import ball_chip
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 UNKNOWN = "…"
-ROOM_FOR_CAPTIONS = 0.85  # scale
-CAPTION = 7.0  # design px, by which a caption moves what follows it
 PLACING = "Drag balls to the table and back. Done: E. Save: Ctrl+S."
 MAKING = "Click a ball and its pocket, drag a zone. Wheel: how many."
 TRAY_WIDTH = 610.0  # design px that the balls of the tray take
@@ -55,8 +53,12 @@ class Instruments:
         locked = play.aiming.locked and play.may_aim
         title, sways = "Aim locked" if locked else "Aim", sway_words(play.push) if play.may_aim else ""
         aim = Number(title, aim_words(play.aiming.cue.aim), locked, under=sways)
-        _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
-        for row, (name, words, on) in enumerate(self.buttons.rows()):
+        rows = self.buttons.rows()
+        at = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
+        end = layout.rect_of(canvas, layout.button_box(len(rows) - 1)).y
+        pitch = layout.NUMBERS_PITCH * canvas.pixels_per_unit
+        draw_numbers(canvas, look, (aim, *odds_numbers(odds)), at, pitch, end)
+        for row, (name, words, on) in enumerate(rows):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == grip.button(name))
         if play.asked:
             _draw_options(canvas, look, play.model.frame, play.grip)
@@ -67,10 +69,12 @@ class Instruments:
             _draw_scrubber(canvas, look, self.replay)
 
 
-def lengths_words(power: float, frame: Frame) -> tuple[str, ...]:
-    """How far a ball of that speed (m/s) goes up and down the table, in its lengths."""
+def lengths_words(power: float, frame: Frame) -> str:
+    """How far a ball of that speed (m/s) goes up and down the table, in its lengths. One short line:
+    below it lie the window's hints.
+    """
     lengths = table_lengths(round(power, 2), frame.physics, frame.table.width, frame.table.length)
-    return (f"{lengths:.1f} table", "lengths") if math.isfinite(lengths) else ()
+    return f"{lengths:.1f} lengths" if math.isfinite(lengths) else ""
 
 
 def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> None:
@@ -79,9 +83,8 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> No
     power = power_of(stroke.cue_speed)
     bar = layout.rect_of(canvas, layout.POWER)
     draw_power(surface, bar, power, MAX_SPEED, theme, book)
-    for row, words in enumerate(lengths_words(power, frame)):
-        below = (bar.centerx, bar.bottom + look.px(7 + 17 * row))
-        look.text(surface, words, below, 12, "medium", "text2", "center")
+    below = (bar.centerx, bar.bottom + look.px(7))
+    look.text(surface, lengths_words(power, frame), below, 12, "medium", "text2", "center")
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin, mm", (x, y - look.px(44)), 13, "medium", "text2", "center")
     draw_spin(surface, (x, y), -stroke.tip_left, stroke.tip_up, theme, book)
@@ -102,17 +105,6 @@ def _draw_offsets(
     for row, (word, value) in enumerate(lines):
         text = f"{word} {1000.0 * value * radius:.1f}"
         look.text(surface, text, (at[0], at[1] + look.px(18 * row)), 12, "medium", "text2", "center")
-
-
-class Number(NamedTuple):
-    """A figure right of the table: its title, what it says; lit: the title stands out; under: a caption;
-    small: what it says is long."""
-
-    title: str
-    words: str
-    lit: bool = False
-    under: str = ""
-    small: bool = False
 
 
 def odds_numbers(odds: Odds | None) -> tuple[Number, ...]:
@@ -141,23 +133,6 @@ def margin_number(more: float, less: float) -> Number:
         for sign, side in (("+", more), ("\N{MINUS SIGN}", less))
     )
     return Number("Margin", f"{above} {below}°", small=True)
-
-
-def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> None:
-    """Figures below each other."""
-    x, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
-    pitch = layout.NUMBERS_PITCH * canvas.pixels_per_unit
-    roomy = look.k >= ROOM_FOR_CAPTIONS
-    lower = 0.0  # px, what follows a caption
-    for row, number in enumerate(numbers):
-        y, color = top + row * pitch + lower, "accent" if number.lit else "text2"
-        look.text(canvas.surface, number.title, (x, y), 13, "medium", color, "center")
-        letters = 11 if number.small else 13
-        at = (x, y + look.px(19))
-        look.text(canvas.surface, number.words, at, letters, "semibold", "text1", "center")
-        if number.under and roomy:
-            look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
-            lower += look.px(CAPTION)
 
 
 def _draw_options(canvas: Canvas, look: Look, frame: Frame, held: grip.Grip) -> None:

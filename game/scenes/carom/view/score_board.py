@@ -15,7 +15,7 @@ from game.scenes.carom.advisor import Drawn
 from game.scenes.carom.course import Course
 from game.scenes.shared.tables.boxes import rect_of
 from game.scenes.shared.tables.choices import player_words
-from game.scenes.shared.tables.course import PERSON
+from game.scenes.shared.tables.course import PERSON, REPLAY
 from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.referee.card import Counted, time_words
 from game.ui.canvas.canvas import Canvas
@@ -24,7 +24,8 @@ from game.ui.look.shapes import draw_box
 from game.ui.painters.ball_look import CAROM_WHITE
 from game.ui.painters.ball_picture import ball_chip
 
-BUTTON_WORDS = {"play": "Play it", "strike": "Strike", "undo": "Undo", "next": "New game"}
+BUTTON_WORDS = {"play": "Play it", "strike": "Strike", "undo": "Undo", "next": "New game", "eye": "Sight",
+                "replay": "Replay", "film-strokes": "Film"}  # fmt: skip
 ROUTE_WORDS = dict(zip(LETTERS, ("long cushion", "long cushion", "short cushion", "short cushion", "yellow",
                                  "red"), strict=True))  # fmt: skip
 CHOICES = 3  # that are put into words
@@ -159,12 +160,14 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
         "play": course.may_aim and course.chosen is not None,
         "strike": course.may_aim or course.phase == "rolling",
         "undo": course.model.frame.earlier is not None,
-        "next": True,
-    }[name]
-    main = name == "play" and usable
+        "replay": course.phase == REPLAY or course.model.frame.last is not None,
+        "film-strokes": course.may_film,
+    }.get(name, True)
+    main = usable and (name == "play" or (name == "eye" and bool(course.parameters.eye)))
     fill = look.theme.accent if main else look.theme.inset
     draw_box(canvas.surface, box, look.px(6), fill, None if main else look.theme.line, look.border)
-    words = "To the end" if name == "strike" and course.phase == "rolling" else BUTTON_WORDS[name]
+    said = {("strike", "rolling"): "To the end", ("replay", REPLAY): "Back"}
+    words = said.get((name, course.phase), BUTTON_WORDS[name])
     color = "on_accent" if main else "text1" if usable else "text3"
     look.text(canvas.surface, words, box.center, 12, "semibold", color, "center")
 

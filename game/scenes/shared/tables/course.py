@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
+from game.billiards.game.deciding import Marked, taken_back, with_marked
 from game.billiards.shot.cue import speed_ratio
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
-from game.scenes.shared.tables.moments import OFF, decider, pace_at
+from game.scenes.shared.tables.moments import OFF, decider, pace_at, slowed_s
 from game.scenes.shared.tables.seats.hot_seat import waits
 from game.scenes.shared.tables.through.measured import news_of_hand
 from game.scenes.shared.tables.through.push import Push
@@ -37,7 +38,8 @@ class CueCourse(Part):
     and made.
     seated: the player that has the cue, where it is handed over.
     called_s: since the referee last called, s; frame_s: how long the frame has lasted.
-    from_side: a replay is seen from its side, slowly about the moments that decide.
+    from_side: a replay is seen from its side, slowly about the moments that decide. marked: the strokes of
+    the match as they counted; films: how often a film of those that decided it has been asked for.
     """
 
     model: Any
@@ -65,6 +67,8 @@ class CueCourse(Part):
         self.by_hand = 0
         self.called_s = LONG_AGO_S
         self.frame_s = 0.0
+        self.marked: tuple[Marked, ...] = ()
+        self.films = 0
         self._seed = seed
         self.messages = Messages()
 
@@ -156,6 +160,11 @@ class CueCourse(Part):
         return bool(frame.game.over)
 
     @property
+    def may_film(self) -> bool:
+        """True if a match has ended of whose strokes there is a film to be made."""
+        return self.over and len(self.model.frame.game.players) == 2 and bool(self.marked)
+
+    @property
     def _decides(self) -> bool:
         """True if the stroke that rolls ends the game."""
         played = self.model.played
@@ -224,9 +233,15 @@ class CueCourse(Part):
         time = float(self.clock[0])
         self.model.roll(time)
         if time >= self.shown_s:
+            self.marked = with_marked(self.marked, self.model.frame.last, self.model.played)
             self.model.settle()
             self.called_s = 0.0
             self.start_phase(AIMING)
+
+    @property
+    def slowed_s(self) -> float:
+        """How much longer the last stroke may be shown than its balls roll, s."""
+        return AFTER_S + (slowed_s(2) if self.parameters.eye_follows != OFF else 0.0)
 
     def skip(self) -> None:
         """On to the end of the shot, or of its replay."""
@@ -268,6 +283,7 @@ class CueCourse(Part):
             taken = taken.earlier
             if self.grade_of(taken.game.turn) == PERSON or self.plays_itself:
                 break
+        self.marked = taken_back(self.marked, taken.strokes)
         self.model.go_back_to(taken)
         self.chosen, self.grip = None, NOTHING
         self.start_phase(AIMING)
@@ -276,5 +292,7 @@ class CueCourse(Part):
         """Nothing is pending, chosen or held; the cue is at rest."""
         self.pending, self.chosen, self.grip = None, None, NOTHING
         self.called_s, self.frame_s = LONG_AGO_S, 0.0
+        if not self.model.frame.strokes:  # from the very beginning
+            self.marked = ()
         self.cue.data[1:3] = 0.0
         self.start_phase(AIMING)

@@ -120,3 +120,11 @@ class CueControl:
         else:
             self.point_to(bearing)
         self.data[5] = bearing
+
+
+def longest_swing_s(speed: float) -> float:
+    """How long a stroke of a speed (m/s of the ball) takes from the pull to the hit, at most, s: see
+    `CueControl.advance`, which moves the cue at a quarter of the speed at least.
+    """
+    able = max(speed, LEAST_SPEED)
+    return (REST_GAP + FULL_PULL * able / MAX_SPEED) / (0.25 * able)

@@ -79,6 +79,11 @@ def path_of(trajectory: Trajectory, ball: int, begin: float, end: float) -> tupl
     return times, np.array([trajectory.state_at(float(time)).positions[ball] for time in times])
 
 
+def slowed_s(moments: int) -> float:
+    """How much longer a stroke takes that is slowed down about so many moments, at most, s."""
+    return moments * (BEFORE_S + AFTER_S + 2.0 * EASE_S) * (1.0 / SLOW - 1.0)
+
+
 def pace_at(time: float, moments: Moments) -> float:
     """How fast a replay goes on at a time of the stroke, s: slowly about each moment."""
     pace = 1.0

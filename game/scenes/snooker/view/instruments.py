@@ -7,6 +7,7 @@ import math
 from game.billiards.game.arrangement import Stroke
 from game.billiards.table.snooker import name_of
 from game.scenes.shared.tables import grip
+from game.scenes.shared.tables.beside.figures import Number, draw_numbers
 from game.scenes.shared.tables.boxes import rect_of
 from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.course import STRIKING
@@ -22,7 +23,6 @@ from game.ui.look.numerals import NOTHING
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 UNKNOWN = "…"
-ROOM_FOR_CAPTIONS = 0.85  # scale
 
 
 def draw_instruments(
@@ -32,8 +32,9 @@ def draw_instruments(
     swings = course.phase == STRIKING and course.pending is not None
     swinging = course.pending if swings else None
     _draw_stroke(canvas, look, swinging or pushed(course) or course.stroke)
-    _draw_figures(canvas, look, course, odds)
-    for row, (name, words, on) in enumerate(hand.buttons()):
+    rows = hand.buttons()
+    _draw_figures(canvas, look, course, odds, rect_of(canvas, layout.button_box(len(rows) - 1)).y)
+    for row, (name, words, on) in enumerate(rows):
         draw_button(canvas, look, layout.button_box(row), words, on, course.grip == grip.button(name))
 
 
@@ -57,24 +58,20 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke) -> None:
     look.text(surface, degrees, (x, py + look.px(16)), 13, "semibold", "text1", "center")
 
 
-def _draw_figures(canvas: Canvas, look: Look, course: Course, odds: Odds | None) -> None:
-    """Direction of the aim, how far it may be off, and how often a hand pots with it."""
+def _draw_figures(canvas: Canvas, look: Look, course: Course, odds: Odds | None, end: float) -> None:
+    """Direction of the aim, how far it may be off, and how often a hand pots with it; all above y px."""
     aim = -math.degrees(math.remainder(0.5 * math.pi - course.cue.aim, 2.0 * math.pi))
     locked = course.locked and course.may_aim
     sways = sway_words(course.push) if course.may_aim else ""
-    rows = [("Aim locked" if locked else "Aim", f"{aim + 0.0:.2f}°".replace("-", "\u2212"), locked, sways)]
+    words = f"{aim + 0.0:.2f}°".replace("-", "\u2212")
+    rows = [Number("Aim locked" if locked else "Aim", words, locked, sways)]
     if odds is not None:
         chance = UNKNOWN if odds.chance is None else f"{100.0 * odds.chance:.0f} %"
-        rows.append(("Margin", _margin(odds), False, ""))
-        rows.append((f"Pot {name_of(odds.ball)}", chance, False, f"hand ±{math.degrees(HAND.azimuth):.2f}°"))
-    x, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
-    pitch = layout.NUMBERS_PITCH * canvas.pixels_per_unit
-    for row, (title, words, lit, under) in enumerate(rows):
-        y = top + row * pitch
-        look.text(canvas.surface, title, (x, y), 13, "medium", "accent" if lit else "text2", "center")
-        look.text(canvas.surface, words, (x, y + look.px(19)), 13, "semibold", "text1", "center")
-        if under and look.k >= ROOM_FOR_CAPTIONS:
-            look.text(canvas.surface, under, (x, y + look.px(36)), 11, "medium", "text3", "center")
+        rows.append(Number("Margin", _margin(odds)))
+        hand = f"hand ±{math.degrees(HAND.azimuth):.2f}°"
+        rows.append(Number(f"Pot {name_of(odds.ball)}", chance, under=hand))
+    at = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
+    draw_numbers(canvas, look, rows, at, layout.NUMBERS_PITCH * canvas.pixels_per_unit, end)
 
 
 def _margin(odds: Odds) -> str:

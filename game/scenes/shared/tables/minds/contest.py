@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.register import REGISTER
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.shared.tables.choices import PERSON, ahead
 from game.stage.records.contested import Contested, HandMeasured, StrokeMeasured
+
+if TYPE_CHECKING:
+    from game.billiards.map.stroke_facts import Measured
 
 
 def contest_of(course: Any) -> Contested | None:
@@ -48,16 +51,22 @@ def hand_of(pairs: Sequence[tuple[Stroke, Stroke]]) -> HandMeasured | None:
 
 
 def stroke_of(course: Any) -> StrokeMeasured | None:
-    """What was measured of the last stroke, if the person of a contest has played it at pool or snooker."""
-    from game.billiards.map.stroke_facts import measured
-
+    """What was measured of the last stroke, if the person of a contest has played it."""
     frame, played = course.model.frame, course.model.played
     last = frame.last
-    if contest_of(course) is None or last is None or played is None or not hasattr(last, "call"):
-        return None
-    if last.frame.game.turn != 0:
+    if contest_of(course) is None or last is None or played is None or last.frame.game.turn != 0:
         return None
     pair = course.aimed_and_done
     meant = pair[0] if pair is not None and pair[1] == last.stroke else last.stroke
-    found = measured(last.frame, played, meant)
+    found = _measured(last, played, meant)
     return None if found is None else StrokeMeasured(*found, float(last.stroke.cue_speed))
+
+
+def _measured(last: Any, played: Any, meant: Stroke) -> Measured | None:
+    """A stroke in figures. last: with the frame before it."""
+    from game.billiards.map.stroke_facts import measured, measured_point
+    from game.billiards.players.carom import position_of
+
+    if hasattr(last, "call"):
+        return measured(last.frame, played, meant)
+    return None if last.safety else measured_point(position_of(last.frame), played, meant)
