@@ -29,6 +29,7 @@ from game.scenes import (
     levitation,
     liquid,
     metal,
+    ocean,
     plates,
     pond,
     real_table,
@@ -96,5 +97,6 @@ CATALOGUE = Catalogue(
         *trebuchet.ENTRIES,
         *splash.ENTRIES,
         *candle.ENTRIES,
+        *ocean.ENTRIES,
     )
 )

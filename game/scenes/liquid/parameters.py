@@ -21,7 +21,7 @@ TOOLS = (
     Tool("drain", "Put in a drain", "put in a drain", "click: a drain", icon="cut"),
 )
 LOOKS = ("water", "dots", "cells", "pressure")
-OF_PICTURE = ("tool", "look", "arrows", "poured", "size", "weight")
+OF_PICTURE = ("tool", "look", "arrows", "densities", "poured", "size", "weight")
 
 
 class LiquidParameters(Parameters):
@@ -53,3 +53,4 @@ class LiquidParameters(Parameters):
     look = Choice("water", LOOKS, labels=("Water", "Dots", "Cells", "Pressure"), group="Shown",
                   help="the liquid, its particles, wet cells, or the pressure")  # fmt: skip
     arrows = Toggle(False, group="Shown", help="how fast the water flows")
+    densities = Toggle(False, group="Shown", help="at each solid, its density beside water's")

@@ -21,6 +21,7 @@ from game.worlds.painting.spheres import draw_spheres
 WOOD, STONE, FIXED = 0xD9A25F, 0x6E7480, 0x8C8F96  # lighter than water, as heavy as stone, immovable
 EDGE = 0x2A2018
 ARROWS = 16  # along the tank
+ABOUT_DENSITIES = "density beside water's: so much of a body is under water as it floats"
 
 
 def inks_of(weights: Floats) -> np.ndarray:
@@ -57,6 +58,8 @@ class LiquidView:
         self._draw_solids(canvas, previous, alpha)
         self._draw_taps(canvas)
         self._draw_tank(canvas)
+        if canvas.marks(self.model.parameters.densities):
+            self._draw_densities(canvas, previous, alpha)
         if canvas.marks(self.model.parameters.arrows):
             self._draw_arrows(canvas)
 
@@ -91,6 +94,19 @@ class LiquidView:
         balls = ~boxes
         chosen = bodies[balls]
         draw_spheres(canvas, places[chosen], things[balls, WIDE], turned[chosen], inks[balls])
+
+    def _draw_densities(self, canvas: Canvas, previous: LiquidWorldState | None, alpha: float) -> None:
+        """At each solid that moves its density, and once what the numbers are."""
+        model, grid = self.model, self.model.liquid.grid
+        before = previous.solids if previous is not None else None
+        places, _ = turned_between(model.solids.world, before, alpha)
+        for (x, y), density in zip(
+            places[model.bodies()].tolist(), model.things[:, WEIGHT].tolist(), strict=True
+        ):
+            if density > 0.0:
+                canvas.label((x, y), f"{density:g}", "text1", 20, "semibold")
+        at = 0.5 * (grid.lower[0] + grid.upper[0]), grid.upper[1] - 0.03 * (grid.upper[1] - grid.lower[1])
+        canvas.label(at, ABOUT_DENSITIES, "text1", 16, "semibold", "top")
 
     def _draw_taps(self, canvas: Canvas) -> None:
         for x, y, width, u, v in self.model.mouths.taps.tolist():

@@ -8,14 +8,18 @@ import pytest
 
 from game.billiards.career.strokes import (
     BREAK,
+    CHANCES,
     CUTS,
     DISTANCES,
+    POINT,
     POT,
+    WAYS,
     StrokeFact,
     by_opponent,
     csv_of,
     shares,
     summary_of,
+    summary_words,
 )  # fmt: skip
 from game.billiards.game.arrangement import Stroke, arrange
 from game.billiards.game.frame import new_frame
@@ -43,6 +47,20 @@ def test_shares_are_of_their_classes():
     assert [one.pots for one in shares(facts, CUTS, "cut")] == [2, 1]
 
 
+def test_a_figure_on_the_edge_of_two_classes_is_of_the_upper_one():
+    (found,) = shares([fact(DISTANCES[1])], DISTANCES)
+    assert DISTANCES[1] < found.middle < DISTANCES[2]
+
+
+def test_points_of_carom_have_classes_of_their_own():
+    points = [fact(kind=POINT, chance=chance, made=chance > 0.3) for chance in (0.05, 0.4, 1.0)]
+    assert [one.made for one in shares(points, CHANCES, "chance", POINT)] == [0.0, 1.0, 1.0]
+    assert [one.middle for one in shares(points, WAYS, "cushions", POINT)] == [0.5]
+    assert shares(points, DISTANCES) == []
+    assert "2 of 3 points, 1.4 expected" in summary_words("all", summary_of(points))
+    assert "pots" not in summary_words("all", summary_of(points))
+
+
 def test_a_summary_leaves_out_what_was_not_measured():
     facts = [
         fact(stray=0.1),
@@ -60,7 +78,8 @@ def test_the_csv_is_read_back_with_every_stroke():
     rows = list(csv.DictReader(io.StringIO(csv_of([fact(stray=0.25), fact(made=False)]))))
     assert [row["made"] for row in rows] == ["1", "0"]
     assert [row["position_error_m"] for row in rows] == ["0.2500", ""]
-    assert float(rows[0]["distance_m"]) == 0.5
+    figures = ("distance_m", "cut_deg", "chance", "cue_speed_m_s", "cushions_first")
+    assert [float(rows[0][name]) for name in figures] == [0.5, 10.0, 0.5, 2.0, 0.0]
 
 
 def frame_with(cue, ball):

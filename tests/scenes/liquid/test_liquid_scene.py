@@ -11,7 +11,9 @@ from game.app.stagehand.headless import picture_of_stage
 from game.levels import LevelError, level_files, load_level
 from game.scenes.liquid.level import LiquidContent
 from game.scenes.liquid.scene import LiquidScene
+from game.scenes.liquid.view import ABOUT_DENSITIES
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+from game.ui.canvas.canvas import Canvas
 from game.worlds.expectations import captions_of
 
 LEVELS = level_files("liquid")
@@ -199,3 +201,22 @@ def test_water_that_runs_over_edges_is_not_lost_in_a_cell(name, carrier):
         stage.run(round(2.0 / stage.dt))
         assert abs(measured(stage, "volume error")) < 0.01
         assert measured(stage, "fullest cell") < 2.5
+
+
+def test_densities_are_said_at_the_bodies(monkeypatch):
+    said: list[tuple[tuple[float, float], str]] = []
+    stage = opened("floats")
+    stage.run(30)
+    monkeypatch.setattr(Canvas, "label", lambda self, at, text, *more, **other: said.append((at, text)))
+    picture_of_stage(stage, (640, 360), "light")
+    model = stage.scene.model
+    places = model.solids.world.bodies.positions[model.bodies()]
+    for place, density in zip(places, (0.1, 0.3, 0.5, 0.7, 0.9, 2.0), strict=True):
+        at = next(at for at, text in said if text == f"{density:g}")
+        assert at == pytest.approx(tuple(place), abs=0.05)
+    assert sum(text == ABOUT_DENSITIES for _, text in said) == 1
+    said.clear()
+    stage.post(SetParameter("densities", False))
+    stage.run(1)
+    picture_of_stage(stage, (640, 360), "light")
+    assert ABOUT_DENSITIES not in [text for _, text in said]

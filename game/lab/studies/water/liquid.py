@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from game.lab.studies.water.volume import volume_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.grid.layout import Grid
 from game.physics.kernels import elementary, elementwise
@@ -97,4 +98,6 @@ liquid_study = Study(
     expectation="A surface at its place is right on few cells; in cells of air low waves are hardly seen.",
     present=_present,
     workload=Workload("a tank 1 m wide, half full, for two periods"),
+    short="Period",
+    related=(volume_study,),
 )
