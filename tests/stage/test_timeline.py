@@ -29,6 +29,17 @@ def test_what_is_dropped_several_at_a_time_counts_on():
     assert len(timeline) == 11 and names(timeline.past()) == ["7", "8", "9", "last"]
 
 
+def test_a_new_event_ends_the_future_where_earlier_events_were_dropped():
+    timeline = Timeline()
+    for step in range(6):
+        timeline.add(step, Action(str(step)))
+    timeline.drop_before(2)
+    timeline.acted = 4
+    timeline.add(4, Action("other"))
+    assert len(timeline) == timeline.acted == 5 and not timeline.has_future
+    assert names(timeline.past()) == ["2", "3", "other"]
+
+
 def test_what_is_dropped_from_a_number_on_is_gone_whether_it_has_acted_or_not():
     timeline = Timeline()
     for step in range(6):

@@ -1,14 +1,11 @@
 """What a stroke was worth: the best pot that there was, the chance of the one that was tried, why it missed.
 
-Why is asked of the exact table: the stroke is played again with one of its parts put right, the others as
-they were. Where a hand strayed from what was meant and the meant stroke pots, right is what was meant. Else
-it is the smallest change that pots. Throw is put right by balls without friction.
+Why is asked of the exact table, see `causes`. Throw is put right by balls without friction.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -18,44 +15,17 @@ from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
+from game.billiards.map.causes import THROW, TURNS, Cause, Hand, causes_of, changed, rows
 from game.billiards.map.pool import Pot, pool_map
 from game.billiards.search.chances import as_hand_does, pocket_of
-from game.billiards.search.legality import board_of, legality_of
+from game.billiards.search.legality import Legality, board_of, legality_of
 from game.billiards.search.outcomes import CUSHIONS, POCKET
-from game.billiards.search.strokes import (
-    AZIMUTH,
-    LARGEST_TIP,
-    LEAST_SPEED,
-    SPEED,
-    TIP_LEFT,
-    TIP_UP,
-    Board,
-    Noise,
-)
+from game.billiards.search.strokes import AZIMUTH, Board, Noise
 from game.billiards.table.aim import first_contact
-from game.physics.kernels import elementwise
 
-AIM, PACE, SPIN, THROW = CAUSES = ("aim", "speed", "spin", "throw")
-PARTS = {AIM: (AZIMUTH,), PACE: (SPEED,), SPIN: (TIP_LEFT, TIP_UP)}  # columns of a stroke
-TURNS: Floats = math.radians(0.02) * elementwise.power(1.22, np.arange(31.0))  # rad, up to 8 degrees
-PACES: Floats = 0.03 * np.arange(1.0, 17.0)  # shares of the speed
-SPINS: Floats = 0.04 * np.arange(1.0, 16.0)  # ball radii
 MISSED_BY = tuple(math.radians(size) for size in (0.25, 0.5, 1.0, 1.5))  # rad, beside a ball
 HARDER = 1.45  # times the speed, of a stroke that is too soft
 GROUPS = 6  # pots of the map that are compared
-
-
-class Cause(NamedTuple):
-    """A part of a stroke that, put right alone, pots: its name, of CAUSES.
-
-    change: what is to be added: rad to the left, m/s of the cue, or ball radii, to the left or up. It is 0 of
-    throw. up: of spin, whether the change is up. size: times the noise of the hand.
-    """
-
-    name: str
-    change: float
-    size: float
-    up: bool = False
 
 
 class Review(NamedTuple):
@@ -75,8 +45,11 @@ class Review(NamedTuple):
     causes: tuple[Cause, ...] = ()
 
 
-def review(before: Frame, meant: Stroke, done: Stroke, call: Call, noise: Noise) -> Review:
-    """The review of a stroke. before: the frame that it was played from; noise: of the hand.
+def review(
+    before: Frame, meant: Stroke, done: Stroke, call: Call, noise: Noise, legality: Legality | None = None
+) -> Review:
+    """The review of a stroke. before: the frame that it was played from; noise: of the hand; legality: what
+    the rules asked of it, None for what they ask of every stroke from there.
 
     ValueError if there was no cue ball.
     """
@@ -86,22 +59,22 @@ def review(before: Frame, meant: Stroke, done: Stroke, call: Call, noise: Noise)
     ball = call.ball if call.ball is not None else _aimed_at(before, meant)
     if ball is None or ball not in board.layout.numbers or call.safety:
         return found
-    tried = Tried(before, board, ball)
+    tried = Tried(before, board, ball, legality or legality_of(before))
     pocket = call.pocket if call.pocket is not None else tried.nearest(meant)
     if pocket is None:
         return found._replace(ball=ball)
-    chance = float((tried.legal(as_hand_does(_rows([meant]), noise, board.radius)) == pocket).mean())
-    made = bool(tried.legal(_rows([done]))[0] == pocket)
+    chance = float((tried.legal(as_hand_does(rows([meant]), noise, board.radius)) == pocket).mean())
+    made = bool(tried.legal(rows([done]))[0] == pocket)
     found = found._replace(ball=ball, pocket=pocket, chance=chance, made=made)
     if made:
         return found
-    found = found._replace(foul=bool(tried.fallen(_rows([done]))[0] == pocket))
-    strayed = meant != done and bool(tried.pockets(_rows([meant]))[0] == pocket)
-    causes = _put_back(tried, pocket, meant, done, noise) if strayed else ()
-    causes = causes or _changed(tried, pocket, done, noise)
+    found = found._replace(foul=bool(tried.fallen(rows([done]))[0] == pocket))
+    strayed, causes = causes_of(
+        lambda strokes: tried.pockets(strokes) == pocket, meant, done, Hand(noise, board.radius)
+    )
     if tried.without_throw(done) == pocket:
         causes = (*causes, Cause(THROW, 0.0, math.inf))
-    return found._replace(strayed=strayed, causes=tuple(sorted(causes, key=lambda one: one.size)))
+    return found._replace(strayed=strayed, causes=causes)
 
 
 def best_pot(frame: Frame, noise: Noise) -> Pot | None:
@@ -118,11 +91,11 @@ class Tried:
     direct: it is meant to go into its pocket by no cushion.
     """
 
-    def __init__(self, before: Frame, board: Board, ball: int) -> None:
+    def __init__(self, before: Frame, board: Board, ball: int, legality: Legality) -> None:
         self.before = before
         self.board = board
         self.row = board.layout.numbers.index(ball)
-        self.legality = legality_of(before)
+        self.legality = legality
         self.direct = False
 
     def fallen(self, strokes: Floats) -> NDArray[np.int64]:
@@ -157,18 +130,7 @@ class Tried:
         """The pocket that it falls into where balls have no friction, -1 for none."""
         smooth = self.before.physics._replace(ball_ball="elastic", ball_friction=0.0)
         board = Board(self.board.layout, self.board.table, smooth, self.board.line)
-        return int(pocket_of(board, board.play(_rows([stroke])), self.legality, self.row)[0])
-
-
-def changed(stroke: Stroke, column: int, changes: Floats) -> Floats:
-    """The stroke (m, 5) with one of its numbers changed by each of (m,)."""
-    strokes = np.repeat(_rows([stroke]), len(changes), axis=0)
-    strokes[:, column] += changes
-    return strokes
-
-
-def _rows(strokes: Iterable[Stroke]) -> Floats:
-    return np.array(list(strokes), dtype=np.float64)
+        return int(pocket_of(board, board.play(rows([stroke])), self.legality, self.row)[0])
 
 
 def _aimed_at(before: Frame, stroke: Stroke) -> int | None:
@@ -180,43 +142,3 @@ def _aimed_at(before: Frame, stroke: Stroke) -> int | None:
         if first.kind == "ball":
             return balls.numbers[first.target]
     return None
-
-
-def _put_back(tried: Tried, pocket: int, meant: Stroke, done: Stroke, noise: Noise) -> tuple[Cause, ...]:
-    """Parts that pot as soon as they are what was meant, the others as the hand did them."""
-    found = []
-    for name, columns in PARTS.items():
-        stroke = list(done)
-        for column in columns:
-            stroke[column] = meant[column]
-        if tried.pockets(_rows([Stroke(*stroke)]))[0] == pocket:
-            column = max(columns, key=lambda one: abs(meant[one] - done[one]))
-            found.append(_cause(name, column, meant[column] - done[column], noise, tried.board.radius))
-    return tuple(found)
-
-
-def _changed(tried: Tried, pocket: int, done: Stroke, noise: Noise) -> tuple[Cause, ...]:
-    """The smallest change of each part that pots."""
-    found = []
-    for name, columns in PARTS.items():
-        causes = []
-        for column in columns:
-            steps = {AIM: TURNS, PACE: PACES * done.cue_speed, SPIN: SPINS}[name]
-            changes = np.stack([steps, -steps], axis=1).ravel()
-            strokes = changed(done, column, changes)
-            able = strokes[:, SPEED] > LEAST_SPEED
-            tips = strokes[:, TIP_LEFT : TIP_UP + 1]
-            able &= (tips * tips).sum(axis=1) < LARGEST_TIP * LARGEST_TIP
-            strokes, changes = strokes[able], changes[able]
-            if len(strokes) and (tried.pockets(strokes) == pocket).any():
-                first = int(np.argmax(tried.pockets(strokes) == pocket))
-                causes.append(_cause(name, column, float(changes[first]), noise, tried.board.radius))
-        found += sorted(causes, key=lambda one: one.size)[:1]
-    return tuple(found)
-
-
-def _cause(name: str, column: int, change: float, noise: Noise, radius: float) -> Cause:
-    sigma = {AIM: noise.azimuth, PACE: noise.speed, SPIN: noise.tip / radius}[name]
-    if name == AIM:
-        change = math.remainder(change, math.tau)
-    return Cause(name, change, abs(change) / max(sigma, 1e-12), column == TIP_UP)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from game.arrays import Floats
+from game.arrays import Floats, Longs
 from game.physics.fields import GRAVITY
 from game.physics.particle_fluids.effects import DRAGGING, SPRINGS, TENSION, WARMTH
 from game.physics.particle_fluids.forces import act, steadied
@@ -131,4 +131,13 @@ class ParticleFluid(FluidStore):
             work = self.scratch()
             work.gather(self)
             work.unsort_rows(work.work.density, found)
+        return found
+
+    def ranks(self) -> Longs:
+        """(n,) where each particle stands in memory as the search sorts them."""
+        found = np.zeros(len(self.place), dtype=np.int64)
+        if len(self.place):
+            work = self.scratch()
+            work.gather(self)
+            found[work.order[work.order < len(found)]] = np.arange(len(found))
         return found

@@ -11,6 +11,7 @@ import math
 
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, CUSHION_DEPTH
 from game.physics.kernels import elementary
+from game.scenes.shared.tables.beside.coach import POCKETS
 from game.scenes.shared.tables.boxes import Box, rect_of
 from game.stage import Frame
 
@@ -21,7 +22,6 @@ RIM = CUSHION_DEPTH + WOOD
 
 # names of the pockets as they are seen in the turned picture, in the order of the table's rows. The table's
 # own (`table.POCKET_NAMES`) are of its frame; they are ids in files, and not for people
-POCKETS = ("upper left", "lower left", "upper middle", "lower middle", "upper right", "lower right")
 
 REACH = 1.4  # radii within which a round thing is grasped
 LEAST_PIXELS = 120.0  # px to a metre; a smaller picture shows the table alone

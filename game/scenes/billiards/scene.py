@@ -27,7 +27,7 @@ from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.parameters import TABLE_PARAMETERS, BilliardsParameters
 from game.scenes.billiards.play import REPLAY, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PoolAdvisor
-from game.scenes.billiards.practice.coach import Coach
+from game.scenes.billiards.practice.coach import PoolCoach
 from game.scenes.billiards.practice.columns import frame_with
 from game.scenes.billiards.practice.drill_maker import DrillMaker
 from game.scenes.billiards.practice.lessons import level_after
@@ -124,7 +124,7 @@ class Billiards(CueGameScene):
         self.play.log = log_in(content.log, self.model.frame)
         self.set_up = SetUp(self.play)
         self.advisor = PoolAdvisor(self.play)
-        self.coach = Coach(self.play)
+        self.coach = PoolCoach(self.play)
         self.side = Side(self.play, self.advisor)
         self.maker = DrillMaker(self.play, self.set_up)
         self.buttons = Buttons(self.play, self.replay, self.set_up, self.side, self.maker)

@@ -21,6 +21,7 @@ HINTS = (
     keys.REPLAY,
     keys.EYE,
     keys.FROM_SIDE,
+    Hint(("Y",), "coach"),
 )
 ACTIONS = (
     keys.STRIKE,
@@ -28,6 +29,8 @@ ACTIONS = (
     SceneAction("safety", "strike, announced as a safety", "B"),
     SceneAction("undo", "undo the last stroke, or moving balls", "U"),
     SceneAction("next", "the next game, or this one again", "N"),
+    SceneAction("coach", "coach: what the stroke was worth, why it missed", "Y"),
+    SceneAction("ask", "ask the coach before the stroke", "Q"),
     SceneAction("map", "show the map, or hide it", "V"),
     SceneAction("explain", "the first three choices in words", "H"),
     SceneAction("ends", "where the balls end after the chosen stroke", "E"),

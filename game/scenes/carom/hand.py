@@ -133,7 +133,10 @@ class CaromHand(Part):
             if layout.button_box(held.number).holds(event.x, event.y):
                 self.press_button(held.name)
         elif held.kind is Held.LIST:
-            self.advisor.click(layout.row_at(event.x, event.y))
+            if not course.parameters.coach:
+                self.advisor.click(layout.row_at(event.x, event.y))
+            elif layout.COLUMN.row_at(event.x, event.y) == layout.COLUMN.rows - 1:
+                course.ask_coach()
         elif held.kind is Held.OPTION:
             count = len(course.model.frame.game.options)
             for row in range(count):
@@ -184,7 +187,7 @@ class CaromHand(Part):
         course, parameters = self.course, self.course.parameters
         if name in ("replay", "side"):
             course.replay(from_side=name == "side")
-        elif name in ("map", "explain", "ends", "eye"):
+        elif name in ("map", "explain", "ends", "eye", "coach"):
             setattr(parameters, name, not getattr(parameters, name))
 
     def act(self, name: str) -> None:
@@ -198,6 +201,8 @@ class CaromHand(Part):
             self._show(name)
         elif name == "thoughts":
             parameters.considered = not parameters.considered
+        elif name == "ask":
+            course.ask_coach()
         elif name == "breath":
             course.push.breathe()
         elif name == "chalk":

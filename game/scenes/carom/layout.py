@@ -8,6 +8,7 @@ from __future__ import annotations
 from game.billiards.table.carom import BALL_RADIUS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH, CUSHION_DEPTH
 from game.physics.kernels import elementary
+from game.scenes.shared.tables.beside.column import Column
 from game.scenes.shared.tables.boxes import Box
 from game.stage import Frame
 
@@ -23,10 +24,11 @@ COLUMN_LEFT, COLUMN_RIGHT = TABLE.right + GAP, FRAME.top - 0.03
 LIST = Box(-0.20, COLUMN_LEFT, 1.23, COLUMN_RIGHT)  # below the window's buttons
 HEAD, ROW = 0.155, 0.1405  # m; of the list
 ROWS = 9
+COLUMN = Column(LIST, 0.215, 0.119, 0.02)  # of the coach, in the place of the list
 TIP = Box(1.26, COLUMN_LEFT, 1.93, COLUMN_RIGHT)
 TIP_MIDDLE, TIP_RADIUS = (1.62, COLUMN_LEFT + 0.30), 0.25  # the ball; LARGEST_TIP is nearer
 FOOT = Box(TABLE.bottom + 0.02, TABLE.left, 1.93, TABLE.right - 0.72)
-BUTTONS = ("play", "strike", "undo", "next", "eye", "replay", "film-strokes")
+BUTTONS = ("play", "strike", "undo", "next", "eye", "coach", "replay", "film-strokes")
 IN_COLUMN = 4  # buttons below each other
 
 

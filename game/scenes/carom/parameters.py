@@ -33,6 +33,7 @@ class CaromParameters(Parameters):
     target = Param(15, 0, 200, whole=True, group="Game", label="Race to", help="points; 0: no end")
     innings = Param(0, 0, 100, whole=True, group="Game", label="Most innings", help="of each; 0: no limit")
     considered = choices.thoughts()
+    coach = choices.coach()
     map = Toggle(True, group="Map", label="Show the map", help="all strokes that score, while you may play")
     odds = Choice(
         "club", (*GRADES, OWN), labels=(*GRADE_LABELS, "My own"), group="Map", label="Chance of a hand",

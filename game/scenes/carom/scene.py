@@ -18,6 +18,7 @@ from game.levels import Level
 from game.scenes.carom import CAROM, layout, saving
 from game.scenes.carom.actions import ACTIONS, HINTS
 from game.scenes.carom.advisor import Advisor
+from game.scenes.carom.coach import CaromCoach
 from game.scenes.carom.course import Course
 from game.scenes.carom.exchange import CaromExchange
 from game.scenes.carom.figure import draw_three_cushions
@@ -91,7 +92,8 @@ class CaromScene(CueGameScene):
         self.hand = CaromHand(self.course, self.advisor)
         self.exchange = CaromExchange(self.name, self.course)
         self.sounds = StrokeSounds(self.course, (ROLLING, REPLAY), _cue_of)
-        self.view = CaromView(self.course, self.hand, self.advisor, self.opponents)
+        self.coach = CaromCoach(self.course, self.advisor)
+        self.view = CaromView(self.course, self.hand, self.advisor, self.opponents, self.coach)
 
     def parameter_changed(self, name: str) -> None:
         if name in ("cloth", "target", "innings"):

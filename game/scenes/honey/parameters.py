@@ -12,7 +12,7 @@ TOOLS = (
     Tool("scoop", "Scoop", "scoop out", "drag to take liquid away", "X", "delete"),
 )
 OF_PICTURE = ("dots", "colours", "tool")
-COLOURS = ("kind", "temperature", "density", "speed")
+COLOURS = ("kind", "temperature", "density", "speed", "order")
 
 
 class HoneyParameters(Parameters):
@@ -50,5 +50,7 @@ class HoneyParameters(Parameters):
     stiffness = control_of(FluidSettings, "stiffness", group="Springs")
     borne = control_of(FluidSettings, "borne", group="Springs", label="Borne stretch")
     flow = control_of(FluidSettings, "flow", group="Springs")
-    colours = Choice("kind", COLOURS, labels=("Kind", "Temperature", "Density", "Speed"), group="Shown")
+    colours = Choice(
+        "kind", COLOURS, labels=("Kind", "Temperature", "Density", "Speed", "Order in memory"), group="Shown"
+    )
     dots = Toggle(False, group="Shown", help="particles, not a body of liquid")

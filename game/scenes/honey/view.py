@@ -65,6 +65,7 @@ class HoneyView:
             "temperature": [("line:vermilion", "warmest", ""), ("line:chalk", "coldest", "")],
             "density": [("line:vermilion", "squeezed", ""), ("line:chalk", "loose", "")],
             "speed": [("line:vermilion", "fast", ""), ("line:chalk", "slow", "")],
+            "order": [("line:vermilion", "last in memory", ""), ("line:chalk", "first", "")],
         }[self.model.parameters.colours]
 
     def draw(self, canvas: Canvas, previous: HoneyState | None, alpha: float) -> None:
@@ -103,6 +104,8 @@ class HoneyView:
             share = (warm - low) / max(high - low, 1.0)
         elif shown == "density":
             share = 0.5 + 0.5 * (fluid.density() - 1.0) / SPREAD
+        elif shown == "order":
+            share = fluid.ranks() / max(len(fluid.place) - 1, 1)
         else:
             share = np.sqrt(np.sum(np.square(fluid.velocity), axis=1)) / FASTEST
         share = np.clip(share, 0.0, 1.0)[:, None]

@@ -22,6 +22,7 @@ HINTS = (
     keys.EYE,
     keys.FROM_SIDE,
     keys.GUIDE,
+    Hint(("Y",), "coach"),
 )
 ACTIONS = (
     keys.STRIKE,
@@ -37,6 +38,8 @@ ACTIONS = (
     keys.CHALK,
     keys.THOUGHTS,
     SceneAction("concede", "concede the frame, or claim it", "Q"),
+    SceneAction("coach", "coach: what the stroke was worth, why it missed", "Y"),
+    SceneAction("ask", "ask the coach before the stroke", "G"),
     SceneAction("restart", "agree on a stalemate: the frame begins again", "T"),
     keys.LOCK,
     *keys.TURNS,

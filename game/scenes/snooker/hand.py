@@ -21,6 +21,7 @@ from game.scenes.shared.tables.eye.choices import SIDES
 from game.scenes.shared.tables.eye.inset import Inset
 from game.scenes.shared.tables.grip import NOTHING, Grip, Held
 from game.scenes.snooker import layout
+from game.scenes.snooker.columns import COLUMN
 from game.scenes.snooker.course import Course
 from game.stage import Part, Pointer
 
@@ -47,7 +48,8 @@ class SnookerHand(Part):
             return [("replay", "Back", True), ("side", SIDES[course.from_side], False)]
         rows = [("undo", "Undo", False), ("replay", "Replay", False),
                 ("eye", "Sight", bool(course.parameters.eye)),
-                ("view", GUIDE_BUTTONS[course.guide], False)]  # fmt: skip
+                ("view", GUIDE_BUTTONS[course.guide], False),
+                ("coach", "Coach", bool(course.parameters.coach))]  # fmt: skip
         if len(game.players) == 2 and not game.over and course.person_plays:
             claims = game.may_claim and not game.options
             sure = course.asked == course.model.word
@@ -130,6 +132,8 @@ class SnookerHand(Part):
         for row, (name, _, _) in enumerate(self.buttons()):
             if layout.button_box(row).holds(x, y):
                 return grip.button(name)
+        if self.course.parameters.coach and COLUMN.row_at(x, y) == COLUMN.rows - 1:
+            return grip.button("ask")
         game = self.course.model.game
         if len(game.players) == 2:
             for player in range(2):
@@ -265,6 +269,10 @@ class SnookerHand(Part):
         course = self.course
         if name == "strike":
             self._strike_or_skip()
+        elif name == "coach":
+            course.parameters.coach = not course.parameters.coach
+        elif name == "ask":
+            course.ask_coach()
         elif name == "breath":
             course.push.breathe()
         elif name == "chalk":

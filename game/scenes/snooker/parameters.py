@@ -32,6 +32,7 @@ class SnookerParameters(Parameters):
         group="Game", label="Miss", help="how good an attempt the referee expects (rule 3.14)",
     )  # fmt: skip
     considered = choices.thoughts()
+    coach = choices.coach()
     power = choices.power(3.0)
     tip_left = choices.tip("Tip left")
     tip_up = choices.tip("Tip up", "follow above, draw below")

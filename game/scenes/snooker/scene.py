@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
@@ -9,6 +11,8 @@ from game.billiards.game.rules import Call
 from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab.studies.billiards.long_pot import long_pot_study
 from game.levels import Level
+from game.scenes.shared.tables.beside.coach_card import draw_coach
+from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import REPLAY, ROLLING
 from game.scenes.shared.tables.cue_game import CUE_BALL, ENERGY, PLAYS_ITSELF, SLIDING, CueGameScene
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
@@ -16,6 +20,8 @@ from game.scenes.shared.tables.sounds import StrokeSounds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.scenes.snooker import SNOOKER, layout, saving
 from game.scenes.snooker.actions import ACTIONS, HINTS
+from game.scenes.snooker.coach import SnookerCoach
+from game.scenes.snooker.columns import COLUMN, frame_with
 from game.scenes.snooker.course import Course
 from game.scenes.snooker.exchange import SnookerExchange
 from game.scenes.snooker.figure import draw_table_of_values
@@ -52,6 +58,7 @@ class SnookerScene(CueGameScene):
     parameters: SnookerParameters
     effects = EXACT_EFFECTS
     study = long_pot_study
+    refits = True
     takes = frozenset(("wheel", "right"))
     content_type = SnookerContent
 
@@ -84,6 +91,7 @@ class SnookerScene(CueGameScene):
         self.exchange = SnookerExchange(self.name, self.course)
         self.sounds = StrokeSounds(self.course, (ROLLING, REPLAY))
         title = level.title if level is not None else ""
+        self.coach = SnookerCoach(self.course)
         self.view = SnookerView(self.course, self.hand, self.opponents, title)
 
     def parameter_changed(self, name: str) -> None:
@@ -113,7 +121,12 @@ class SnookerScene(CueGameScene):
     # -- what is shown, and kept --------------------------------------------------------------------
 
     def frame(self) -> Frame:
-        return layout.FRAME
+        return frame_with(bool(self.parameters.coach))
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        super().draw(canvas, alpha)
+        if self.parameters.coach and canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+            draw_coach(canvas, look_of(canvas, layout.PIXELS), COLUMN, self.coach)
 
     def readouts(self) -> tuple[Readout, ...]:
         return readouts(self.course)

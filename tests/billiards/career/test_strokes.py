@@ -8,14 +8,18 @@ import pytest
 
 from game.billiards.career.strokes import (
     BREAK,
+    CHANCES,
     CUTS,
     DISTANCES,
+    POINT,
     POT,
+    WAYS,
     StrokeFact,
     by_opponent,
     csv_of,
     shares,
     summary_of,
+    summary_words,
 )  # fmt: skip
 from game.billiards.game.arrangement import Stroke, arrange
 from game.billiards.game.frame import new_frame
@@ -41,6 +45,20 @@ def test_shares_are_of_their_classes():
     assert (near.pots, near.made, near.expected) == (2, 0.5, pytest.approx(0.6))
     assert (far.middle, far.pots, far.made) == (pytest.approx(1.0), 1, 1.0)
     assert [one.pots for one in shares(facts, CUTS, "cut")] == [2, 1]
+
+
+def test_a_figure_on_the_edge_of_two_classes_is_of_the_upper_one():
+    (found,) = shares([fact(DISTANCES[1])], DISTANCES)
+    assert DISTANCES[1] < found.middle < DISTANCES[2]
+
+
+def test_points_of_carom_have_classes_of_their_own():
+    points = [fact(kind=POINT, chance=chance, made=chance > 0.3) for chance in (0.05, 0.4, 1.0)]
+    assert [one.made for one in shares(points, CHANCES, "chance", POINT)] == [0.0, 1.0, 1.0]
+    assert [one.middle for one in shares(points, WAYS, "cushions", POINT)] == [0.5]
+    assert shares(points, DISTANCES) == []
+    assert "2 of 3 points, 1.4 expected" in summary_words("all", summary_of(points))
+    assert "pots" not in summary_words("all", summary_of(points))
 
 
 def test_a_summary_leaves_out_what_was_not_measured():

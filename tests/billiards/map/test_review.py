@@ -9,8 +9,9 @@ from game.billiards.game.arrangement import Stroke, arrange
 from game.billiards.game.frame import Frame
 from game.billiards.game.games import Practice
 from game.billiards.game.rules import Call
+from game.billiards.map.causes import AIM, PACE, SPIN, THROW
 from game.billiards.map.pool import pool_map
-from game.billiards.map.review import AIM, PACE, SPIN, THROW, best_pot, review
+from game.billiards.map.review import best_pot, review
 from game.billiards.search.chances import as_hand_does
 from game.billiards.search.legality import board_of
 from game.billiards.search.strokes import Noise

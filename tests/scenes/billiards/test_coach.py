@@ -4,14 +4,15 @@ import math
 
 import pytest
 
-from game.billiards.map.review import AIM, PACE, SPIN, THROW, Cause
+from game.billiards.map.causes import AIM, PACE, SPIN, THROW, Cause
+from game.billiards.shot.cue import speed_ratio
+from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.scenes.billiards.beside import COACH, NONE
-from game.scenes.billiards.practice.columns import ROWS, row_box
+from game.scenes.billiards.practice.columns import COLUMN, ROWS
 from game.scenes.billiards.scene import Billiards
-from game.scenes.billiards.view.beside.coach_card import (
-    ASK,
-    NO_CAUSE,
+from game.scenes.shared.tables.beside.coach_card import (
     ahead_rows,
+    ask_row,
     fault_words,
     left_row,
     told_rows,
@@ -63,13 +64,15 @@ def test_nothing_is_told_before_a_stroke_and_nothing_of_the_next_one_but_its_cha
     stage = straight_pot()
     stage.post(Action("coach"))
     coach = stage.scene.coach
-    assert coach.now() is None and coach.told() is None and ahead_rows(coach) == [ASK]
+    assert coach.now() is None and coach.told() is None and ahead_rows(coach) == [ask_row(coach)]
     stage = played(0.0)
     pot = stage.scene.coach.now().left
     assert pot is not None
-    row = left_row(pot)
-    assert row.lead == f"{100.0 * pot.chance:.0f} %" and f"the {pot.ball}" not in row.words + row.under
-    assert ahead_rows(stage.scene.coach) == [ASK] and standing(stage).under != "coached"
+    row = left_row(stage.scene.coach, pot)
+    assert row.lead == f"{100.0 * pot.chance:.0f} %" and pot.words not in row.words + row.under
+    assert (
+        ahead_rows(stage.scene.coach) == [ask_row(stage.scene.coach)] and standing(stage).under != "coached"
+    )
 
 
 @pytest.mark.parametrize("way", ["key", "click"])
@@ -79,7 +82,7 @@ def test_who_asks_before_a_stroke_is_told_and_the_score_says_so_until_the_next_r
         stage.post(Action("ask"))
         stage.post(Action("ask"))
     else:
-        middle = row_box(ROWS - 1).middle
+        middle = COLUMN.row_box(ROWS - 1).middle
         point(stage, "move", *middle)
         click(stage, *middle)
     scene = stage.scene
@@ -88,7 +91,7 @@ def test_who_asks_before_a_stroke_is_told_and_the_score_says_so_until_the_next_r
     scene.coach.ahead.wait()
     known, pot = scene.coach.advice()
     assert known and pot is not None
-    assert any(f"the {pot.ball}" in row.words for row in ahead_rows(scene.coach))
+    assert any(pot.words in row.words for row in ahead_rows(scene.coach))
     again = replay_scene(stage.recording, Billiards)
     assert again.scene.play.coached == 1 and again.digest() == stage.digest()
     stage.post(Action("rack"))
@@ -128,5 +131,4 @@ def test_what_was_meant_and_what_the_hand_did_stand_on_the_card():
     ],
 )
 def test_a_cause_says_what_was_wrong_not_what_is_to_be_added(cause: Cause, words: str):
-    assert fault_words(cause) == words
-    assert NO_CAUSE.words
+    assert fault_words(cause, BALL_RADIUS, speed_ratio(BALL_MASS)) == words

@@ -51,7 +51,7 @@ def press_row(stage, words: str) -> None:
         for k, row in enumerate(rows)
         if (str(row.stroke.number) if row.stroke else "rack" if row.rack else "back") == words
     )
-    click(stage, *columns.row_box(wanted).middle)
+    click(stage, *columns.COLUMN.row_box(wanted).middle)
 
 
 def test_a_click_on_a_stroke_plays_on_from_there(stage):
@@ -128,7 +128,7 @@ def test_the_wheel_shows_the_older_rows(stage):
         )
     rows = log_rows(stage.scene.play.log)
     assert side.rows_seen() == rows[-columns.ROWS :]
-    x, y = columns.COLUMN.middle
+    x, y = columns.COLUMN.box.middle
     point(stage, "wheel", x, y, wheel=3.0)
     assert side.rows_seen() == rows[-columns.ROWS - 3 : -3]
     point(stage, "wheel", x, y, wheel=1000.0)

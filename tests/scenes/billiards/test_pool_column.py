@@ -30,7 +30,7 @@ def stage():
 
 
 def click_row(stage, row: int) -> None:
-    click(stage, *columns.row_box(row).middle)
+    click(stage, *columns.COLUMN.row_box(row).middle)
     stage.listen()
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.levels import LevelError, level_files, load_level, parse_level
-from game.physics.cloth.layout import FUEL, HOT, SALT, WATER, X, Y, Z
+from game.physics.cloth.layout import CHAR, FUEL, HOT, SALT, WATER, X, Y, Z
 from game.scenes.burning_cloth.ashes import MOST, Ashes
 from game.scenes.burning_cloth.letters import KNOWN, lettering
 from game.scenes.burning_cloth.level import MOST_DABS, BurningClothContent
@@ -61,6 +61,16 @@ def test_only_what_is_written_burns_and_the_books_stay_closed():
     lost = stage.scene.model.cloth.whole <= 0.0
     salt = stage.scene.model.cloth.patches[SALT].reshape(lost.shape[0], 2, lost.shape[1], 2).mean(axis=(1, 3))
     assert lost.any() and np.all(salt[lost] > 0.2)
+
+
+def test_char_is_the_share_of_the_plain_cloth_that_has_charred():
+    stage = opened("burning", tier="own", meshes=40)
+    patches, model = stage.scene.model.cloth.patches, stage.scene.model
+    patches[SALT] = 0.25
+    patches[CHAR] = 0.0
+    patches[CHAR, : patches.shape[1] // 2] = 0.2 * model.cloth.made_of.dry
+    lower = patches.shape[1] // 2 / patches.shape[1]
+    assert measured(stage, "char") == pytest.approx(20.0 * lower, rel=1e-9)
 
 
 def test_the_gas_gets_what_the_cloth_gives():

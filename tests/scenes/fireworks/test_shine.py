@@ -8,6 +8,7 @@ import pytest
 from game.physics.generations.step import BORN, DIES, FIELDS, X, Y, Z
 from game.scenes.fireworks.eye import Seen
 from game.scenes.fireworks.shine import (
+    BLINK_SHARE,
     CELLS,
     FLASH_FADES,
     FLASH_REACH,
@@ -17,6 +18,7 @@ from game.scenes.fireworks.shine import (
     Glow,
     light_smoke,
     shed_light,
+    shine,
 )
 
 FLASH = (10.0, 50.0, 80.0, 30.0, 9.0, 6.0, 3.0)  # s, x, y, depth, red, green, blue
@@ -86,3 +88,31 @@ def test_stars_light_smoke_from_where_they_are_by_their_colour():
     half = np.zeros_like(cells)
     shed_light(stars[:, [0, 0, 1, 1]], shades, Glow(2, 0, 0.0, 0.0, 0.0, 0.0), 1.0, 2, half)
     assert half[:, 3].sum() == pytest.approx(4.0)  # two that are taken stand for four
+
+
+def brightness(glow: Glow, times: np.ndarray) -> np.ndarray:
+    """How bright a white star is drawn at some times (s), of 1."""
+    rows, found = np.zeros((FIELDS, 1)), []
+    rows[DIES], shades = 303.7, np.full((4, 3), 255.0)
+    places, colors, sizes, shares = (
+        np.zeros((2, 2)),
+        np.zeros(2, np.int64),
+        np.zeros(2, np.int64),
+        np.zeros(2),
+    )
+    for time in times.tolist():
+        assert shine(rows, shades, glow, Seen(0.0, time, 0.0), places, colors, sizes, shares, 0) == 1
+        found.append((int(colors[0]) & 0xFF) / 255.0)
+    return np.array(found)
+
+
+def test_a_strobe_is_bright_for_its_share_of_the_time_and_nearly_dark_else():
+    found = brightness(Glow(2, 0, 0.0, 0.0, 3.0, 0.0), np.linspace(0.0, 300.0, 3001))
+    assert sorted(set(found.tolist())) == pytest.approx([0.05, 1.0], abs=0.5 / 255)
+    assert float(np.mean(found > 0.5)) == pytest.approx(BLINK_SHARE, abs=0.02)
+
+
+def test_a_spark_twinkles_down_to_what_its_kind_says():
+    found = brightness(Glow(2, 0, 0.0, 0.0, 0.0, 0.4), np.linspace(0.0, 100.0, 1001))
+    assert (found.min(), found.max()) == pytest.approx((0.6, 1.0), abs=0.01)
+    assert float(found.mean()) == pytest.approx(0.8, abs=0.01)

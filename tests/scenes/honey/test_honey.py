@@ -198,7 +198,7 @@ def test_a_body_and_its_particles_are_seen(theme):
     assert len({tuple(dots.get_at(at)) for at in inside}) > len(set(blue))
 
 
-@pytest.mark.parametrize("colours", ["temperature", "density", "speed"])
+@pytest.mark.parametrize("colours", ["temperature", "density", "speed", "order"])
 def test_what_is_measured_is_shown_as_colours(colours):
     stage = opened("boiling")
     stage.run(40)

@@ -8,11 +8,16 @@ import numpy as np
 import pygame
 import pytest
 
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import Struck, trajectory_of
 from game.billiards.game.rules import CUE_BALL
+from game.billiards.laws.state import BALL_POCKET
 from game.billiards.table.table import Table
 from game.scenes.shared.tables.eye.cameras import Room, behind, beside
 from game.scenes.shared.tables.eye.inset import SHAPE, corner_for, inner_corner
+from game.scenes.shared.tables.eye.lines import Line, draw_lines_seen
 from game.scenes.shared.tables.moments import AFTER_S, SLOW, Moments, moments_of, pace_at
+from game.scenes.shared.tables.prediction import foresee
 from game.stage import Action, Pointer
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
@@ -245,3 +250,52 @@ def test_a_camera_follows_only_if_it_is_chosen_and_only_while_balls_roll(table):
 def test_no_two_actions_of_a_table_have_one_key(table):
     keys = [action.key for action in OPEN[table]().scene.actions]
     assert len(keys) == len(set(keys))
+
+
+@pytest.mark.parametrize("far", [False, True])
+def test_the_corner_that_is_dragged_lies_under_the_pointer(far: bool, monkeypatch):
+    stage = OPEN["pool"](eye=True)
+    inset = stage.scene.hand.inset
+    length = inset.table.length
+    end = 0.2 if far else length - 0.2  # where the balls lie: the view is at the other one
+    monkeypatch.setattr(inset, "lying", lambda: ((0.3, end), [(1.0, end)]))
+    box = inset.box
+    x, y = inner_corner(box, inset.table)
+    assert (box.left > 0.3 * length) is far
+    wanted = y - 0.2 if far else y + 0.2
+    inset.drag(x, wanted)
+    assert inner_corner(inset.box, inset.table)[1] == pytest.approx(wanted, abs=0.003)
+
+
+def test_lines_lie_on_the_bed_that_the_eye_sees():
+    seen = []
+
+    class Catching:
+        def chain(self, points):
+            seen.append(points)
+            return []
+
+    surface = pygame.Surface((16, 16), 0, 32)
+    canvas = Canvas(Look(DARK, 1.0))
+    canvas.begin(surface, surface.get_rect(), Camera())
+    way = np.array(((0.1, 0.2), (0.6, 1.4)))
+    flown = np.array(((0.1, 0.2, 0.0), (0.6, 1.4, 0.3)))
+    lines = [Line(way, DARK.text1), Line(flown, DARK.text1)]
+    draw_lines_seen(*canvas.raster_target, Catching(), lines, (1.0, 2.0), 1.0)
+    canvas.end()
+    assert seen[0].tolist() == [pytest.approx((-0.8, 0.4, 0.0)), pytest.approx((0.4, -0.1, 0.0))]
+    assert seen[1][:, 2].tolist() == [0.0, 0.3]
+
+
+def test_what_is_foreseen_ends_at_the_event_that_is_asked_for():
+    stage = pool.straight_pot()
+    frame = stage.scene.model.frame
+    struck = Struck(frame, Stroke(1.5, pool.AT_THE_CORNER))
+    trajectory = trajectory_of(struck)
+    contacts = trajectory.rows[trajectory.rows[:, 1] <= BALL_POCKET]
+    assert len(contacts) >= 2
+    every, more = foresee(struck, len(contacts)), foresee(struck, len(contacts) + 1)
+    assert every.last is None, "it ends with the last contact"
+    end = trajectory.state_at(float(contacts[-1, 0])).positions[frame.layout.numbers.index(CUE_BALL)]
+    assert every.after[-1] == pytest.approx(end, abs=1e-6)
+    assert more.last is not None or more.after[-1] != pytest.approx(end, abs=1e-3)

@@ -144,6 +144,19 @@ def test_a_stroke_of_carom_is_measured_with_its_chance_and_its_cushions():
     assert bank.scene.stroke_measured() is None
 
 
+def test_how_far_a_hand_strayed_is_measured_at_carom_where_the_cue_ball_stopped():
+    stage = carom_stages.open_level("straight-rail", second_player="tom", hand="average")
+    before = stage.scene.model.frame
+    stage.post(Action("strike"))
+    carom_stages.seconds(stage, 0.2)
+    carom_stages.until_aiming(stage)
+    meant, made = stage.scene.course.aimed_and_done
+    assert meant != made
+    ends = [before.play(stroke).summary.rest[before.game.cue] for stroke in (meant, made)]
+    found = stage.scene.stroke_measured()
+    assert found is not None and found.stray == pytest.approx(math.dist(*ends), abs=1e-6)
+
+
 @pytest.mark.parametrize("captioned", [False, True])
 def test_figures_end_before_the_buttons_begin(captioned: bool):
     numbers = [Number("Aim", "0.00°"), Number("Margin", "±1°"), Number("Pot", "6 %", under="h" * captioned)]

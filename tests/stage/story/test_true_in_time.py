@@ -139,3 +139,12 @@ def test_a_step_back_forgets_when_a_condition_came():
         assert runner.course.entries == entries
     times = [entry.step for entry in entries]
     assert all(a <= b for a, b in itertools.pairwise(times))
+
+
+def test_what_has_nothing_new_for_more_than_eight_seconds_is_told_and_nothing_else():
+    """Between words and the next: 6 s are no idle span, 9 s are one."""
+    for pause, many in ((6.0, 0), (9.0, 1)):
+        runner, found = run(say("It falls."), say("It rests.", f"after = {pause}\n"))
+        assert len(found.idle) == many
+        for begins, ends in found.idle:
+            assert ends - begins >= pause - 1e-6 and ends in runner.course.news()

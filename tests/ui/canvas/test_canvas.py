@@ -69,6 +69,15 @@ def test_later_shapes_lie_on_earlier_ones_text_too():
     assert at(canvas, 0.0, 0.0)[:3] == DARK.violet.mark[:3]
 
 
+def test_a_group_of_labels_has_room_where_it_is_asked_for_or_beside_what_stands_there():
+    """Where nothing stands, the offset that was asked for; where a label does, one that is clear of it."""
+    canvas = begun((400, 200))
+    assert canvas.room_for((0.2, 0.1), (60.0, 20.0), (25.0, -12.0)) == pytest.approx((25.0, -12.0), abs=1.0)
+    canvas.label((0.2, 0.1), "words", offset=(25.0, -12.0))
+    x, y = canvas.room_for((0.2, 0.1), (60.0, 20.0), (25.0, -12.0))
+    assert abs(x - 25.0) >= 30.0 or abs(y + 12.0) >= 10.0
+
+
 def test_nothing_is_drawn_outside_its_part():
     surface = pygame.Surface((200, 100), 0, 32)
     surface.fill("#010203")

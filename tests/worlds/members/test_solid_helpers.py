@@ -24,14 +24,14 @@ def member() -> Solids:
 
 
 def test_a_rope_has_its_length_and_its_mass(member: Solids) -> None:
-    world, ends = member.world, [member.world.add_body(box(0.2, 0.2), at) for at in ((0.0, 0.0), (3.0, 4.0))]
-    found = member.hang_rope((ends[0], ends[1]), (0.0, 0.0), (3.0, 4.0), 5, 0.7)
+    world, ends = member.world, [member.world.add_body(box(0.2, 0.2), at) for at in ((1.0, -2.0), (4.0, 2.0))]
+    found = member.hang_rope((ends[0], ends[1]), (1.0, -2.0), (4.0, 2.0), 5, 0.7)
     assert (len(found.bodies), len(found.joints)) == (4, 5)
     assert 1.0 / world.bodies.inverse_masses[found.bodies] == pytest.approx(0.7, rel=1e-9)
     chain = [ends[0], *found.bodies, ends[1]]
     assert world.joints.bodies[found.joints].tolist() == [list(pair) for pair in itertools.pairwise(chain)]
     assert world.bodies.positions[found.bodies] == pytest.approx(
-        np.array([(0.6, 0.8), (1.2, 1.6), (1.8, 2.4), (2.4, 3.2)])
+        np.array([(1.6, -1.2), (2.2, -0.4), (2.8, 0.4), (3.4, 1.2)])
     )
 
 

@@ -170,6 +170,76 @@ def unless_open(values, at, point, gap, law):
 
 
 @inner_kernel
+def gaps_of(values, at, a, b, ends, motion, measuring):
+    """Gaps of both points, measured again where bodies were moved."""
+    if measuring:
+        return measure(values, at, a, b, ends, motion)
+    return column(values, at, BATCH_GAP), column(values, at, BATCH_GAP + 1)
+
+
+@inner_kernel
+def soften(values, at, gap1, gap2, stiff, springs):
+    """Speeds at which springs push both points out; k11, k12, k22 of both with the springs' give; k of one
+    alone.
+
+    stiff: k11, k12, k22 of rigid contacts.
+    """
+    k1, k12, k2 = stiff
+    hard = column(values, at, state.ROW_HARD) > 0.0
+    rate, give = choose(hard, springs[1][0], springs[0][0]), choose(hard, springs[1][2], springs[0][2])
+    push1 = larger(rate * smaller(gap1, 0.0), -springs[2])
+    push2 = larger(rate * smaller(gap2, 0.0), -springs[2])
+    soft = choose(smaller(gap1, gap2) <= 0.0, 0.25 * give * (k1 + k2), 0.0)
+    tilt = TILT * soft
+    alone = k1 + choose(gap1 <= 0.0, k1 * give, 0.0)
+    return push1, push2, (k1 + soft + tilt, k12 + soft - tilt, k2 + soft + tilt), alone
+
+
+@inner_kernel
+def press(values, at, gaps, speeds, arms, springs, pushing, singles):
+    """Normal impulses of both points, stored; what they are in all, and what they turn a and b by.
+
+    speeds: along the normal, spins of a and b. arms: levers of both points. singles: some have one point.
+    """
+    gap1, gap2 = gaps
+    un, wa, wb = speeds
+    ca1, cb1, ca2, cb2 = arms[0][0], arms[0][1], arms[1][0], arms[1][1]
+    law1, law2 = larger(gap1, 0.0) * springs[3], larger(gap2, 0.0) * springs[3]
+    k1, k2 = column(values, at, r.FIRST + state.STIFF_N), column(values, at, r.SECOND + state.STIFF_N)
+    k12 = column(values, at, state.COUPLING)
+    matrix, alone = (k1, k12, k2), k1
+    if pushing:
+        push1, push2, matrix, alone = soften(values, at, gap1, gap2, matrix, springs)
+        law1, law2 = law1 + push1, law2 + push2
+    else:
+        law1 = unless_open(values, at, r.FIRST, gap1, law1)
+        law2 = unless_open(values, at, r.SECOND, gap2, law2)
+    v1, v2 = un + wb * cb1 - wa * ca1 + law1, un + wb * cb2 - wa * ca2 + law2
+    n1, n2 = column(values, at, r.FIRST + state.JN), column(values, at, r.SECOND + state.JN)
+    r1, r2 = v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2
+    j1, j2 = solve_pairs(matrix[0], matrix[1], matrix[2], r1, r2)
+    iia, iib = column(values, at, state.ROW_IIA), column(values, at, state.ROW_IIB)
+    d1, d2 = j1 - n1, j2 - n2
+    jn, turn_a, turn_b = d1 + d2, iia * (ca1 * d1 + ca2 * d2), iib * (cb1 * d1 + cb2 * d2)
+    if singles:
+        single = column(values, at, BATCH_POINTS) < 2.0
+        only = larger((k1 * n1 - v1) / alone, 0.0)
+        j1, j2 = choose(single, only, j1), choose(single, 0.0, j2)
+        jn = choose(single, only - n1, jn)
+        turn_a, turn_b = choose(single, iia * ca1 * jn, turn_a), choose(single, iib * cb1 * jn, turn_b)
+    store(values, at + (r.FIRST + state.JN) * LANES, j1)
+    store(values, at + (r.SECOND + state.JN) * LANES, j2)
+    return j1, j2, jn, turn_a, turn_b
+
+
+@inner_kernel
+def note_most(values, at, j1, j2):
+    """Keep the largest normal impulses of both points."""
+    store(values, at + BATCH_MOST * LANES, larger(column(values, at, BATCH_MOST), j1))
+    store(values, at + (BATCH_MOST + 1) * LANES, larger(column(values, at, BATCH_MOST + 1), j2))
+
+
+@inner_kernel
 def sweep_batches(batches, motion, springs, pushing, measuring):
     """`impulses.sweep_contacts`. measuring: bodies were moved; a sweep that does not push notes the largest
     impulses.
@@ -177,59 +247,21 @@ def sweep_batches(batches, motion, springs, pushing, measuring):
     values, ends = batches.values, batches.ends
     for k in range(batches.count[0]):
         at, a, b = k * r.SIZE, 2 * k * LANES, (2 * k + 1) * LANES
-        if measuring:
-            gap1, gap2 = measure(values, at, a, b, ends, motion)
-        else:
-            gap1, gap2 = column(values, at, BATCH_GAP), column(values, at, BATCH_GAP + 1)
+        gaps = gaps_of(values, at, a, b, ends, motion, measuring)
         nx, ny = column(values, at, state.ROW_NX), column(values, at, state.ROW_NY)
         ax, ay, wa, far_a = load_quads(motion, state.MOTION_WIDTH, ends, a, state.VX)
         bx, by, wb, far_b = load_quads(motion, state.MOTION_WIDTH, ends, b, state.VX)
         x, y = bx - ax, by - ay
         un, ut = x * nx + y * ny, x * ny - y * nx
-        ca1, cb1, da1, db1 = levers(values, at, r.FIRST)
-        ca2, cb2, da2, db2 = levers(values, at, r.SECOND)
-        law1, law2 = larger(gap1, 0.0) * springs[3], larger(gap2, 0.0) * springs[3]
-        k1, k2 = column(values, at, r.FIRST + state.STIFF_N), column(values, at, r.SECOND + state.STIFF_N)
-        k12 = column(values, at, state.COUPLING)
-        k11, coupling, k22, alone = k1, k12, k2, k1
-        if pushing:
-            hard = column(values, at, state.ROW_HARD) > 0.0
-            rate, give = (
-                choose(hard, springs[1][0], springs[0][0]),
-                choose(hard, springs[1][2], springs[0][2]),
-            )
-            law1 = law1 + larger(rate * smaller(gap1, 0.0), -springs[2])
-            law2 = law2 + larger(rate * smaller(gap2, 0.0), -springs[2])
-            soft = choose(smaller(gap1, gap2) <= 0.0, 0.25 * give * (k1 + k2), 0.0)
-            tilt = TILT * soft
-            k11, coupling, k22 = k1 + soft + tilt, k12 + soft - tilt, k2 + soft + tilt
-            alone = k1 + choose(gap1 <= 0.0, k1 * give, 0.0)
-        else:
-            law1, law2 = (
-                unless_open(values, at, r.FIRST, gap1, law1),
-                unless_open(values, at, r.SECOND, gap2, law2),
-            )
-        v1, v2 = un + wb * cb1 - wa * ca1 + law1, un + wb * cb2 - wa * ca2 + law2
-        n1, n2 = column(values, at, r.FIRST + state.JN), column(values, at, r.SECOND + state.JN)
-        j1, j2 = solve_pairs(k11, coupling, k22, v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2)
-        iia, iib = column(values, at, state.ROW_IIA), column(values, at, state.ROW_IIB)
-        d1, d2 = j1 - n1, j2 - n2
-        jn = d1 + d2
-        turn_a, turn_b = iia * (ca1 * d1 + ca2 * d2), iib * (cb1 * d1 + cb2 * d2)
-        if batches.kinds[k] & r.SINGLE:
-            single = column(values, at, BATCH_POINTS) < 2.0
-            only = larger((k1 * n1 - v1) / alone, 0.0)
-            j1, j2 = choose(single, only, j1), choose(single, 0.0, j2)
-            jn = choose(single, only - n1, jn)
-            turn_a, turn_b = choose(single, iia * ca1 * jn, turn_a), choose(single, iib * cb1 * jn, turn_b)
-        store(values, at + (r.FIRST + state.JN) * LANES, j1)
-        store(values, at + (r.SECOND + state.JN) * LANES, j2)
+        arms = levers(values, at, r.FIRST), levers(values, at, r.SECOND)
+        da1, db1, da2, db2 = arms[0][2], arms[0][3], arms[1][2], arms[1][3]
+        singles = batches.kinds[k] & r.SINGLE != 0
+        speeds = un, wa, wb
+        j1, j2, jn, turn_a, turn_b = press(values, at, gaps, speeds, arms, springs, pushing, singles)
         wa, wb = wa - turn_a, wb + turn_b
-        mu, ima, imb = (
-            column(values, at, state.ROW_MU),
-            column(values, at, state.ROW_IMA),
-            column(values, at, state.ROW_IMB),
-        )
+        mu = column(values, at, state.ROW_MU)
+        ima, imb = column(values, at, state.ROW_IMA), column(values, at, state.ROW_IMB)
+        iia, iib = column(values, at, state.ROW_IIA), column(values, at, state.ROW_IIB)
         jt = rub(values, at, r.FIRST, mu, j1, ut - wb * db1 + wa * da1)
         ut = ut + (ima + imb) * jt
         wa, wb = wa + iia * da1 * jt, wb - iib * db1 * jt
@@ -237,8 +269,7 @@ def sweep_batches(batches, motion, springs, pushing, measuring):
         jt = jt + j
         wa, wb = wa + iia * da2 * j, wb - iib * db2 * j
         if not pushing:
-            store(values, at + BATCH_MOST * LANES, larger(column(values, at, BATCH_MOST), j1))
-            store(values, at + (BATCH_MOST + 1) * LANES, larger(column(values, at, BATCH_MOST + 1), j2))
+            note_most(values, at, j1, j2)
         x, y = jn * nx + jt * ny, jn * ny - jt * nx
         store_quads(motion, state.MOTION_WIDTH, ends, a, state.VX, (ax - ima * x, ay - ima * y, wa, far_a))
         store_quads(motion, state.MOTION_WIDTH, ends, b, state.VX, (bx + imb * x, by + imb * y, wb, far_b))

@@ -13,7 +13,7 @@ from game.scenes.billiards.beside import BESIDE, COACH, LOG, MAP, NONE
 from game.scenes.billiards.model import as_practice
 from game.scenes.billiards.play import AIMING, SET_UP, Play
 from game.scenes.billiards.practice.advisor import PLAY, SHOW, PoolAdvisor
-from game.scenes.billiards.practice.columns import COLUMN, ROWS, row_at
+from game.scenes.billiards.practice.columns import COLUMN, ROWS
 from game.scenes.billiards.practice.hands import hand_of
 from game.scenes.billiards.stroke.motion import PRACTISED
 from game.stage import Decision, Part, Pointer
@@ -65,7 +65,7 @@ class Side(Part):
 
     def holds(self, x: float, y: float) -> bool:
         """True on the column."""
-        return self.beside != NONE and COLUMN.holds(x, y)
+        return self.beside != NONE and COLUMN.box.holds(x, y)
 
     def rows_seen(self) -> list[LogRow]:
         """The rows of the log that there is space for."""
@@ -81,7 +81,7 @@ class Side(Part):
 
     def click(self, event: Pointer) -> None:
         """A row is taken where it was pressed and let go."""
-        row = row_at(event.x, event.y)
+        row = COLUMN.row_at(event.x, event.y)
         if row < 0 or self.play.grip:
             return
         if self.beside == MAP:

@@ -14,6 +14,7 @@ from game.billiards.table.carom import BALL_RADIUS, SPOTS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
 from game.scenes.carom import layout
 from game.scenes.carom.advisor import Advisor, Drawn
+from game.scenes.carom.coach import CaromCoach
 from game.scenes.carom.course import Course
 from game.scenes.carom.hand import CaromHand
 from game.scenes.carom.opponents import CaromOpponents
@@ -28,6 +29,7 @@ from game.scenes.carom.view.paths import (
 )
 from game.scenes.carom.view.score_board import counted_of, draw_board, draw_foot
 from game.scenes.carom.view.zones import draw_zones
+from game.scenes.shared.tables.beside.coach_card import draw_coach
 from game.scenes.shared.tables.boxes import look_of
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.tables.eye.course_view import CourseEye
@@ -56,7 +58,10 @@ CUE_WORDS = 22.0  # design px below the ball
 class CaromView:
     """The picture of the game."""
 
-    def __init__(self, course: Course, hand: CaromHand, advisor: Advisor, opponents: CaromOpponents) -> None:
+    def __init__(
+        self, course: Course, hand: CaromHand, advisor: Advisor, opponents: CaromOpponents, coach: CaromCoach
+    ) -> None:
+        self.coach = coach
         self.course = course
         self.advisor = advisor
         self.opponents = opponents
@@ -84,7 +89,10 @@ class CaromView:
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
             look = look_of(canvas, layout.PIXELS)
             draw_board(canvas, look, course)
-            draw_list(canvas, look, course, self.advisor, drawn)
+            if course.parameters.coach:
+                draw_coach(canvas, look, layout.COLUMN, self.coach)
+            else:
+                draw_list(canvas, look, course, self.advisor, drawn)
             draw_tip(canvas, look, course, self.advisor.study())
             draw_foot(canvas, look, course, drawn, self.opponents.words_of_thoughts)
             self._draw_calls(canvas, look)

@@ -25,7 +25,7 @@ from game.ui.painters.ball_look import CAROM_WHITE
 from game.ui.painters.ball_picture import ball_chip
 
 BUTTON_WORDS = {"play": "Play it", "strike": "Strike", "undo": "Undo", "next": "New game", "eye": "Sight",
-                "replay": "Replay", "film-strokes": "Film"}  # fmt: skip
+                "replay": "Replay", "coach": "Coach", "film-strokes": "Film"}  # fmt: skip
 ROUTE_WORDS = dict(zip(LETTERS, ("long cushion", "long cushion", "short cushion", "short cushion", "yellow",
                                  "red"), strict=True))  # fmt: skip
 CHOICES = 3  # that are put into words
@@ -44,6 +44,8 @@ def draw_board(canvas: Canvas, look: Look, course: Course) -> None:
         ends = f"figure {game.figure + 1} of {len(FIGURES)}"
     if game.most_innings:
         ends = f"{ends}, {game.most_innings} innings" if game.target else f"{game.most_innings} innings"
+    if course.coached:
+        ends = f"{ends}, coached"
     look.text(canvas.surface, ends, (rect.x + px(30), rect.centery + px(10)), 12, "medium", "text3")
     count = len(game.players)
     width = (rect.w - px(TITLE) - px(10) * (count - 1)) // count
@@ -163,7 +165,7 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
         "replay": course.phase == REPLAY or course.model.frame.last is not None,
         "film-strokes": course.may_film,
     }.get(name, True)
-    main = usable and (name == "play" or (name == "eye" and bool(course.parameters.eye)))
+    main = usable and (name == "play" or (name in ("eye", "coach") and getattr(course.parameters, name)))
     fill = look.theme.accent if main else look.theme.inset
     draw_box(canvas.surface, box, look.px(6), fill, None if main else look.theme.line, look.border)
     said = {("strike", "rolling"): "To the end", ("replay", REPLAY): "Back"}

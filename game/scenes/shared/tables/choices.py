@@ -57,6 +57,13 @@ def player_words(grade: str) -> str:
     return "" if grade in BY_NAME else GRADE_LABELS[GRADES.index(grade)].lower()
 
 
+def coach() -> Toggle:
+    """Whether the coach stands beside the table."""
+    return Toggle(
+        False, group="Game", label="Coach", help="after a stroke: what there was, why it missed, what is left"
+    )
+
+
 def power(default: float) -> Param:
     """Speed of the struck ball, m/s."""
     return Param(

@@ -40,6 +40,7 @@ class CueCourse(Part):
     called_s: since the referee last called, s; frame_s: how long the frame has lasted.
     from_side: a replay is seen from its side, slowly about the moments that decide. marked: the strokes of
     the match as they counted; films: how often a film of those that decided it has been asked for.
+    advised: number of strokes at which the coach was asked last, coached: how often in this frame.
     """
 
     model: Any
@@ -69,6 +70,8 @@ class CueCourse(Part):
         self.frame_s = 0.0
         self.marked: tuple[Marked, ...] = ()
         self.films = 0
+        self.advised = -1
+        self.coached = 0
         self._seed = seed
         self.messages = Messages()
 
@@ -268,6 +271,14 @@ class CueCourse(Part):
 
     # -- back, and on -------------------------------------------------------------------------------
 
+    def ask_coach(self) -> None:
+        """Ask what to play, which shows the coach; the score says so until the next frame."""
+        self.parameters.coach = True
+        strokes = self.model.frame.strokes
+        if self.may_aim and self.advised != strokes:
+            self.advised = strokes
+            self.coached += 1
+
     def undo(self) -> None:
         """Before the last stroke of a person, or before balls were moved."""
         if self.phase == STRIKING:
@@ -292,6 +303,7 @@ class CueCourse(Part):
         """Nothing is pending, chosen or held; the cue is at rest."""
         self.pending, self.chosen, self.grip = None, None, NOTHING
         self.called_s, self.frame_s = LONG_AGO_S, 0.0
+        self.advised, self.coached = -1, 0
         if not self.model.frame.strokes:  # from the very beginning
             self.marked = ()
         self.cue.data[1:3] = 0.0

@@ -15,6 +15,7 @@ from game.scenes.shared.tables.choices import PERSON, player_words
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.tables.referee.card import Counted, share_words, time_words
 from game.scenes.shared.thinker import Thinker
+from game.scenes.snooker.coach import legality_for
 from game.scenes.snooker.course import Course
 
 
@@ -54,7 +55,8 @@ def standing_of(course: Course, thinker: Thinker, title: str) -> Standing:
     name = "Six-red" if game.six_red else "Snooker"
     cards = tuple(_card(course, thinker, player, title) for player in range(len(game.players)))
     two = len(game.players) == 2
-    under = "replay" if course.phase == REPLAY else "frame over" if game.over else _frame_words(game)
+    under = "coached" if course.coached else _frame_words(game)
+    under = "replay" if course.phase == REPLAY else "frame over" if game.over else under
     chip, on = _on(course)
     return Standing(
         name if two or not game.drill else "Practice", under, cards,
@@ -169,10 +171,8 @@ def foul_to_come(course: Course, first: int | None) -> str:
 
 
 def legality_to_come(course: Course) -> Legality:
-    """What is asked of the stroke that is aimed: which balls may be met first, and which must not go down."""
-    game = course.model.game
-    target = game.target(course.call)
-    return Legality(target.first, tuple(ball for ball in game.on_table if ball not in target.score))
+    """What is asked of the stroke that is aimed."""
+    return legality_for(course.model.game, course.call)
 
 
 def counted_of(frame: SnookerFrame, seconds: float) -> Counted:

@@ -7,12 +7,13 @@ from game.scenes.billiards import layout
 from game.scenes.billiards.beside import COACH, LOG, MAP, NONE
 from game.scenes.billiards.play import Play
 from game.scenes.billiards.practice.advisor import PoolAdvisor
-from game.scenes.billiards.practice.coach import Coach
+from game.scenes.billiards.practice.columns import COLUMN
 from game.scenes.billiards.practice.side import Side
-from game.scenes.billiards.view.beside.coach_card import draw_coach
 from game.scenes.billiards.view.beside.log_list import draw_log
 from game.scenes.billiards.view.beside.pot_list import draw_pots
 from game.scenes.billiards.view.beside.record import RecordView
+from game.scenes.shared.tables.beside.coach import Coach
+from game.scenes.shared.tables.beside.coach_card import draw_coach
 from game.scenes.shared.tables.boxes import look_of
 from game.ui.canvas.canvas import Canvas
 
@@ -41,6 +42,6 @@ class ColumnView:
         elif beside == MAP:
             draw_pots(canvas, look, self.advisor, self.advisor.drawn())
         elif beside == COACH:
-            draw_coach(canvas, look, self.coach)
+            draw_coach(canvas, look, COLUMN, self.coach)
         else:
             self.record.draw(canvas, look, self.play, self.level)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from game.billiards.game.log import Log, Logged
 from game.billiards.game.rules import listed
+from game.scenes.billiards.practice.columns import COLUMN
 from game.scenes.billiards.practice.side import LogRow, Side, log_rows
-from game.scenes.billiards.view.beside.rows import Row, draw_ground, draw_rows
 from game.scenes.billiards.view.words import stroke_words
+from game.scenes.shared.tables.beside.rows import Row, draw_ground, draw_rows
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 
@@ -20,9 +21,9 @@ def draw_log(canvas: Canvas, look: Look, side: Side) -> None:
     if hidden:
         under += " The wheel shows more."
     title = f"Log: {count} stroke{'s' * (count != 1)}"
-    draw_ground(canvas, look, title, under)
+    draw_ground(canvas, look, COLUMN, title, under)
     line = line_of_play(log)
-    draw_rows(canvas, look, [row_of(row, log, line) for row in seen])
+    draw_rows(canvas, look, COLUMN, [row_of(row, log, line) for row in seen])
 
 
 def line_of_play(log: Log) -> frozenset[int]:

@@ -10,22 +10,22 @@ from game.billiards.map.words import tip_words
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import SET_UP
 from game.scenes.billiards.practice.advisor import Drawn, PoolAdvisor
-from game.scenes.billiards.practice.columns import ROWS
+from game.scenes.billiards.practice.columns import COLUMN, ROWS
 from game.scenes.billiards.practice.hands import hand_of
 from game.scenes.billiards.stroke.motion import power_of
-from game.scenes.billiards.view.beside.rows import Row, draw_ground, draw_rows
+from game.scenes.shared.tables.beside.rows import Row, draw_ground, draw_rows
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 
 
 def draw_pots(canvas: Canvas, look: Look, advisor: PoolAdvisor, drawn: Drawn | None) -> None:
     """The list, or why there is none."""
-    draw_ground(canvas, look, *heading(advisor, drawn))
+    draw_ground(canvas, look, COLUMN, *heading(advisor, drawn))
     if drawn is None:
         return
     chosen = advisor.chosen
     rows = [row_of(pot, pot is chosen, not advisor.fresh) for pot in drawn.map.pots[:ROWS]]
-    draw_rows(canvas, look, rows)
+    draw_rows(canvas, look, COLUMN, rows)
 
 
 def heading(advisor: PoolAdvisor, drawn: Drawn | None) -> tuple[str, str]:

@@ -13,9 +13,9 @@ from game.billiards.game.rating import rating_of
 from game.files import FileProblem
 from game.levels import Level
 from game.scenes.billiards.play import Play
-from game.scenes.billiards.practice.columns import ROWS, row_box
+from game.scenes.billiards.practice.columns import COLUMN, ROWS
 from game.scenes.billiards.practice.sets import standing_set
-from game.scenes.billiards.view.beside.rows import Row, draw_ground, draw_rows
+from game.scenes.shared.tables.beside.rows import Row, draw_ground, draw_rows
 from game.scenes.shared.tables.boxes import rect_of
 from game.stage.records.history import PracticeSet, history_path, read_history
 from game.ui.canvas.canvas import Canvas
@@ -23,6 +23,7 @@ from game.ui.look.look import Look
 from game.ui.look.numerals import MINUS
 from game.ui.look.shapes import draw_box, draw_disc, draw_line
 
+NOTHING_KEPT = "Kept of drills, and of racks against the ghost."
 CHART_ROWS = 4  # rows of the column that the chart takes
 MOST_SHOWN = 40  # sets in the chart
 RATING_FROM = 10  # racks
@@ -55,15 +56,15 @@ class RecordView:
         """Heading, curve and list."""
         standing = standing_set(play, level)
         if standing is None:
-            draw_ground(canvas, look, "Practice record", "Kept of drills, and of racks against the ghost.")
+            draw_ground(canvas, look, COLUMN, "Practice record", NOTHING_KEPT)
             return
         sets = self.sets(standing.key)
         under = self._why or summary_of(sets, isinstance(play.model.frame.game, Ghost))
-        draw_ground(canvas, look, standing.title, under)
+        draw_ground(canvas, look, COLUMN, standing.title, under)
         if sets:
-            top, foot = rect_of(canvas, row_box(0)), rect_of(canvas, row_box(CHART_ROWS - 1))
+            top, foot = rect_of(canvas, COLUMN.row_box(0)), rect_of(canvas, COLUMN.row_box(CHART_ROWS - 1))
             draw_curve(canvas.surface, look, top.union(foot), sets[-MOST_SHOWN:])
-            draw_rows(canvas, look, rows_of(sets), CHART_ROWS)
+            draw_rows(canvas, look, COLUMN, rows_of(sets), CHART_ROWS)
 
 
 def summary_of(sets: Sequence[PracticeSet], ghost: bool) -> str:

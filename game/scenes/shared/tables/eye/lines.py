@@ -11,7 +11,7 @@ from game.arrays import Floats
 from game.scenes.shared.tables.prediction import Sight
 from game.scenes.shared.tables.sight import DASH, FLIGHT_DASH
 from game.ui.look.theme import FELT_COOL, FELT_LINE, FELT_WARM
-from game.ui.painters.perspective.eye import Eye
+from game.ui.painters.perspective.eye import Eye, room_points
 from game.ui.raster import packed, scratch_for, stroke_dashes, stroke_polyline
 
 
@@ -59,8 +59,8 @@ def draw_lines_seen(
         places = np.asarray(line.points, float)
         if len(places) < 2:
             continue
-        heights = places[:, 2:3] if places.shape[1] > 2 else np.zeros((len(places), 1))
-        points = np.concatenate([places[:, 1:2] - 0.5 * length, 0.5 * width - places[:, :1], heights], axis=1)
+        heights = places[:, 2] if places.shape[1] > 2 else 0.0
+        points = room_points(places[:, :2], heights, width, length)
         for piece in eye.chain(points):
             ink, broad = packed(line.color), line.width * scale
             if line.dash is None:

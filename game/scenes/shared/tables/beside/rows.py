@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import pygame
 
-from game.scenes.billiards.practice.columns import COLUMN, row_box
+from game.scenes.shared.tables.beside.column import Column
 from game.scenes.shared.tables.boxes import rect_of
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
@@ -33,9 +33,9 @@ class Row(NamedTuple):
     share: float | None = None
 
 
-def draw_ground(canvas: Canvas, look: Look, title: str, under: str) -> pygame.Rect:
+def draw_ground(canvas: Canvas, look: Look, column: Column, title: str, under: str) -> pygame.Rect:
     """The column's ground with its heading; its place, px."""
-    rect, px = rect_of(canvas, COLUMN), look.px
+    rect, px = rect_of(canvas, column.box), look.px
     draw_box(canvas.surface, rect, px(8), look.theme.panel, look.theme.line, look.border)
     x, space = rect.x + px(14), rect.w - px(28)
     look.text(
@@ -47,10 +47,10 @@ def draw_ground(canvas: Canvas, look: Look, title: str, under: str) -> pygame.Re
     return rect
 
 
-def draw_rows(canvas: Canvas, look: Look, rows: Sequence[Row], first: int = 0) -> None:
-    """Rows below each other, from that place on."""
-    for place, row in enumerate(rows, first):
-        _draw_row(canvas, look, rect_of(canvas, row_box(place)), row)
+def draw_rows(canvas: Canvas, look: Look, column: Column, rows: Sequence[Row], first: int = 0) -> None:
+    """Rows below each other, from that place on, as many as there is space for."""
+    for place, row in enumerate(rows[: max(column.rows - first, 0)], first):
+        _draw_row(canvas, look, rect_of(canvas, column.row_box(place)), row)
 
 
 def legible(look: Look) -> int:

@@ -1,0 +1,1 @@
+"""The pages of the papers on fluids of particles."""
