@@ -245,10 +245,12 @@ def test_what_the_water_gives_a_body_it_loses():
     assert abs(float(world.bodies.velocities[body, 0])) < 1e-9 * abs(float(world.bodies.velocities[body, 1]))
 
 
-def test_floats_raise_the_level_by_what_they_weigh():
+def test_ten_bodies_raise_the_level_by_what_they_weigh_or_fill():
+    """Five that float and five that lie on the floor."""
     world = solids()
-    for k in range(6):
-        world.add_body(box(0.05, 0.1, material=wood(0.4)), (0.125 + 0.15 * k, 0.42))
+    for k in range(5):
+        world.add_body(box(0.1, 0.1, material=wood(0.5)), (0.14 + 0.18 * k, 0.47))
+        world.add_body(Disc(0.04, material=wood(3.0)), (0.14 + 0.18 * k, 0.1))
     liquid, surface = pool(world, 64, 0.4)
     water, found = liquid.count * liquid.area, list[float]()
 
@@ -259,6 +261,7 @@ def test_floats_raise_the_level_by_what_they_weigh():
         if free.any():
             found.append(float(inside.sum()) / 64 / int(free.sum()))
 
-    run(world, liquid, surface, 1.0)
-    run(world, liquid, surface, 1.0, look)
-    assert float(np.mean(found)) == pytest.approx(water + 6 * 0.05 * 0.1 * 0.4, rel=0.01)
+    run(world, liquid, surface, 3.0)
+    run(world, liquid, surface, 2.0, look)
+    rise = 5 * (0.01 * 0.5 + math.pi * 0.04 * 0.04)
+    assert float(np.mean(found)) == pytest.approx(water + rise, rel=0.01)
