@@ -111,16 +111,16 @@ def test_a_step_ends_at_a_wall_and_not_beyond():
 
 
 def test_pressure_presses_nothing_light_into_a_wall():
-    """A light particle between a floor and heavy ones that come down on it stays where it is."""
+    """A light row on the floor, and heavy ones that come down on it: walls are known before places change."""
     fluid = ParticleFluid(0.05, [Liquid(1000.0), Liquid(10.0)], [[(0, 0), (1, 0), (1, 1), (0, 1)]])
-    fluid.add(lattice((0.0, 0.005), (1.0, 0.305), 0.05), 0, (0.0, -0.1))
+    fluid.add(lattice((0.0, -0.015), (1.0, 0.285), 0.05), 0, (0.0, -1.0))
     fluid.kind[:20] = 1
+    fluid.place[:20:2, 1] = 0.006
     work = fluid.scratch()
     work.gather(fluid)
-    follow_law(fluid, work, 0.002)
+    follow_law(fluid, work, 0.004)
     light = work.kind == 1
     assert float(np.min(work.place[light, 1])) >= 0.005 - 1e-12
-    assert float(np.min(work.place[:, 1])) >= 0.005 - 1e-12
 
 
 def density_of_a_row(walls):
