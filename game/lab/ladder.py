@@ -23,7 +23,7 @@ from game.billiards.game.frame import new_frame
 from game.billiards.game.games import EightBall
 from game.billiards.game.games.carom import Carom
 from game.billiards.game.rules import CUE_BALL
-from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame
+from game.billiards.game.snooker.frame import new_snooker_frame
 from game.billiards.game.snooker.rules import new_snooker
 from game.billiards.players import carom as carom_players_of
 from game.billiards.players import snooker as snooker_players_of
@@ -63,54 +63,73 @@ def play_game(family: str, players: tuple[str, str], seed: int) -> Game:
     return PLAYED[family](players, seed)
 
 
+class Called(NamedTuple):
+    """A game with pots, of either table: its beginning, and what differs between pool and snooker.
+
+    decide: (frame, grade, seed) to a decision. choose: (frame, option, seed) to the frame after it.
+    hand: (frame, stroke, grade, seed) to the stroke as the hand does it. settled: the frame for the next
+    stroke. put: (frame, x, y) with the cue ball there.
+    """
+
+    frame: Any
+    grades: tuple[Any, ...]
+    decide: Callable[[Any, Any, int], Any]
+    choose: Callable[[Any, str, int], Any]
+    hand: Callable[[Any, Any, Any, int], Any]
+    settled: Callable[[Any], Any]
+    put: Callable[[Any, float, float], Any]
+
+
 def _pool(players: tuple[str, str], seed: int) -> Game:
-    grades = tuple(pool_players()[name] for name in players)
     frame = new_frame(EightBall(players=players), seed=seed)
-    told = []
-    for turn in range(MOST_STROKES):
-        if frame.game.over:
-            break
-        mine = seed * 100_003 + turn
-        grade = grades[frame.game.turn]
-        made = decide(frame, grade, mine, threads=1)
-        if made.option:
-            frame = frame.choose(made.option, mine)
-            continue
-        if made.place is not None:
-            frame = frame.place_cue_ball(*made.place)
-        assert made.stroke is not None
-        if made.kind:
-            told.append(Told(grade.name, made.kind, made.chance))
-        stroke = stroke_of_hand(made.stroke, grade, mine + 50_021, float(frame.layout.balls.radii[CUE_BALL]))
-        frame = frame.play(stroke, made.call).frame
-    winner = frame.game.winner
-    return Game(None if winner is None else players[winner], tuple(told))
+    return _called(players, seed, Called(
+        frame, tuple(pool_players()[name] for name in players),
+        lambda frame, grade, mine: decide(frame, grade, mine, threads=1),
+        lambda frame, option, mine: frame.choose(option, mine),
+        lambda frame, stroke, grade, mine: stroke_of_hand(
+            stroke, grade, mine, float(frame.layout.balls.radii[CUE_BALL])
+        ),
+        lambda frame: frame,
+        lambda frame, x, y: frame.place_cue_ball(x, y),
+    ))  # fmt: skip
 
 
 def _snooker(players: tuple[str, str], seed: int) -> Game:
-    grades = tuple(snooker_players()[name] for name in players)
-    frame: Any = new_snooker_frame(new_snooker(players, 6, lot=seed))
-    told = []
+    def choose(frame: Any, option: str, mine: int) -> Any:
+        if option == "concede":
+            return frame.ruled(frame.snooker.concede())
+        return frame.choose(option).with_cue_ball()
+
+    return _called(players, seed, Called(
+        new_snooker_frame(new_snooker(players, 6, lot=seed)),
+        tuple(snooker_players()[name] for name in players),
+        lambda frame, grade, mine: snooker_players_of.decide_snooker(frame, grade, mine, threads=1),
+        choose,
+        lambda frame, stroke, grade, mine: snooker_players_of.hand_of(stroke, grade, mine),
+        lambda frame: frame.with_cue_ball(),
+        lambda frame, x, y: frame.move_cue_ball(x, y),
+    ))  # fmt: skip
+
+
+def _called(players: tuple[str, str], seed: int, game: Called) -> Game:
+    """Play a game with pots to its end."""
+    frame, told = game.frame, []
     for turn in range(MOST_STROKES):
         if frame.game.over:
             break
         mine = seed * 100_003 + turn
-        grade = grades[frame.game.turn]
-        made = snooker_players_of.decide_snooker(frame, grade, mine, threads=1)
-        if made.option == "concede":
-            frame = frame.ruled(frame.snooker.concede())
-            continue
+        grade = game.grades[frame.game.turn]
+        made = game.decide(frame, grade, mine)
         if made.option:
-            frame = frame.choose(made.option).with_cue_ball()
+            frame = game.choose(frame, made.option, mine)
             continue
         if made.place is not None:
-            frame = frame.move_cue_ball(*made.place)
+            frame = game.put(frame, *made.place)
         assert made.stroke is not None
         if made.kind:
             told.append(Told(grade.name, made.kind, made.chance))
-        stroke = snooker_players_of.hand_of(made.stroke, grade, mine + 50_021)
-        frame = frame.play(stroke, made.call).frame.with_cue_ball()
-    assert isinstance(frame, SnookerFrame)
+        stroke = game.hand(frame, made.stroke, grade, mine + 50_021)
+        frame = game.settled(frame.play(stroke, made.call).frame)
     winner = frame.game.winner
     return Game(None if winner is None else players[winner], tuple(told))
 

@@ -29,6 +29,7 @@ from game.scenes import (
     levitation,
     liquid,
     metal,
+    ocean,
     plates,
     pond,
     real_table,
@@ -94,5 +95,6 @@ CATALOGUE = Catalogue(
         *burning_cloth.ENTRIES,
         *trebuchet.ENTRIES,
         *candle.ENTRIES,
+        *ocean.ENTRIES,
     )
 )

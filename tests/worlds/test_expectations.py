@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+import pygame
 import pytest
 
 from game.levels import LevelError, level_files, load_level, parse_level
@@ -13,7 +15,11 @@ from game.scenes.skeletons.skinning import Skinning
 from game.scenes.spheres.scene import SphereCollisions
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
-from game.stage import Readout
+from game.stage import Frame, Readout
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
 from game.worlds.expectations import Caption, Expectation, captions_now, captions_of, draw_captions
 from tests.scenes.labels import labels_of
 from tests.scenes.particle_stages import open_level
@@ -155,6 +161,22 @@ def test_two_captions_stand_below_each_other():
     draw_captions(canvas, (0.0, 4.0), [Caption("a", True), Caption("b", False)])
     (_, first, *_, (_, upper)), (_, second, *_, (_, lower)) = canvas.drawn["a"], canvas.drawn["b"]
     assert (first, second) == ("green", "amber") and lower > upper
+
+
+def test_the_plate_lies_behind_all_the_words_and_beside_them_the_picture_is_seen():
+    """Wherever a letter stands there is the plate; it is as wide to the left of its words as to the right."""
+    surface = pygame.Surface((400, 200), 0, 32)
+    canvas, camera = Canvas(Look(DARK)), Camera()
+    camera.fit(Frame(-2.0, -1.0, 2.0, 1.0), surface.get_rect(), 0.0)
+    canvas.begin(surface, surface.get_rect(), camera)
+    surface.fill("#ff00ff")
+    draw_captions(canvas, (0.0, 0.8), [Caption("the longest line of them", True), Caption("short", False)])
+    bare = (pygame.surfarray.array3d(surface) == (255, 0, 255)).all(axis=2)
+    columns, rows = np.flatnonzero(~bare.all(axis=1)), np.flatnonzero(~bare.all(axis=0))
+    assert not bare[columns[0] : columns[-1] + 1, rows[0] : rows[-1] + 1].any()
+    wide = canvas.fonts.size("the longest line of them", 13, "semibold")[0]
+    assert len(columns) == pytest.approx(wide + 2 * 8, abs=2)
+    assert columns[0] + columns[-1] == pytest.approx(399, abs=2)
 
 
 @pytest.mark.parametrize(

@@ -266,7 +266,7 @@ class CareerCard(CardScreen):
         return {
             "player": self.player.name if self.player else "Your name",
             "game": f"Game: {game}",
-            "start": f"Head start: {start}",
+            "start": f"Start: {start}",
             "cup": ("In the tournament" if self.in_cup else "Beside the tournament")
             if running
             else "New tournament",

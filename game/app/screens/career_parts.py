@@ -40,7 +40,7 @@ def paint_ladder(
     player, game, chosen = shown
     px, theme, family = look.px, look.theme, REGISTER[game].family
     own = rating_of(player, family) or rating_of(player)
-    mine = f"you {own.points:.0f} ± {own.error:.0f}" if own is not None else "you: no match yet"
+    mine = f"you {own.points:.0f} ± {own.error:.0f}" if own is not None else f"you: {unrated(player)[0]}"
     look.text(picture, f"Ladder of {REGISTER[game].title}", (area.x, area.y + px(8)), 13, "semibold", "text1")
     look.text(picture, mine, (area.right, area.y + px(8)), 12, "semibold", "amber", "right")
     beaten = {one.match.opponent for one in player.results if one.victory and one.match.game == game}
@@ -63,6 +63,18 @@ def paint_ladder(
             draw_box(picture, rect.inflate(px(4), px(4)), px(10), None, theme.accent, max(2, px(2)))
 
 
+def unrated(player: Player) -> tuple[str, str, str]:
+    """Why a person has no rating yet: in a word or two, and in two lines."""
+    if player.results:
+        return (
+            "not rated yet",
+            "Matches with points given do not count for your rating.",
+            "Play one at level.",
+        )
+    first = "Your rating is worked out after the first match,"
+    return "no match yet", first, "on FargoRate's scale: 100 points are 2 : 1."
+
+
 def paint_rating(
     picture: pygame.Surface, look: Look, area: pygame.Rect, player: Player, chosen: tuple[str, str]
 ) -> None:
@@ -70,11 +82,7 @@ def paint_rating(
     history = [one.points for one in rating_history(player)]
     if not history:
         draw_box(picture, area, look.px(10), look.theme.inset)
-        words = (
-            "Your rating is worked out after the first match,",
-            "on FargoRate's scale: 100 points are 2 : 1.",
-        )
-        for k, line in enumerate(words):
+        for k, line in enumerate(unrated(player)[1:]):
             fitted = look.fonts.fit(line, 13, "medium", area.w - look.px(24))
             at = (area.centerx, area.centery + (2 * k - 1) * look.px(10))
             look.text(picture, fitted, at, 13, "medium", "text2", "center")

@@ -137,7 +137,7 @@ class FloatingView:
                 canvas.label((left + 0.5 * width, 0.5 * height), "not computed", "text2", 13)
                 continue
             words = title if math.isnan(took) else f"{title}: {canvas.figure(title, _price(took))} a step"
-            canvas.label((left + 0.5 * width, height), words, "text1", 15, "semibold", "bottom", (0.0, -2.0))
+            canvas.label((left + width, height), words, "text1", 15, "semibold", "bottomright", (0.0, -4.0))
 
     def _draw_marks(self, canvas: Canvas, pose: Floats) -> None:
         """Weight at G, lift at B, and the metacentre M above B."""

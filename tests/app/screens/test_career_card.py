@@ -5,11 +5,12 @@ import pygame
 import pytest
 
 from game.app.screens.career_card import CareerCard
+from game.app.screens.career_parts import unrated
 from game.app.screens.career_prizes import prize_words
 from game.app.screens.choices import ChoiceCard
 from game.app.screens.name_card import NameCard
 from game.app.stagehand.career_file import career_path, keep_career, read_career
-from game.billiards.career.career import Career, Match, Player
+from game.billiards.career.career import Career, Match, Player, Result, counted
 from game.billiards.career.matches import cup_match, opponents_at
 from game.billiards.career.prizes import PRIZES
 from game.billiards.game.register import REGISTER
@@ -149,3 +150,30 @@ def test_the_card_says_what_is_unlocked_and_what_unlocks_the_next():
     ]
     player = player.replace(unlocked=tuple(one.name for one in PRIZES))
     assert prize_words(player) == ["7 of 7, such as slate cloth", "Nothing is locked any more."]
+
+
+@pytest.mark.parametrize("start", [2, -2])
+def test_matches_that_do_not_count_are_not_called_none(start: int):
+    match = Match("straight-rail", "ines", start)
+    played = Player("Ana", results=(Result(match, "2026-01-01T10:00:00", 0, 1, False),))
+    assert unrated(Player("Ana"))[0] == "no match yet"
+    assert unrated(played)[0] == "not rated yet" and "do not count" in unrated(played)[1]
+    assert not counted(played.results)
+
+
+def test_a_tournament_may_be_played_with_fair_head_starts(driver):
+    """The choice stays with the tournament: its match is begun with the start, and counts for it."""
+    keep_career(Career((Player("Mia"),)))
+    driver.app.open_career()
+    driver.frames(15)
+    card = driver.top
+    card._take_game("straight-rail")
+    press(driver, "cup")
+    level = card.match
+    assert level is not None and level.cup and level.head_start == 0
+    press(driver, "start")
+    fair = card.match
+    assert fair == msgspec.structs.replace(level, head_start=fair.head_start)
+    assert fair.head_start != 0 and card.in_cup
+    press(driver, "play")
+    assert read_career().player.pending == fair

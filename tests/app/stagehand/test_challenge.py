@@ -113,3 +113,18 @@ def test_other_levels_are_no_challenge():
     made = Opening().make_stage(Billiards)
     made.run(2)
     assert day_of(made) == "" and ChallengeKeeper().update(made, False) is None
+
+
+@pytest.mark.parametrize(("mine", "theirs", "said"), [
+    (0.0, 0.02, "you are nearer"), (0.02, 0.0, "the other is nearer"),
+])  # fmt: skip
+def test_who_is_nearer_is_said_of_both_strokes(stage, mine, theirs, said):
+    elsewhere = Opening(level=write_challenge(DAY)).make_stage(Billiards)
+    elsewhere.run(2)
+    for decision in own(theirs):
+        elsewhere.post(decision)
+    text = settled(elsewhere).scene.given_text()
+    keeper = ChallengeKeeper()
+    play(stage, keeper, own(mine))
+    answer = play(stage, keeper, stage.scene.take_text(text), guest=True)
+    assert answer.consequence == f"Yours: {words_of(best_of(DAY).distance)}; {said}."

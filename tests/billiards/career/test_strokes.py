@@ -78,7 +78,8 @@ def test_the_csv_is_read_back_with_every_stroke():
     rows = list(csv.DictReader(io.StringIO(csv_of([fact(stray=0.25), fact(made=False)]))))
     assert [row["made"] for row in rows] == ["1", "0"]
     assert [row["position_error_m"] for row in rows] == ["0.2500", ""]
-    assert float(rows[0]["distance_m"]) == 0.5
+    figures = ("distance_m", "cut_deg", "chance", "cue_speed_m_s", "cushions_first")
+    assert [float(rows[0][name]) for name in figures] == [0.5, 10.0, 0.5, 2.0, 0.0]
 
 
 def frame_with(cue, ball):

@@ -174,3 +174,11 @@ def test_53_a_placed_position_has_entered_and_the_opening_has_not():
     assert game("one-cushion").coming_to(BOXED).counts == (0, 0)
     opening = Carom(kind="balkline-47-2")
     assert opening.coming_to(opening.start()).counts == (0, 0)
+
+
+def test_the_first_point_from_a_box_need_not_leave_it_where_two_are_given():
+    """53, 54: what the search must drive out is what the referee will ask for."""
+    for kind, first in (("balkline-47-2", 0), ("balkline-47-1", 1)):
+        entering = game(kind).coming_to(BOXED)
+        assert entering.inside == ENTERED
+        assert len(entering.must_leave(BOXED)) == first, kind

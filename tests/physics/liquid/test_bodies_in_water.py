@@ -8,6 +8,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from game.physics.effects import EffectSet
+from game.physics.fields import GRAVITY
 from game.physics.grid.layout import Grid
 from game.physics.hydrostatics import exact
 from game.physics.liquid import Liquid, LiquidSettings
@@ -219,12 +221,13 @@ def test_a_led_piston_is_handed_over():
 def test_what_the_water_gives_a_body_it_loses():
     """One step in a closed full box: water and body have what gravity and the walls gave them.
 
-    Floor and ceiling push by the pressure of the cells there.
+    Floor and ceiling push by the pressure of the cells there. The correction of the volume is left out: it
+    moves particles, and stands in the field beside the speeds.
     """
     n, r, s = 32, 0.2, 0.5
     world = solids()
     body = world.add_body(Disc(r, material=wood(s)), (0.5, 0.5))
-    liquid = Liquid(Grid(n, n, 1.0 / n), FINE, most=4 * n * n)
+    liquid = Liquid(Grid(n, n, 1.0 / n), FINE, most=4 * n * n, effects=EffectSet([GRAVITY]))
     liquid.set_solids(SolidSurface(world))
     liquid.add(liquid.lattice((0.0, 0.0), (1.0, 1.0)))
     dt = 1e-4
@@ -242,10 +245,12 @@ def test_what_the_water_gives_a_body_it_loses():
     assert abs(float(world.bodies.velocities[body, 0])) < 1e-9 * abs(float(world.bodies.velocities[body, 1]))
 
 
-def test_floats_raise_the_level_by_what_they_weigh():
+def test_ten_bodies_raise_the_level_by_what_they_weigh_or_fill():
+    """Five that float and five that lie on the floor."""
     world = solids()
-    for k in range(6):
-        world.add_body(box(0.05, 0.1, material=wood(0.4)), (0.125 + 0.15 * k, 0.42))
+    for k in range(5):
+        world.add_body(box(0.1, 0.1, material=wood(0.5)), (0.14 + 0.18 * k, 0.47))
+        world.add_body(Disc(0.04, material=wood(3.0)), (0.14 + 0.18 * k, 0.1))
     liquid, surface = pool(world, 64, 0.4)
     water, found = liquid.count * liquid.area, list[float]()
 
@@ -256,6 +261,7 @@ def test_floats_raise_the_level_by_what_they_weigh():
         if free.any():
             found.append(float(inside.sum()) / 64 / int(free.sum()))
 
-    run(world, liquid, surface, 1.0)
-    run(world, liquid, surface, 1.0, look)
-    assert float(np.mean(found)) == pytest.approx(water + 6 * 0.05 * 0.1 * 0.4, rel=0.01)
+    run(world, liquid, surface, 3.0)
+    run(world, liquid, surface, 2.0, look)
+    rise = 5 * (0.01 * 0.5 + math.pi * 0.04 * 0.04)
+    assert float(np.mean(found)) == pytest.approx(water + rise, rel=0.01)

@@ -191,3 +191,13 @@ def test_a_decision_of_the_map_is_reviewed_as_it_was_played():
     carom_stages.until_aiming(stage)
     told = stage.scene.coach.now()
     assert told is not None and told.made and told.tried.chance > 0.3
+
+
+def test_what_is_left_is_told_of_the_next_player_and_its_own_ball():
+    missed = played_at_carom(0.08)
+    if missed.scene.model.played.verdict.scored:
+        missed = played_at_carom(-0.08)
+    told = missed.scene.coach.now()
+    assert told is not None and (told.shooter, told.next_shooter) == ("Ada", "Ben")
+    assert told.left is not None and "yellow" not in told.left.words and "white" in told.left.words
+    assert told.best is not None and "white" not in told.best.words

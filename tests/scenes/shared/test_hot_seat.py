@@ -78,3 +78,20 @@ def test_without_the_choice_or_against_the_computer_play_goes_on():
 def test_the_card_counts_what_the_game_counts():
     rows = counts_of(settled(TABLES["snooker"]()).scene.model.frame.game)
     assert [row[0] for row in rows][:1] == ["Won"] and any(row[0] == "Points" for row in rows)
+
+
+def test_the_card_names_the_figures_of_the_first_player_first():
+    class Game:
+        won, points, high = (0, 2), (31, 7), (12,)
+
+    assert counts_of(Game()) == [("Won", "0", "2"), ("Points", "31", "7")]
+
+
+@pytest.mark.parametrize("seat", ["first_player", "second_player"])
+def test_the_card_is_for_two_persons_only(seat):
+    stage = TABLES["billiards"]()
+    struck(stage, 0.6)
+    stage.scene.parameters.hand_over = "card"
+    assert waits(stage.scene.course)
+    setattr(stage.scene.parameters, seat, "novice")
+    assert not waits(stage.scene.course)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import pytest
 
 from game.app.scene.film.strokes import FilmOfStrokes
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.deciding import Marked, deciding_of
+from game.billiards.game.deciding import Marked, deciding_of, with_marked
 from game.billiards.game.kinds import POINT
 from game.scenes.carom import layout as carom_layout
 from game.scenes.shared.tables.beside.figures import FOOT, TIGHTEST, UNDER_FOOT, Number, pitch_of
@@ -168,3 +169,24 @@ def test_figures_end_before_the_buttons_begin(captioned: bool):
         assert 2.0 * pitch + last <= room + 1e-9, room
         assert captions or captioned
     assert math.isclose(pitch_of(numbers[:1], 48.0, 60.0)[0], 48.0, abs_tol=15.0)
+
+
+def test_a_rack_ends_with_its_winner_and_points_are_those_of_the_shooter():
+    def played(before, after, winner=None):
+        players, turn = ("Ada", "Ben"), 0 if after[0] > before[0] else 1
+        first = SimpleNamespace(players=players, turn=turn, points=before)
+        then = SimpleNamespace(players=players, points=after, over=winner is not None, winner=winner)
+        struck = SimpleNamespace(frame=SimpleNamespace(game=first, strokes=0))
+        return struck, SimpleNamespace(
+            frame=SimpleNamespace(game=then), trajectory=SimpleNamespace(end_time=2.5)
+        )
+
+    line = ()
+    for before, after, winner in (((0, 0), (5, 0), None), ((5, 0), (9, 0), 0), ((0, 0), (4, 0), None),
+                                  ((4, 0), (4, 0), None)):  # fmt: skip
+        line = with_marked(line, *played(before, after, winner))
+    assert [one.rack for one in line] == [1, 1, 2, 2]
+    assert [one.winner for one in line] == ["", "Ada", "", ""]
+    assert [one.scored for one in line] == [5, 4, 4, 0]
+    assert [one.number for one in line] == [1, 2, 3, 4] and line[0].end_s == 2.5
+    assert line[3].shooter == "Ben"

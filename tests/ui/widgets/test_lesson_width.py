@@ -3,7 +3,7 @@
 import pygame
 import pytest
 
-from game.teaching import Teaching
+from game.teaching import NumberQuestion, Teaching
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
 from game.ui.widgets.lesson import FOLDED, UNFOLDED_FROM, WIDTH, LessonSheet
@@ -50,3 +50,15 @@ def test_it_is_folded_up_to_its_edges_width(look):
     for width, folded in ((look.px(FOLDED), True), (look.px(FOLDED) + 1, False)):
         lesson.place(pygame.Rect(0, 0, width, 400), look)
         assert lesson.is_folded == folded
+
+
+def test_a_press_elsewhere_ends_the_typing_and_one_on_the_field_begins_it(look):
+    lesson = LessonSheet(look)
+    lesson.show(Teaching(task="Look.", questions=[NumberQuestion(ask="How many?", value=3.0)]))
+    lesson.place(pygame.Rect(100, 0, look.px(WIDTH), 600), look)
+    lesson.draw(pygame.Surface((1200, 600)))
+    spot = next(spot.rect for spot in lesson.spots.spots if spot.name == "field-0")
+    for at, typing in ((spot.center, True), ((50, 300), False), (spot.center, True)):
+        for kind in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+            lesson.handle(pygame.Event(kind, pos=at, button=1))
+        assert lesson.typing == typing
