@@ -203,7 +203,7 @@ class SeaPainter:
         x, y = canvas.place((0.0, 0.0))
         scale = float(canvas.pixels_per_unit)
         eye = Eye(0.5 * (seen.left + seen.right), float(x - clip[0]), float(y), scale)
-        lowest = max((HORIZON - seen.bottom) / HORIZON, NEAREST + 0.05) * 1.25
+        lowest = max((HORIZON - seen.bottom) / HORIZON, NEAREST + 0.05) * 1.6
         if near:
             shrinks = np.linspace(lowest, NEAREST + 0.035, LAYERS_NEAR)
             veils = np.linspace(256.0, 205.0, LAYERS_NEAR).astype(np.int64)
