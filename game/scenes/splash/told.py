@@ -103,6 +103,8 @@ def names(model: SplashWorld) -> list[tuple[Point, str]]:
     found = []
     if math.isfinite(now.touched):
         found.append((places["crater"], f"crater {100.0 * now.crater():.0f} cm"))
+    else:
+        found.append((places["place"], f"water {100.0 * places['place'][1]:.0f} cm deep"))
     for x, y, size in now.pockets.tolist():
         tone = MINNAERT / (cell * math.sqrt(size / math.pi))
         found.append((((x + 0.5) * cell, (y + 0.5) * cell), f"air, {tone:.0f} Hz"))
