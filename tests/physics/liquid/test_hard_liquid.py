@@ -217,6 +217,63 @@ def test_open_sides_let_it_go_and_it_is_counted():
     assert liquid.count + liquid.account[1] == count == liquid.account[0]
 
 
+def test_a_film_of_one_cell_runs_down_a_wall_and_off_its_corner():
+    """It slides without friction, g sin a t along the wall, and then flies; none of it stays."""
+    world, turn = SolidWorld(SolidSettings()), -0.6
+    along, out = np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
+    middle = np.array([0.45, 1.3])
+    world.add_body(box(0.7, 0.1), tuple(middle), turn, kind="fixed")
+    liquid = tank(48, 64)
+    liquid.set_solids(SolidSurface(world))
+    places = liquid.lattice((0.0, 0.0), (1.5, 2.0))
+    x, y = (places - middle) @ along, (places - middle) @ out - 0.05
+    count = liquid.add(places[(np.abs(x + 0.2) < 0.1) & (y > 0.0) & (y < 1.0 / 32)])
+    start = float(((liquid.places - middle) @ along).mean())
+    energy = sum(liquid.energy())
+    run(liquid, 0.3)
+    slid = float(((liquid.places - middle) @ along).mean()) - start
+    assert slid == pytest.approx(0.5 * G * math.sin(-turn) * 0.3**2, rel=0.12)
+    assert (np.abs(liquid.solid_distance(liquid.places)) < 3.0 / 32).all()
+    run(liquid, 2.0)
+    assert liquid.count == count and sane(liquid) and sum(liquid.energy()) < energy
+    assert liquid.places[:, 1].max() < 0.5
+
+
+def test_a_wall_that_moved_takes_no_liquid_into_it():
+    """All that it covered is outside again after one sampling, and nothing is lost."""
+    world = SolidWorld(SolidSettings())
+    block = world.add_body(box(0.3, 0.3), (0.5, 0.8), kind="key-framed")
+    liquid = tank(32, 32)
+    surface = SolidSurface(world)
+    liquid.set_solids(surface)
+    count = liquid.add(liquid.lattice((0.0, 0.0), (1.0, 0.5)))
+    for place in ((0.5, 0.3), (0.3, 0.25), (0.7, 0.25)):
+        world.bodies.positions[block] = place
+        liquid.set_solids(surface)
+        assert (liquid.solid_distance(liquid.places) > -0.2 / 32).all()
+        run(liquid, 0.5)
+        assert sane(liquid) and liquid.count == count
+    run(liquid, 2.0)
+    liquid.refresh()
+    assert liquid.wet_area() == pytest.approx(count * liquid.area, rel=0.01)
+
+
+@pytest.mark.parametrize("carrier", [0, 1], ids=["flip", "apic"])
+def test_a_free_blob_keeps_its_momentum_and_has_no_more_energy_than_at_first(carrier):
+    """It turns and flies without gravity. Its surface lies between cells, where pressures on both sides of a
+    face are not each other's opposite: what is open is bounded.
+    """
+    liquid = tank(64, 64, 1.0 / 64, settings=LiquidSettings(carrier=carrier, gravity=0.0))
+    places = liquid.lattice((0.3, 0.3), (0.7, 0.7))
+    liquid.add(places[np.hypot(*(places - 0.5).T) < 0.15], (0.3, 0.1))
+    liquid.speeds[:] += (liquid.places - 0.5)[:, ::-1] * (-1.0, 1.0)
+    momentum, energy = liquid.speeds.mean(axis=0), sum(liquid.energy())
+    for _ in range(30):
+        liquid.advance(1.0 / 60.0)
+        assert sum(liquid.energy()) < energy
+    assert np.abs(liquid.speeds.mean(axis=0) - momentum).max() < 3e-4 * math.hypot(0.3, 0.1)
+
+
 @pytest.mark.parametrize(
     ("words", "more"),
     [

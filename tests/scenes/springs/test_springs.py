@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from game.levels import Level, LevelError, format_level, level_files, parse_level
+from game.physics.fields import GROUND
 from game.scenes.springs.level import SpringContent
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
@@ -132,6 +133,25 @@ def test_particles_are_dragged_while_it_runs(scene_type):
     stage.run(240)
     assert scene.model.system.positions[held, 1] < 2.9
     assert stage.fault is None
+
+
+@both
+@pytest.mark.parametrize("ground", [True, False])
+def test_what_is_dragged_stops_at_a_wall_and_goes_on_where_there_is_none(scene_type, ground):
+    stage = open_level(scene_type, "default")
+    stage.post(SetEffect(GROUND.name, ground))
+    stage.run(2)
+    model = stage.scene.model
+    for side, wall in zip((-1.0, 1.0), model.walls, strict=True):
+        press(stage, model.system.positions[20])
+        held = model.system.held
+        move(stage, (wall + 0.4 * side, 2.0))
+        stage.run(60)
+        assert model.system.positions[held] == pytest.approx(
+            (wall + 0.4 * side * (not ground), 2.0), abs=1e-9
+        )
+        release(stage, (0.0, 2.0))
+        stage.run(1)
 
 
 @both
