@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import pygame
 
 from game.app.scene.playing.standstill import Standstill, draw_signs
 
-if TYPE_CHECKING:
-    from game.app.scene.play import ScenePlay
-
 
 class PlayPicture:
-    """Draws what the parts of a scene in play show."""
+    """Draws what the parts of a scene in play show. play: a `ScenePlay`, which makes this one."""
 
-    def __init__(self, play: ScenePlay) -> None:
+    def __init__(self, play: Any) -> None:
         self._play = play
         self.standstill = Standstill()
 
