@@ -97,6 +97,16 @@ def test_the_slope_of_the_arm_is_the_metacentric_height():
         assert slope == pytest.approx(pose.height, rel=1e-5)
 
 
+def test_ballast_adds_its_mass_and_draws_the_centre_to_it():
+    lead = Ballast(0.0, -0.4, 0.05, 200.0)
+    floater, plain = make_floater(SQUARE, 400.0, [lead]), make_floater(SQUARE, 400.0)
+    assert floater.mass == pytest.approx(600.0) and floater.area == pytest.approx(1.0)
+    assert floater.centre == pytest.approx((0.0, -0.4 / 3.0))
+    apart = 400.0 * (0.4 / 3.0) ** 2 + 200.0 * (0.8 / 3.0) ** 2 + 0.5 * 200.0 * 0.05**2
+    assert floater.inertia == pytest.approx(plain.inertia + apart)
+    assert pose_at(floater, 0.0).draft == pytest.approx(0.6)
+
+
 @given(angle=st.floats(-3.1, 3.1), s=st.floats(0.05, 0.95))
 def test_the_arm_is_the_slope_of_the_energy(angle, s):
     floater, apart = make_floater(HOOK, 1000.0 * s), 1e-5

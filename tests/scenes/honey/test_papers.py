@@ -5,8 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from game.app.stagehand.headless import picture_of_stage
+from game.levels import level_files, load_level
 from game.physics.particle_fluids.walls import EXACT, NONE, PARTICLES, WEIGHTS
+from game.scenes.honey.level import HoneyContent
 from game.scenes.honey.papers import kernels, liquids, order, slime, vessels
+from game.scenes.honey.scene import Honey
+from game.stage import Stage
 
 
 def test_symmetric_pressures_make_no_momentum_and_plain_ones_do():
@@ -28,7 +33,9 @@ def test_kernels_fill_the_plane_once_and_viscosity_never_speeds_up():
     assert kernels._bend(kernels.POLY6, q) == pytest.approx(known, rel=1e-4, abs=1e-3)
     points, parts = np.polynomial.legendre.leggauss(8)
     at = 0.5 * (1.0 + points)  # the Laplacian of x² + y² is 4
-    assert np.sum(0.5 * parts * 2.0 * np.pi * at**3 * kernels._bend(kernels.VISCOUS, at)) == pytest.approx(4.0)
+    assert np.sum(0.5 * parts * 2.0 * np.pi * at**3 * kernels._bend(kernels.VISCOUS, at)) == pytest.approx(
+        4.0
+    )
 
 
 def test_densities_by_masses_jump_where_liquids_meet_and_those_by_volumes_do_not():
@@ -99,3 +106,12 @@ def test_ranks_are_places_in_memory():
     ranks = fluid.ranks()
     assert sorted(ranks.tolist()) == list(range(len(fluid.place)))
     assert np.array_equal(fluid.place[np.argsort(ranks)], fluid.scratch().place)
+
+
+def test_a_level_shows_where_particles_stand_in_memory():
+    path = next(path for path in level_files("honey") if path.stem == "z-order")
+    stage = Stage(Honey, level=load_level(path, "honey", HoneyContent))
+    stage.run(1)
+    picture = picture_of_stage(stage, (320, 180))
+    row = [tuple(picture.get_at((x, 150)))[:3] for x in range(70, 250)]
+    assert len(set(row)) > 60, "as many colours as there are turns of the curve"
