@@ -11,16 +11,16 @@ from game.app.compile.preparing import native_code_of
 from game.app.scene.banner import FaultBanner
 from game.app.scene.caption import LevelCaption
 from game.app.scene.film.films import Films
-from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
 from game.app.scene.keeping import keep_built
 from game.app.scene.lesson.lesson import Lesson
-from game.app.scene.pointer import ScenePointer
+from game.app.scene.playing.gate import Gate
+from game.app.scene.playing.picture import PlayPicture
+from game.app.scene.playing.pointer import ScenePointer
+from game.app.scene.playing.steps import Steps
+from game.app.scene.playing.stopping import Stopping
 from game.app.scene.shelf import Shelf
 from game.app.scene.shell import Shell
-from game.app.scene.standstill import Standstill, draw_signs
-from game.app.scene.steps import Steps
-from game.app.scene.stopping import Stopping
 from game.app.scene.story.play import StoryPlay
 from game.app.scene.tools.bench import Bench, ToolsCard
 from game.app.scene.tools.charts import Charts
@@ -61,7 +61,7 @@ class ScenePlay:
         self.charts = Charts(host, self.record, shell)
         self.passing = Passing(host, self.record, self.post)
         self.stopping = Stopping()
-        self.standstill = Standstill()
+        self.picture = PlayPicture(self)
         self._pace = 1.0  # of the level in play
         self._frame = stage.scene.frame()  # that the view was fitted to
         self.story: StoryPlay | None = None
@@ -398,37 +398,4 @@ class ScenePlay:
 
     def draw(self, surface: pygame.Surface) -> None:
         """The scene and its shell; as they were while a thread is at work in the scene."""
-        errands = self.record.errands
-        if errands.inside:
-            self.standstill.show(surface)
-        else:
-            self.standstill.end()
-            self._draw(surface)
-            errands.shown()
-        if self.story is not None:
-            self.story.draw_bar(surface)
-        if self.story is None or self.story.journey.share is None:  # its bar says how far a jump has come
-            self.standstill.tell(surface, self.host.look, self.view.rect, errands.seconds)
-
-    def _draw(self, surface: pygame.Surface) -> None:
-        self.steps.seen = True
-        layout = self.shell.layout
-        pictureless = self.stopping.hides(self.stage)
-        if pictureless or layout.free_stage != layout.stage:  # else the scene's picture covers it
-            surface.fill(self.host.look.theme.stage, layout.stage)
-        if not pictureless:
-            self.view.draw(surface, self.shell.beat.fresh)
-            if self.story is not None:
-                self.story.draw_words(surface)
-        if self.story is None:
-            self.caption.draw(surface)
-        if not pictureless:
-            self.bench.draw(surface, layout.free_stage)
-        self.films.see(surface, layout.free_stage)
-        watched = f"{self.record.watched} · a touch takes over" if self.record.watched else ""
-        lost = self.story is None and not pictureless and self.view.lost
-        way_home = f"Out of view · {self.host.keys.label('view')} shows all of it" if lost else ""
-        draw_signs(surface, self.host.look, layout, (watched, self.films.words, way_home))
-        self.shell.bare = self.stopped or not self.view.teaching
-        self.shell.draw(surface, self.stage, () if self.shell.bare else self.stage.scene.legend())
-        self.banner.draw(surface)
+        self.picture.draw(surface)

@@ -22,7 +22,7 @@ STEP = 4  # px from one sample of a cut to the next
 HORIZON, AWAY = 4.2, 27.0  # m over the water, and before the boat: of the eye
 NEAREST, FARTHEST = 1.0, 0.012  # of the shrinking of what is at the boat
 BREAKS, WHITE = 0.15, 0.36  # of gravity: where foam begins, and is full
-LAYERS_FAR, LAYERS_NEAR = 64, 50
+LAYERS_FAR, LAYERS_NEAR = 52, 42
 
 
 Triple = tuple[float, float, float]
@@ -114,7 +114,7 @@ def see_sea(rows, shrinks, eye, light, grain, gravity, sums, tops, colors):
             bare = 1.0 - facing
             mirror = 0.03 + 0.9 * bare * bare * bare * bare * (0.55 + 0.45 * bare)
             rx, ry, rz = 2.0 * facing * nx - vx, 2.0 * facing * ny - vy, 2.0 * facing * nz - vz
-            up = min(max(ry, 0.0), 1.0) ** 0.6
+            up = math.sqrt(min(max(ry, 0.0), 1.0))
             shine = max(rx * light.to[0] + ry * light.to[1] + rz * light.to[2], 0.0)
             shine2 = shine * shine
             shine8 = shine2 * shine2 * shine2 * shine2

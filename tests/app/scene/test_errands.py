@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from game.app.scene.errands import Errands
-from game.app.scene.standstill import PATIENCE_S, Standstill
+from game.app.scene.playing.standstill import PATIENCE_S, Standstill
 from game.stage import SetEffect, SetParameter
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK

@@ -4,7 +4,7 @@ import example_scene
 import pygame
 import pytest
 
-from game.app.scene.pointer import ScenePointer
+from game.app.scene.playing.pointer import ScenePointer
 from game.stage import Frame
 from game.ui.canvas.camera import Camera
 
@@ -104,11 +104,11 @@ def test_scene_may_take_wheel_and_right_button(monkeypatch: pytest.MonkeyPatch, 
 
 
 def test_who_has_panned_everything_away_is_told_the_key_home(start, monkeypatch):
-    from game.app.scene import play
+    from game.app.scene.playing import picture
 
     driver, said = start(), []
     screen = driver.open("example")
-    monkeypatch.setattr(play, "draw_signs", lambda surface, look, layout, lines: said.append(lines))
+    monkeypatch.setattr(picture, "draw_signs", lambda surface, look, layout, lines: said.append(lines))
     driver.frames(2)
     assert not screen.play.view.lost and not any("Out of view" in line for line in said[-1])
     screen.play.view.camera.pan(4000.0, 0.0)

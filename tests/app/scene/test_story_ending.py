@@ -171,7 +171,7 @@ def test_the_legend_leaves_the_way_back_free(told: Driver, monkeypatch):
 
 def test_work_is_not_told_of_over_the_bar(told: Driver):
     seen = []
-    told.top.play.standstill.tell = lambda surface, look, stage, seconds: seen.append(stage)
+    told.top.play.picture.standstill.tell = lambda surface, look, stage, seconds: seen.append(stage)
     told.frames(2)
     assert seen and not any(rect.colliderect(play_of(told).bar.rect) for rect in seen)
     seen.clear()

@@ -18,6 +18,7 @@ from game.billiards.game.rules import Call
 from game.billiards.players.daily import challenge_of
 from game.scenes.billiards.opponents.thinking import decision_of
 from game.scenes.billiards.scene import Billiards
+from game.stage import Action
 
 DAY = "2026-11-23"
 
@@ -128,3 +129,12 @@ def test_who_is_nearer_is_said_of_both_strokes(stage, mine, theirs, said):
     play(stage, keeper, own(mine))
     answer = play(stage, keeper, stage.scene.take_text(text), guest=True)
     assert answer.consequence == f"Yours: {words_of(best_of(DAY).distance)}; {said}."
+
+
+def test_a_stroke_that_is_taken_back_is_not_answered(stage):
+    keeper = ChallengeKeeper()
+    assert play(stage, keeper, own()) is not None
+    stage.post(Action("undo"))
+    stage.run(3)
+    assert stage.scene.scored.strokes == 0
+    assert keeper.update(stage, False) is None

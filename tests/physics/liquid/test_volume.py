@@ -129,3 +129,10 @@ def test_the_room_of_cells_is_what_solids_leave():
         space = float(liquid.obstacles.faces.volume.sum())
         assert float(room.sum()) == pytest.approx(space, rel=0.01), kind
         assert math.isclose(float(room[-8:].mean()), 1.0)
+
+
+def test_a_cell_that_stands_alone_is_never_more_than_full():
+    liquid = tank(1)
+    liquid.add(np.random.default_rng(1).uniform(0.5, 0.5 + 1.0 / N, (64, 2)))
+    liquid.refresh()
+    assert liquid.wet_area() <= 9.0 / (N * N) < liquid.count * liquid.area

@@ -14,7 +14,7 @@ import pygame
 import pytest
 
 import game
-from game.app.scene.gate import Gate
+from game.app.scene.playing.gate import Gate
 from game.billiards.lecture.settings import LectureSettings
 from game.scenes.lecture_table.parameters import LectureTableParameters
 from game.scenes.lecture_table.scene import LectureTable

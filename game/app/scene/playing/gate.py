@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from game.app.scene.in_play import InPlay
 from game.app.scene.keeping import presses
-from game.app.scene.pointer import ScenePointer
+from game.app.scene.playing.pointer import ScenePointer
 from game.app.screens.host import Host
 from game.stage import ParameterError, Pointer, SetParameter, StageEvent
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
 from game.app.scene.keeping import Keeper
+from game.app.scene.playing.gate import Gate
 from game.app.screens.host import Host
 from game.app.stagehand.career_keeper import CareerKeeper
 from game.app.stagehand.challenge import ChallengeKeeper
