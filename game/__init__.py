@@ -1,3 +1,3 @@
 """Carom: a physics arcade on one fixed-timestep core."""
 
-__version__ = "0.3.0"
+__version__ = "0.4.0"
