@@ -1,8 +1,10 @@
 """Strokes of a match are counted for ever, shown as charts, and written as CSV by button and command."""
 
 import csv
+import json
 import math
 
+import msgspec
 import pytest
 
 from game.app.commands import run_command_line
@@ -90,3 +92,13 @@ def test_a_damaged_file_is_kept_aside_and_a_later_one_left(tmp_path, monkeypatch
     strokes_path().write_text('{"format": 9}')
     assert "format 9" in keep_stroke("Mia", FACT)
     assert strokes_path().read_text() == '{"format": 9}'
+
+
+def test_strokes_that_were_kept_before_cushions_were_counted_are_read(tmp_path, monkeypatch):
+    monkeypatch.setenv("CAROM_HOME", str(tmp_path))
+    older = msgspec.to_builtins(FACT)
+    del older["cushions"]
+    strokes_path().write_text(json.dumps({"format": 1, "strokes": {"Mia": [older]}}))
+    assert read_strokes() == {"Mia": [FACT]} and FACT.cushions == 0
+    keep_stroke("Mia", FACT)
+    assert json.loads(strokes_path().read_text())["format"] == 2 and read_strokes() == {"Mia": [FACT, FACT]}
