@@ -4,7 +4,7 @@ from threading import current_thread, main_thread
 
 import pytest
 
-from game.app.scene import steps as steps_module
+from game.app.scene.playing import steps as steps_module
 from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.stage import Action, SetParameter, Stage

@@ -7,7 +7,7 @@ import pytest
 
 from game.app.stagehand.headless import prepare
 from game.app.stagehand.view import StageView
-from game.scenes.billiards.view.beside.rows import LEAST
+from game.scenes.shared.tables.beside.rows import LEAST
 from game.ui.look.layout import auto_scale
 from game.ui.look.look import Look
 from game.ui.look.theme import theme_named
