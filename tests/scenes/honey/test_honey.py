@@ -63,7 +63,7 @@ def test_every_level_goes_on_and_misses_no_particle(path):
     assert measured(stage, "particles missing") == 0.0
     assert np.isfinite(fluid.place).all() and np.isfinite(fluid.velocity).all()
     if path.stem != "hard-03-one-spot":  # six in each place have far to go
-        assert measured(stage, "density error") < 0.12
+        assert measured(stage, "mean error") < 0.12
 
 
 @pytest.mark.parametrize("speed", [0.5, 1.7, 6.0])
@@ -133,9 +133,9 @@ def test_every_search_finds_the_same_fluid(search):
 
 def test_light_liquid_rises_and_the_heavy_one_sinks():
     stage = opened("two-liquids")
-    first = measured(stage, "first liquid's height")
+    first = measured(stage, "first's height")
     stage.run(240)
-    assert measured(stage, "first liquid's height") > first + 0.15
+    assert measured(stage, "first's height") > first + 0.15
 
 
 def test_warm_wax_rises_and_heat_can_be_left_out():
