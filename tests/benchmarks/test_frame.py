@@ -51,7 +51,7 @@ def test_large_menu_scrolls(tmp_path: Path, benchmark):
 
 @pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
 def test_scene_frame(driver: Driver, benchmark, name: str):
-    """A whole frame at 1280 x 720 with panel and charts, two steps in it, also of a story that begins slowly."""
+    """A whole frame at 1280 x 720 with panel and charts, two steps in it, also of a story in slow motion."""
     driver.open(name)
     frames = 120 if benchmark.enabled else 30
     driver.frames(2)
