@@ -103,8 +103,10 @@ def charts(model: OceanWorld) -> dict[str, Comparison]:
 
 
 def hearing(model: OceanWorld) -> Hearing:
-    """Wind, waves that break and run along the hull, water that laps as it rolls, rain, a sail that flaps;
-    blows, the boom, cracks of cloth."""
+    """Wind, rain, waves that break and run along the hull, water that laps as it rolls.
+
+    Also a sail that flaps, blows, the boom, cracks of cloth.
+    """
     along, across = model.wind()
     strong = elementary.length(along - float(model.boat.pose[SPEED]), across)
     sea = 0.1 + min(model.sea.significant() / BREAKS, 1.0) * 0.3
