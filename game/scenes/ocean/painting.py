@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
 from game.worlds.painting.clouds import Sun, Weather
-from game.worlds.painting.sea import Light, Triple
+from game.worlds.painting.sea.cuts import Light, Triple
 
 # by day and late; of each fair weather and a storm
 SKIES = (
@@ -32,7 +30,7 @@ LIGHTS = (
 
 
 def light_of(late: bool, storm: float, sun: Triple) -> Light:
-    """Between fair weather (0) and a storm (1). sun: where it is, from the eye, m."""
+    """Between fair weather (0) and a storm (1). sun: its direction in fair weather."""
     fair, bad = LIGHTS[late]
 
     def mixed(one: Triple, other: Triple) -> Triple:
@@ -40,6 +38,5 @@ def light_of(late: bool, storm: float, sun: Triple) -> Light:
         return red, green, blue
 
     deep, thin, shine, foam = (mixed(one, other) for one, other in zip(fair[:4], bad[:4], strict=True))
-    far = math.hypot(*sun)
-    to = mixed((sun[0] / far, sun[1] / far, sun[2] / far), bad.to)
+    to = mixed(sun, bad.to)
     return Light(deep, thin, shine, foam, to, fair.glint + (bad.glint - fair.glint) * min(1.5 * storm, 1.0))

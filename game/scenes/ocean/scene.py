@@ -13,7 +13,7 @@ from game.scenes.ocean.world import OceanWorld
 from game.stage import Equation, Hint, SceneAction, Strip
 from game.worlds.painting.clouds import warm_up_sky
 from game.worlds.painting.polygons import warm_up_painter
-from game.worlds.painting.sea import warm_up_sea
+from game.worlds.painting.sea.painter import warm_up_sea
 from game.worlds.scene import Parts, Told, WorldScene
 
 

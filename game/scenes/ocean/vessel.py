@@ -12,7 +12,7 @@ from game.scenes.ocean.boat import CORNERS, HEEL, MAST, PITCHED, SWUNG, UP, Boat
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.boards import paint_quads
 from game.worlds.painting.inks import channels, color_of, packed
-from game.worlds.painting.sea import Light, projected
+from game.worlds.painting.sea.cuts import Light, projected
 
 ANTIFOUL, TOPSIDE, STRIPE, DECK, KEEL = 0x8E3A2C, 0xF1EADB, 0x2C5E7A, 0xC69A62, 0x3A3E44
 CLOTH, SEAM, SPAR, CABIN, GLASS, ROPE = 0xB9552C, 0x7E3419, 0xC8964E, 0xEFE6D2, 0x32505E, 0xD8CBB0

@@ -21,7 +21,8 @@ from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
 from game.worlds.painting.clouds import BRIGHT, draw_sky
 from game.worlds.painting.inks import color_of
-from game.worlds.painting.sea import AWAY, HORIZON, SeaPainter, Wake, crests_of, projected, shrink
+from game.worlds.painting.sea.cuts import AWAY, HORIZON, Wake, projected, shrink
+from game.worlds.painting.sea.painter import SeaPainter, Water
 
 DRIFT = 7.0  # px/s of clouds
 MIRRORED = 6.5  # m to both sides, in which the water mirrors the boat
@@ -52,17 +53,17 @@ class OceanView:
         shift = DRIFT * canvas.k * model.time + 0.6 * sailed
         sky = draw_sky(canvas, HORIZON, SKIES[late], sun, shift, storm)
         tall = sky.turns.shape[0] / canvas.pixels_per_unit if sky is not None else 1.0
-        light = light_of(late, storm, ((sun.across - 0.5) * (seen.right - seen.left), sun.up * tall, AWAY))
+        to = (sun.across - 0.5) * (seen.right - seen.left), sun.up * tall, AWAY
+        far = math.hypot(*to)
+        light = light_of(late, storm, (to[0] / far, to[1] / far, to[2] / far))
         bands = sky.bands if sky is not None else np.zeros((2, BRIGHT, 3))
         rows, gravity, wind = model.sea.rows, model.gravity(), model.wind()
-        strong = math.hypot(*wind)
-        water = {
-            "light": light, "sky": bands[0] + storm * (bands[1] - bands[0]), "wind": strong, "gravity": gravity,
-            "moves": np.array((math.fmod(sailed, 512.0), 0.0)), "crests": crests_of(rows, strong, gravity),
-            "haze": storm, "wake": self._wake(gravity),
-        }  # fmt: skip
+        water = Water(
+            rows, light, bands[0] + storm * (bands[1] - bands[0]), gravity, math.hypot(*wind),
+            np.array((math.fmod(sailed, 512.0), 0.0)), storm, self._wake(gravity),
+        )  # fmt: skip
         self.painter.ripples.make(rows, wind, sailed, model.time)
-        self.painter.paint(canvas, rows, near=False, **water)
+        self.painter.paint(canvas, water, near=False)
         pose = self.vessel.pose(previous, alpha)
         pixels, clip = canvas.raster_target
         edges = [int(canvas.place((x, 0.0))[0]) for x in (-MIRRORED, MIRRORED)]
@@ -70,7 +71,7 @@ class OceanView:
         bare = pixels[:, left:right].copy()
         self._draw_drops(canvas, eye, True)
         self.vessel.draw(canvas, eye, pose, light, wind)
-        self.painter.paint(canvas, rows, near=True, bare=bare, beside=left, **water)
+        self.painter.paint(canvas, water, True, bare, left)
         self._draw_drops(canvas, eye, False)
         self._draw_rain(canvas, eye, late)
         self._asked = canvas.asked

@@ -34,7 +34,8 @@ from game.worlds.world import Kept, Whole, World
 SLAM, BOOM, CRACK = range(3)  # sounds
 HEARD_BLOW, LEAST_BLOW = 150.0, 25.0  # N s of a blow that sounds as one of 1 m/s does; of the least
 SPRAY_BLOW = 0.25  # m/s of a section into the water, from which drops fly
-# of the air: m/s, mm/h, m/s; of a crest: m, m, s; how much of the sky is a storm's, 0 to 1
+# wind, rain, a gust of the hand: m/s, mm/h, m/s; a crest, its way and since when: m, m, s; a storm's share
+# of the sky
 NOW, RAINS, GUST, CREST, WAY, SINCE, STORM = range(7)
 STORM_WIND, STORM_RAIN, FAIR_WIND = 17.0, 30.0, 8.0  # m/s, mm/h that are a storm; m/s of fair weather
 TURNS = 4.0  # s in which a sky turns
@@ -70,9 +71,7 @@ def height_by_law(wind: float, fetch: float, gravity: float) -> float:
 
 
 class OceanWorld(World):
-    """``air`` (7,): wind and rain now, a gust of the hand, the crest that is followed (m from the boat,
-    the way it has made and since when), the sky. Places are beside the boat, which stands at x = 0.
-    """
+    """``air`` (7,), see NOW. Places are beside the boat, which stands at x = 0."""
 
     state_type = OceanState
     content: OceanContent

@@ -25,8 +25,10 @@ BRIGHT = 32  # places of the colours by height
 
 
 class Weather(NamedTuple):
-    """Colours above, at the horizon, of clouds in light and in shade; how much is covered, 0 to 1; how much
-    of the clouds is billows, 0 to 1, and not wide masses."""
+    """Colours above, at the horizon, of clouds in light and in shade.
+
+    cover: 0 to 1. fine: how much of the clouds is billows, 0 to 1, and not wide masses.
+    """
 
     above: int
     low: int
@@ -75,7 +77,7 @@ def paint_sky(pixels, clip, top, foot, sky, shift, weather, shine):
                 ink = sky.pixels[0, j, i]
                 cloud, red, green, blue = ink >> 24, ink >> 16 & 255, ink >> 8 & 255, ink & 255
                 if not fair:
-                    new = (weather * (1.0 + FRONT + SOFT) - sky.turns[j, i]) / SOFT
+                    new = (weather * (FRONT + SOFT) - sky.turns[j, i]) / SOFT
                     share = int(256.0 * min(max(new, 0.0), 1.0))
                     other = sky.pixels[1, j, i]
                     cloud += ((other >> 24) - cloud) * share >> 8
@@ -162,9 +164,9 @@ def sky_of(rows: int, width: int, kinds: tuple[Weather, Weather], sun: Sun) -> S
     far = np.sqrt(x[None, :] ** 2 + 1.5 * y * y)
     strong = sun.bright * (0.55 * np.exp(-3.4 * far) + 0.75 * np.exp(-11.0 * far))
     disc = 2.4 * smoothstep(1.15 * SUN_SIZE, 0.85 * SUN_SIZE, np.sqrt(x[None, :] ** 2 + y * y))
-    flare = channels(sun.ink) * (strong + disc)[..., None]
+    flare = np.minimum(channels(sun.ink) * (strong + disc)[..., None], 500.0).astype(np.int32)
     return Sky(
-        pixels, np.asarray(turns, np.float32), rings, np.ascontiguousarray(np.minimum(flare, 500.0), np.int32), bands,
+        pixels, np.asarray(turns, np.float32), rings, flare, bands,
     )  # fmt: skip
 
 
@@ -188,7 +190,8 @@ def draw_sky(
 def warm_up_sky() -> None:
     """Compile what paints, on a tiny picture."""
     sky = Sky(
-        np.zeros((2, 4, 8), np.int64), np.zeros((4, 8), np.float32), np.full(4, 8), np.zeros((4, 8, 3), np.int32),
+        np.zeros((2, 4, 8), np.int64), np.zeros((4, 8), np.float32), np.full(4, 8),
+        np.zeros((4, 8, 3), np.int32),
         np.zeros((2, BRIGHT, 3)),
     )  # fmt: skip
     paint_sky(np.zeros((8, 8), np.uint32), np.array((0, 0, 8, 8), np.int64), 0, 4, sky, 0.0, 0.5, 1.0)

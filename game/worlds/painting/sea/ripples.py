@@ -7,12 +7,11 @@ steep the finest are, the wind says: Cox and Munk (1954) measured the mean squar
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.arrays import Floats
+from game.arrays import Floats, Longs
 from game.compiler.decorator import lean_kernel
 
 SIDE, CELLS, LEVELS = 8.0, 256, 8  # m, cells along each side, levels: each half as fine across as the last
@@ -29,9 +28,9 @@ def mean_square_slope(wind: float) -> float:
     return STILL + BY_WIND * wind
 
 
-def is_short(rows: Floats) -> Floats:
+def is_short(rows: Floats) -> NDArray[np.bool_]:
     """(n,) whether waves (n, 5), see `Sea`, are those of the tile."""
-    return np.asarray(np.hypot(rows[:, 1], rows[:, 2]) > math.tau / LONGEST)
+    return np.asarray(np.hypot(rows[:, 1], rows[:, 2]) > math.tau / LONGEST, dtype=np.bool_)
 
 
 @lean_kernel
@@ -55,8 +54,10 @@ def halve(found, tiles):
 
 
 class Ripples:
-    """``tiles`` (LEVELS, CELLS, CELLS, 2): slopes along x and z in UNITs, by x and z of a place. ``rough`` (LEVELS
-    + 1,): mean squares of the slope that each has lost, the last all of it."""
+    """``tiles`` (LEVELS, CELLS, CELLS, 2): slopes along x and z in UNITs, by x and z of a place.
+
+    ``rough`` (LEVELS + 1,): mean squares of the slope that each has lost, the last all of it.
+    """
 
     def __init__(self) -> None:
         self.tiles: NDArray[np.int16] = np.zeros((LEVELS, CELLS, CELLS, 2), np.int16)
@@ -90,9 +91,9 @@ class Ripples:
         along = self._whole[0] * (math.tau / SIDE)
         phases = self._phases + along * math.fmod(sailed, SIDE) - np.copysign(self._rates, with_wind) * time
         self._spectrum[:] = 0.0
-        self._add(*self._whole, high, phases)
+        self._add(self._whole, high, phases)
         for n in range(len(short)):  # two may come to the same place of the lattice
-            self._add(*whole[:, n : n + 1], short[n : n + 1, 0], short[n : n + 1, 4])
+            self._add(whole[:, n : n + 1], short[n : n + 1, 0], short[n : n + 1, 4])
         found = np.fft.ifft2(self._spectrum)
         halve(found.view(np.float32).reshape(CELLS, CELLS, 2), self.tiles)
         powers = []
@@ -101,8 +102,9 @@ class Ripples:
             powers.append(2.0 * float(np.mean(part * part)))
         self.rough[:] = np.maximum(powers[0] - np.array([*powers, 0.0]), 0.0)
 
-    def _add(self, i: Any, j: Any, high: Floats, phases: Floats) -> None:
-        """Waves of whole numbers i along x and j along z, no two alike."""
+    def _add(self, whole: Longs, high: Floats, phases: Floats) -> None:
+        """Waves that stand so many times (2, n) in the tile along x and z, no two alike."""
+        i, j = whole
         half = (0.5 * CELLS * CELLS) * high * np.exp(1j * phases)
         slopes = 1j * (i + 1j * j) * (math.tau / SIDE)  # along x, and as the imaginary part along z
         self._spectrum[i % CELLS, j % CELLS] += slopes * half
