@@ -63,11 +63,14 @@ class CupResult(Entry, frozen=True):
 
 
 class RunningCup(Entry, frozen=True):
-    """A tournament that goes on. seed: of the matches that others play."""
+    """A tournament that goes on. seed: of the matches that others play. fair: its matches are played with
+    fair head starts.
+    """
 
     game: Word
     knockout: Knockout
     seed: Count
+    fair: bool = False
 
 
 class Hand(Entry, frozen=True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
 from game.billiards.career.bracket import EIGHT, draw, play_on
@@ -97,7 +98,8 @@ def cup_match(player: Player) -> Match | None:
     if player.name not in pair:
         return None
     other = pair[1] if pair[0] == player.name else pair[0]
-    return Match(player.cup.game, other, 0, cup=True)
+    start = fair_head_start(player, other, player.cup.game) if player.cup.fair else 0
+    return Match(player.cup.game, other, start, cup=True)
 
 
 def _played_on(player: Player) -> Player:
@@ -112,7 +114,8 @@ def _played_on(player: Player) -> Player:
         chance = race_chance(chance_of(strengths[0] - strengths[1]), needed, needed)
         return a if np.random.default_rng((cup.seed, match)).random() < chance else b
 
-    return player.replace(cup=RunningCup(cup.game, play_on(cup.knockout, player.name, decide), cup.seed))
+    knockout = play_on(cup.knockout, player.name, decide)
+    return player.replace(cup=msgspec.structs.replace(cup, knockout=knockout))
 
 
 def with_result(player: Player, result: Result) -> Player:
@@ -127,7 +130,7 @@ def _with_result(player: Player, result: Result) -> Player:
     winner = player.name if result.victory else result.match.opponent
     cup = after.cup
     knockout = cup.knockout.with_winner(winner)
-    after = _played_on(after.replace(cup=RunningCup(cup.game, knockout, cup.seed)))
+    after = _played_on(after.replace(cup=msgspec.structs.replace(cup, knockout=knockout)))
     assert after.cup is not None
     if after.cup.knockout.champion:
         reached = after.cup.knockout.reached(player.name)

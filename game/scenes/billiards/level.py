@@ -20,6 +20,7 @@ from game.billiards.shot.balls import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, linear
+from game.scenes.shared.tables.seats.cup import Round
 from game.worlds.entries.entry import LevelEntry
 
 # the cushions' model needs a nose below the top of every ball, 1.27 R0 < 2 R: R > 0.635 R0
@@ -71,6 +72,7 @@ class BestPlayed(LevelEntry, frozen=True, kw_only=True):
 class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a billiards level.
 
+    cup: of which round of a cup the match is.
     target: points that win a game of straight pool. alternating: in a combination match players take turns
     also after a stroke that counted.
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
@@ -86,6 +88,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
         "run-drill", "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
     ] = "eight-ball"  # fmt: skip
     players: tuple[Name, Name] = ("Ada", "Ben")
+    cup: Round = ""
     calling: Literal["all", "eight", "none"] = "none"
     alternating: bool = False
     target: Annotated[int, msgspec.Meta(ge=1, le=1000)] = TARGET

@@ -175,7 +175,7 @@ class CaromHand(Part):
         elif name == "undo":
             course.undo()
         elif name == "next":
-            course.next_game()
+            course.next_one()
         elif name == "film-strokes":
             if course.may_film:
                 course.films += 1

@@ -12,6 +12,7 @@ from game.billiards.game.games.artistic import AnyCarom, Artistic
 from game.billiards.game.games.carom import Carom
 from game.billiards.game.games.carom_kinds import Kind
 from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
+from game.scenes.shared.tables.seats.cup import Round
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
 Across = Annotated[float, msgspec.Meta(ge=0.0, le=CAROM_WIDTH)]  # m
@@ -24,11 +25,13 @@ class CaromContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_o
     """[content] of a level of carom.
 
     white, yellow, red: places (x, y) m; left out, all three lie in the starting position. practice: one
-    player, without an end. saved: a game under way, as msgspec writes it.
+    player, without an end. cup: of which round of a cup the match is. saved: a game under way, as msgspec
+    writes it.
     """
 
     game: Kind = "three-cushion"
     players: tuple[Name, Name] = ("Ada", "Ben")
+    cup: Round = ""
     white: Place | None = None
     yellow: Place | None = None
     red: Place | None = None

@@ -20,6 +20,7 @@ from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
 from game.scenes.shared.tables.eye.choices import SIDES
 from game.scenes.shared.tables.eye.inset import Inset
 from game.scenes.shared.tables.grip import NOTHING, Grip, Held
+from game.scenes.shared.tables.seats.cup import after_match
 from game.scenes.snooker import layout
 from game.scenes.snooker.columns import COLUMN
 from game.scenes.snooker.course import Course
@@ -60,7 +61,7 @@ class SnookerHand(Part):
             if course.may_film:
                 rows.append(("film-strokes", "Film", False))
             words = "Again" if game.drill else "New match" if game.match_over else "Next frame"
-            rows.append(("rack", words, True))
+            rows.append(("rack", after_match(course) or words, True))
         elif course.may_aim:
             rows.append(("strike", "Strike", True))
         return rows
@@ -291,7 +292,7 @@ class SnookerHand(Part):
         elif name == "view":
             course.next_guide()
         elif name == "rack":
-            course.next_frame()
+            course.next_one()
         elif name == "lock":
             course.locked = not course.locked
         elif name == "concede" and course.person_plays:
@@ -309,7 +310,7 @@ class SnookerHand(Part):
         if course.phase in (ROLLING, REPLAY):
             course.skip()
         elif course.phase == AIMING and course.model.game.over:
-            course.next_frame()
+            course.next_one()
         elif course.may_aim:
             course.strike_by_hand()
 

@@ -18,6 +18,7 @@ from game.billiards.table.snooker import (
 )
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
 from game.physics.kernels import elementary
+from game.scenes.shared.tables.seats.cup import Round
 
 MOUTH = 0.045  # m; a ball may stand so far outside the noses' lines, in a pocket's mouth
 OVERLAP = 1e-6  # m; balls that a stroke has left touching overlap by rounding
@@ -37,6 +38,7 @@ class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_onl
 class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a level of snooker.
 
+    cup: of which round of a cup the match is.
     balls: where they lie; left out, all are set up for the break-off. spotted: colours on their spots
     besides. after_red: a colour is on. free_ball: the striker has one. points: of both at the start.
     practice: one player; drill: a break that a miss ends, one pot, or one ball on to be hit, again and
@@ -45,6 +47,7 @@ class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw
 
     game: Literal["snooker", "six-red"] = "snooker"
     players: tuple[Name, Name] = ("Ada", "Ben")
+    cup: Round = ""
     balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=22)] = []
     spotted: tuple[Number, ...] = ()
     after_red: bool = False

@@ -107,7 +107,7 @@ class CaromView:
             return
         draw_call(canvas, look, layout.TABLE, carom_call(played.verdict), course.called_s)
         if game.ended and len(game.players) == 2:
-            draw_card(canvas, look, layout.TABLE, counted_of(game, course.frame_s))
+            draw_card(canvas, look, layout.TABLE, counted_of(course))
 
     def _draw_play(self, canvas: Canvas, drawn: Drawn | None, furniture: Furniture, balls: Balls) -> None:
         """What lies and moves on the table, from above; the view from the cue."""

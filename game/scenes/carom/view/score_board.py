@@ -18,6 +18,7 @@ from game.scenes.shared.tables.choices import player_words
 from game.scenes.shared.tables.course import PERSON, REPLAY
 from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.referee.card import Counted, time_words
+from game.scenes.shared.tables.seats.cup import after_match
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -165,17 +166,23 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
         "replay": course.phase == REPLAY or course.model.frame.last is not None,
         "film-strokes": course.may_film,
     }.get(name, True)
-    main = usable and (name == "play" or (name in ("eye", "coach") and getattr(course.parameters, name)))
+    main = usable and (
+        name == "play"
+        or (name == "next" and bool(after_match(course)))
+        or (name in ("eye", "coach") and getattr(course.parameters, name))
+    )
     fill = look.theme.accent if main else look.theme.inset
     draw_box(canvas.surface, box, look.px(6), fill, None if main else look.theme.line, look.border)
     said = {("strike", "rolling"): "To the end", ("replay", REPLAY): "Back"}
     words = said.get((name, course.phase), BUTTON_WORDS[name])
+    words = (after_match(course) if name == "next" else "") or words
     color = "on_accent" if main else "text1" if usable else "text3"
     look.text(canvas.surface, words, box.center, 12, "semibold", color, "center")
 
 
-def counted_of(game: Carom, seconds: float) -> Counted:
-    """What the card at the end of a game of so many s says."""
+def counted_of(course: Course) -> Counted:
+    """What the card at the end of a game says."""
+    game, seconds = course.model.frame.game, course.frame_s
     title = "Drawn" if game.winner is None else f"{game.players[game.winner]} wins"
     first, second = (
         (str(game.points[k]), str(game.innings[k]), f"{game.average(k):.2f}", str(game.high_runs[k]))
@@ -183,4 +190,5 @@ def counted_of(game: Carom, seconds: float) -> Counted:
     )
     heads = ("Points", "Innings", "Average", "High run")
     rows = (*zip(heads, first, second, strict=True), ("Time", "", time_words(seconds)))
-    return Counted(title, (game.players[0], game.players[1]), rows, "N: next game     U: undo")
+    foot = f"N: {after_match(course).lower() or 'next game'}     U: undo"
+    return Counted(title, (game.players[0], game.players[1]), rows, foot)

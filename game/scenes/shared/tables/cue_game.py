@@ -112,6 +112,10 @@ class CueGameScene(Scene):
     def contest(self) -> Contested | None:
         return contest_of(self.course)
 
+    @property
+    def round_wanted(self) -> int:
+        return int(self.course.rounds)
+
     def stroke_measured(self) -> StrokeMeasured | None:
         return stroke_of(self.course)
 

@@ -143,7 +143,7 @@ class SnookerView:
             assert isinstance(before, Snooker)
             draw_call(canvas, look, layout.TABLE, snooker_call(before, played.verdict), course.called_s)
         if frame.game.over and len(frame.game.players) == 2:
-            draw_card(canvas, look, layout.TABLE, counted_of(frame, course.frame_s))
+            draw_card(canvas, look, layout.TABLE, counted_of(course))
 
     def _magnify(
         self, canvas: Canvas, sight: Sight, balls: Balls, place: tuple[float, float], foul: bool

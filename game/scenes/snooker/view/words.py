@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from game.billiards.game.rules import ShotSummary
-from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.game.snooker.stroke import Seen, contact_penalties, on_words
 from game.billiards.players.ladder import BY_NAME
@@ -14,6 +13,7 @@ from game.billiards.table.snooker import name_of
 from game.scenes.shared.tables.choices import PERSON, player_words
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.tables.referee.card import Counted, share_words, time_words
+from game.scenes.shared.tables.seats.cup import after_match
 from game.scenes.shared.thinker import Thinker
 from game.scenes.snooker.coach import legality_for
 from game.scenes.snooker.course import Course
@@ -175,8 +175,9 @@ def legality_to_come(course: Course) -> Legality:
     return legality_for(course.model.game, course.call)
 
 
-def counted_of(frame: SnookerFrame, seconds: float) -> Counted:
-    """What the card at the end of a frame of so many s says."""
+def counted_of(course: Course) -> Counted:
+    """What the card at the end of a frame says."""
+    frame, seconds = course.model.frame, course.frame_s
     game = frame.snooker
     assert game.winner is not None
     title = f"{game.players[game.winner]} wins the {'match' if game.match_over else 'frame'}"
@@ -186,5 +187,5 @@ def counted_of(frame: SnookerFrame, seconds: float) -> Counted:
     )
     heads = ("Points", "Highest break", "Pots", "Fouls")
     rows = (*zip(heads, first, second, strict=True), ("Time", "", time_words(seconds)))
-    again = "Enter: new match" if game.match_over else "Enter: next frame"
-    return Counted(title, (game.players[0], game.players[1]), rows, f"{again}     U: undo")
+    following = after_match(course).lower() or ("new match" if game.match_over else "next frame")
+    return Counted(title, (game.players[0], game.players[1]), rows, f"Enter: {following}     U: undo")
