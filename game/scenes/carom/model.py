@@ -51,7 +51,8 @@ class CaromModel(Part):
         """A game at its beginning, with the head start of one of two players."""
         if len(game.players) != 2 or (content.saved and not game.opening):
             return game
-        return msgspec.structs.replace(game, points=ahead(self.parameters.head_start))
+        start = ahead(self.parameters.head_start)
+        return msgspec.structs.replace(game, points=start, given=start)
 
     def configure(self, active: EffectSet) -> None:
         """Let the cloth, the ends of the game and the effects act from the next stroke on."""
@@ -189,6 +190,8 @@ def _said(frame: CaromFrame) -> object:
     last, game = frame.last, msgspec.to_builtins(frame.game)
     if not frame.game.anchored:  # the word of a game without anchors stays what it was before these
         del game["anchored"]
+    if not any(frame.game.given):  # nor does that of a game at level change
+        del game["given"]
     return (
         game, frame.places, frame.physics, frame.strokes,
         None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),
