@@ -44,7 +44,8 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
 
     target: points that end it, 0 for none. most_innings: of each player, 0 for no limit. equalise: the second
     player has as many innings as the first. points, innings (begun), high_runs, safeties (in a row), won
-    (games): of each player. given: points of each that are a head start. run: points of this inning. inside: ENTERED or INSIDE while both object balls lie
+    (games): of each player. given: points of each that are a head
+    start. run: points of this inning. inside: ENTERED or INSIDE while both object balls lie
     in one barred corner or box, else 0; anchored: the same of one anchor. alone_with: the
     ball that a player without another one plays. opening: the stroke is made from the starting position.
     ended: the game has ended; winner: None too if it is drawn.

@@ -106,7 +106,7 @@ class SnookerView:
             draw_walk(canvas, frame.table, self.opponents.walk)
         if sight is not None and place is not None:
             self._magnify(canvas, sight, balls, place, bool(foul))
-        lines = lines_of(sight) if sight is not None else []
+        lines = lines_of(sight, BALL_RADIUS) if sight is not None else []
         seen = Seen(balls, lines, ghost_of(sight, BALL_RADIUS, bool(foul)))
         self._eye.draw_inset(canvas, Furniture(frame.table, dress, draw_lines), seen)
         self._draw_around(canvas, sight)
