@@ -20,6 +20,7 @@ from game.billiards.career.career import LONGEST_NAME, Career, Match, Player
 from game.billiards.career.matches import (
     cup_match,
     fair_head_start,
+    is_newcomer,
     new_cup,
     next_opponent,
     opponents_at,
@@ -31,6 +32,11 @@ from game.ui.widgets.list_row import ListRow
 
 LEFT, GAP, FOOT, BUTTON = 268, 20, 84, 38  # design px: width of the ladder, between columns, foot, buttons
 FAIR, LEVEL = "fair", "level"
+NEWCOMERS, EIGHT_PLAYERS = "newcomers", "eight"
+CUPS = (
+    ListRow("Newcomers' cup", "two short matches with the weakest three, half an hour", value=NEWCOMERS),
+    ListRow("Tournament of eight", "three rounds with the strongest", value=EIGHT_PLAYERS),
+)
 NAME = Question("Your name", "It stands on the score board, and your career is kept under it.", "Begin", "",
                 "A name of your own", LONGEST_NAME)  # fmt: skip
 BUTTONS = ("player", "game", "start", "cup", "statistics", "play")  # from the left
@@ -75,7 +81,8 @@ class CareerCard(CardScreen):
         if player is None:
             return None
         match = (cup_match(player) if self.in_cup else None) or Match(self.game, self.opponent)
-        start = fair_head_start(player, match.opponent, match.game) if self.start == FAIR else 0
+        short = match.cup and player.cup is not None and player.cup.newcomers
+        start = fair_head_start(player, match.opponent, match.game, short) if self.start == FAIR else 0
         return msgspec.structs.replace(match, head_start=start)
 
     @property
@@ -153,8 +160,17 @@ class CareerCard(CardScreen):
             self.in_cup = not self.in_cup
             self.refresh()
         else:
-            self.in_cup = True
-            self._keep(self.career.with_player(new_cup(player, self.game, time.time_ns() % 1_000_000)))
+            first = NEWCOMERS if is_newcomer(player) else EIGHT_PLAYERS
+            self.host.open_choices("Tournament", CUPS, self._take_cup, first)
+
+    def _take_cup(self, kind: str) -> None:
+        """A tournament of a kind begins; who plays is in it."""
+        player = self.player
+        if player is None:
+            return
+        self.in_cup = True
+        seed = time.time_ns() % 1_000_000
+        self._keep(self.career.with_player(new_cup(player, self.game, seed, kind == NEWCOMERS)))
 
     def _open_games(self) -> None:
         """The list of all games that are registered."""

@@ -34,7 +34,8 @@ def begin_match(career: Career, match: Match) -> Begun:
     career = career.with_player(player.replace(pending=match))
     complaint = keep_career(career)
     entry = REGISTER[match.game]
-    length = length_of(entry)
+    short = match.cup and player.cup is not None and player.cup.newcomers
+    length = length_of(entry, short)
     opponent = BY_NAME[match.opponent].title if match.opponent in BY_NAME else match.opponent
     parameters = {
         "first_player": "person", "second_player": match.opponent,
