@@ -57,6 +57,8 @@ class SnookerHand(Part):
             rows.append(("concede", "Claim" if claims else "Sure?" if sure else "Concede", claims or sure))
         if game.may_restart and len(game.players) == 2:
             rows.append(("restart", "Stalemate", False))
+        if course.learning.lesson is not None:
+            rows.append(("lesson", "Next lesson", course.learning.best > 0))
         if game.over:
             if course.may_film:
                 rows.append(("film-strokes", "Film", False))
@@ -291,6 +293,8 @@ class SnookerHand(Part):
             parameters.eye = not parameters.eye
         elif name == "view":
             course.next_guide()
+        elif name == "lesson":
+            course.learning.go_on()
         elif name == "rack":
             course.next_one()
         elif name == "lock":

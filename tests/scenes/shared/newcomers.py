@@ -1,4 +1,4 @@
-"""How long the newcomers' cup takes: its matches are played by programs, one of them in the person's place."""
+"""How long the newcomers' cup takes: programs play its matches, one of them in the person's place."""
 
 from __future__ import annotations
 

@@ -106,7 +106,8 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None, t
     rect = rect_of(canvas, layout.FOOT)
     frame = course.model.frame
     y = rect.y + look.px(10)
-    said = " ".join(frame.words) or figure_words(frame.game)
+    lesson = course.learning.lesson
+    said = " ".join(frame.words) or (lesson.says if lesson is not None else figure_words(frame.game))
     if said:
         words = look.fonts.fit(said, 13, "semibold", rect.w)
         look.text(canvas.surface, words, (rect.x + look.px(4), y), 13, "semibold",
@@ -168,14 +169,15 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
     }.get(name, True)
     main = usable and (
         name == "play"
-        or (name == "next" and bool(after_match(course)))
+        or (name == "next" and bool(course.learning.best or after_match(course)))
         or (name in ("eye", "coach") and getattr(course.parameters, name))
     )
     fill = look.theme.accent if main else look.theme.inset
     draw_box(canvas.surface, box, look.px(6), fill, None if main else look.theme.line, look.border)
     said = {("strike", "rolling"): "To the end", ("replay", REPLAY): "Back"}
     words = said.get((name, course.phase), BUTTON_WORDS[name])
-    words = (after_match(course) if name == "next" else "") or words
+    if name == "next":
+        words = "Next lesson" if course.learning.best else after_match(course) or words
     color = "on_accent" if main else "text1" if usable else "text3"
     look.text(canvas.surface, words, box.center, 12, "semibold", color, "center")
 

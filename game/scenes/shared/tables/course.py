@@ -13,6 +13,7 @@ from game.billiards.shot.cue import speed_ratio
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.lessons.lesson import Learning
 from game.scenes.shared.tables.moments import OFF, decider, pace_at, slowed_s
 from game.scenes.shared.tables.seats.cup import goes_on
 from game.scenes.shared.tables.seats.hot_seat import waits
@@ -42,7 +43,7 @@ class CueCourse(Part):
     from_side: a replay is seen from its side, slowly about the moments that decide. marked: the strokes of
     the match as they counted; films: how often a film of those that decided it has been asked for.
     advised: number of strokes at which the coach was asked last, coached: how often in this frame.
-    rounds: how often the next round of a cup has been asked for.
+    rounds: how often the next round of a cup has been asked for. learning: how a lesson goes.
     """
 
     model: Any
@@ -73,6 +74,7 @@ class CueCourse(Part):
         self.marked: tuple[Marked, ...] = ()
         self.films = 0
         self.rounds = 0
+        self.learning = Learning(model.content.lesson, model.seen, model.name_of)
         self.advised = -1
         self.coached = 0
         self._seed = seed
@@ -242,6 +244,8 @@ class CueCourse(Part):
             self.marked = with_marked(self.marked, self.model.frame.last, self.model.played)
             self.model.settle()
             self.called_s = 0.0
+            if self.learning.lesson is not None and not self.plays_itself:
+                self.model.put_back(self.learning.judged())
             self.start_phase(AIMING)
 
     @property

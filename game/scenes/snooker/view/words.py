@@ -12,6 +12,7 @@ from game.billiards.search.legality import Legality
 from game.billiards.table.snooker import name_of
 from game.scenes.shared.tables.choices import PERSON, player_words
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
+from game.scenes.shared.tables.lessons.lesson import star_words
 from game.scenes.shared.tables.referee.card import Counted, share_words, time_words
 from game.scenes.shared.tables.seats.cup import after_match
 from game.scenes.shared.thinker import Thinker
@@ -107,7 +108,9 @@ def _card(course: Course, thinker: Thinker, player: int, title: str) -> Card:
         parts.append(f"needs {needed} snooker{'s' * (needed > 1)}")
     if game.high[player]:
         parts.append(f"highest {game.high[player]}")
-    if game.drill:
+    if course.learning.stars is not None:
+        parts = [star_words(*course.learning.stars)]
+    elif game.drill:
         parts = [f"{game.made} of {game.attempts} made" if game.attempts else "first try", *parts[1:]]
     grade = course.grade_of(player)
     name = game.players[player]
@@ -147,6 +150,8 @@ def line_of(course: Course) -> Line:
     if frame.words:
         lead, *why = frame.words
         return Line(lead, " ".join(why), frame.foul)
+    if course.learning.lesson is not None:
+        return Line(course.learning.lesson.says)
     if game.options:
         return Line(f"{game.shooter} chooses.", "A free ball." if game.free_ball else "")
     if not course.person_plays or game.over:
