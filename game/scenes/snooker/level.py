@@ -43,7 +43,8 @@ class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw
     balls: where they lie; left out, all are set up for the break-off. spotted: colours on their spots
     besides. after_red: a colour is on. free_ball: the striker has one. points: of both at the start.
     practice: one player; drill: a break that a miss ends, one pot, or one ball on to be hit, again and
-    again. lesson: what the level teaches, with one stroke at a time. saved: a game under way, as msgspec writes it; put_back: where the balls lay before a miss in it.
+    again. lesson: what the level teaches, with one stroke at a time.
+    saved: a game under way, as msgspec writes it; put_back: where the balls lay before a miss in it.
     """
 
     game: Literal["snooker", "six-red"] = "snooker"

@@ -25,7 +25,8 @@ def content_of(model: SnookerModel) -> SnookerContent:
     return SnookerContent(
         game=model.content.game, players=model.content.players, cup=model.content.cup, balls=balls,
         practice=model.content.practice,
-        drill=model.content.drill, lesson=model.content.lesson, saved=msgspec.to_builtins(model.game), put_back=_put_back(model),
+        drill=model.content.drill, lesson=model.content.lesson,
+        saved=msgspec.to_builtins(model.game), put_back=_put_back(model),
     )  # fmt: skip
 
 

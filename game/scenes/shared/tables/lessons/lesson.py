@@ -1,4 +1,4 @@
-"""A lesson of a level: one set-up, one stroke, and a goal for each star; after every stroke the same again."""
+"""A lesson of a level: one set-up, one stroke, a goal for each star; after every stroke the same again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The goals of a lesson or a drill on the cloth: rings where balls must stop, pockets where they must fall."""
+"""The goals of a lesson or a drill on the cloth: rings where balls must stop, pockets where they fall."""
 
 from __future__ import annotations
 
