@@ -60,8 +60,8 @@ class Goal(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_default
 
 def balls_of(goal: Goal) -> frozenset[int]:
     """Numbers of the balls that a goal speaks of."""
-    places = (one.ball for one in (*goal.pots, *goal.zones))
-    return frozenset((*places, *goal.cue_touches, *goal.untouched))
+    potted, resting = (one.ball for one in goal.pots), (one.ball for one in goal.zones)
+    return frozenset((*potted, *resting, *goal.cue_touches, *goal.untouched))
 
 
 def stars_of(goals: Sequence[Goal], shot: ShotSummary) -> int:
