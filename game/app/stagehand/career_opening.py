@@ -25,8 +25,8 @@ class Begun(NamedTuple):
 
 
 def begin_match(career: Career, match: Match) -> Begun:
-    """Keep a match as the one that is played now, and say how its table is opened. ValueError if nobody
-    plays.
+    """Keep a match as the one that is played now, and say how its table is opened. ValueError without
+    a player.
     """
     player = career.player
     if player is None:

@@ -96,8 +96,8 @@ def is_newcomer(player: Player) -> bool:
 
 
 def new_cup(player: Player, game: str, seed: int, newcomers: bool = False) -> Player:
-    """A tournament begins: the person, and the seven strongest of the ladder; in the newcomers' cup its
-    three weakest, in short matches, of a shorter game if need be. ValueError while one goes on.
+    """A tournament begins: the person, and the seven strongest of the ladder. The newcomers' cup has its
+    three weakest, short matches, and a shorter game if need be. ValueError while one goes on.
     """
     if player.cup is not None:
         raise ValueError("tournament: one goes on")
