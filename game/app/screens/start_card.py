@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import pygame
 
 from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.host import Host
-from game.app.stagehand.career_file import load_career
 from game.app.stagehand.level_index import lessons_of, next_lesson
 from game.app.stagehand.opening import Opening
 from game.app.window.commands import Actions
-from game.billiards.career.prizes import locked
 from game.stage.catalogue import Entry
 from game.stage.declarations import StartLine
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
+
+if TYPE_CHECKING:
+    from game.billiards.career.prizes import Prize
 
 ROW, LEAST_ROW, LABELS, FEW_LABELS, ROOMY = 56, 36, 240, 108, 640  # design px
 SEGMENT, BUTTON, PLAY_WIDTH, FOOT = 34, 48, 232, 100  # design px
@@ -34,6 +35,14 @@ class Below(NamedTuple):
     kept: Callable[[], bool]
 
 
+def _locked(family: str) -> dict[tuple[str, str], Prize]:
+    """What a career has not unlocked yet. Imported here, since ratings bring the compiler with them."""
+    from game.app.stagehand.career_file import load_career
+    from game.billiards.career.prizes import locked
+
+    return locked(load_career()[0].player, family)
+
+
 class StartCard(CardScreen):
     """Segments, remembered as the next choice; Enter plays, Esc leads back to the menu."""
 
@@ -45,7 +54,7 @@ class StartCard(CardScreen):
         self.below = below
         self.lines = entry.start_lines()
         self.chosen = {line.parameter: line.default for line in self.lines}
-        self.locked = locked(load_career()[0].player, entry.name)
+        self.locked = _locked(entry.name)
         remembered = host.settings.start.get(entry.name, {})
         for line in self.lines:
             value = remembered.get(line.parameter, line.default)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -29,6 +28,7 @@ from game.physics.kernels import elementary
 from game.physics.liquid import LiquidState
 from game.physics.solids import Disc, Material, Polygon, SolidState, box
 from game.physics.solids.mass import polygon_mass
+from game.scenes.floating.by_law import ByLaw
 from game.scenes.floating.level import FloatingContent
 from game.scenes.floating.parameters import FloatingParameters
 from game.scenes.floating.shapes import SHAPES, outline_of
@@ -37,12 +37,9 @@ from game.settings import taken
 from game.worlds.hands.hand import NOBODY
 from game.worlds.members.solids import Solids
 from game.worlds.members.water import DENSITY, Water
-from game.worlds.stopwatch import Stopwatch
-from game.worlds.world import Kept, Member, World
+from game.worlds.world import Kept, World
 
 LEAD = 0.022  # m: radius of ballast
-PARTS = 8  # of a step, by hydrostatics
-HERTZ, DAMPING = 3.0, 0.7  # of the hand's spring
 OF_BODY = ("shape", "weight", "ballast", "tilt", "hinge")
 
 
@@ -60,42 +57,6 @@ class FloatingWorldState(NamedTuple):
     drawn: Floats
     lead_at: Floats
     periods: Floats
-
-
-class ByLaw(Member):
-    """``body``: by hydrostatics. held: point of it (from its centre) that a hand pulls to ``goal``, m."""
-
-    def __init__(self, body: FloatingBody):
-        self.body, self.watch = body, Stopwatch()
-        self.held: Point | None = None
-        self.goal: Point = (0.0, 0.0)
-
-    def step(self, dt: float) -> None:
-        self.body.pull[:] = self._pull()
-        with self.watch.time("step"):
-            self.body.step(dt, PARTS)
-
-    def _pull(self) -> tuple[float, float, float]:
-        """The hand's force N and torque N m."""
-        if self.held is None:
-            return 0.0, 0.0, 0.0
-        pose, floater = self.body.pose, self.body.floater
-        ((x, y),) = self.body.placed(np.array([self.held])).tolist()
-        rx, ry = x - float(pose[X]), y - float(pose[Y])
-        whole = floater.mass + DENSITY * floater.area
-        stiff = whole * elementary.square(math.tau * HERTZ)
-        slow = 2.0 * DAMPING * math.sqrt(stiff * whole)
-        vx, vy = float(pose[VX] - pose[SPIN] * ry), float(pose[VX + 1] + pose[SPIN] * rx)
-        fx, fy = stiff * (self.goal[0] - x) - slow * vx, stiff * (self.goal[1] - y) - slow * vy
-        share = floater.inertia / (floater.inertia + floater.mass * (rx * rx + ry * ry))
-        fx, fy = share * fx, share * fy
-        return fx, fy, rx * fy - ry * fx
-
-    def state(self) -> tuple[Any, ...]:
-        return (self.body.state(),)
-
-    def restore(self, fields: Iterator[Any]) -> None:
-        self.body.restore(next(fields))
 
 
 class FloatingWorld(World):

@@ -56,10 +56,10 @@ class Honey(WorldScene):
     )
     actions = tool_keys(TOOLS, "tool-")
     strips = (
-        Strip("Density", "", ("density error", "densest")),
+        Strip("Density", "", ("mean error", "densest")),
         Strip("Energy", "J/m", ("motion", "height energy")),
-        Strip("Mean height", "m", ("mean height", "first liquid's height"),
-              sometimes=("mean height", "first liquid's height")),
+        Strip("Mean height", "m", ("mean height", "first's height"),
+              sometimes=("mean height", "first's height")),
     )  # fmt: skip
     equations = (
         Equation(

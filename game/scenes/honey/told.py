@@ -26,12 +26,12 @@ def readouts(model: HoneyWorld) -> list[Readout]:
     warm = fluid.temperature() if count else np.zeros(1)
     first = fluid.place[fluid.kind == 0, 1]
     return [
-        Readout("density error", fluid.error), Readout("densest", fluid.worst),
+        Readout("mean error", fluid.error), Readout("densest", fluid.worst),
         Readout("motion", motion, "J/m"), Readout("height energy", height, "J/m"),
         Readout("fastest", float(speed), "m/s"),
         Readout("area", count * cell, "m²"),
         Readout("mean height", float(np.mean(fluid.place[:, 1])) if count else math.nan, "m"),
-        Readout("first liquid's height", float(np.mean(first)) if len(first) else math.nan, "m"),
+        Readout("first's height", float(np.mean(first)) if len(first) else math.nan, "m"),
         Readout("front", float(np.max(fluid.place[:, 0])) if count else math.nan, "m"),
         Readout("warmest", float(np.max(warm)), "K"),
         Readout("heat", float(np.sum(fluid.heat)) * cell, "K m²"),

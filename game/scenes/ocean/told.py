@@ -10,7 +10,7 @@ from game.arrays import Point
 from game.physics.kernels import elementary
 from game.physics.waves.sea import LEVEL, full_height
 from game.scenes.ocean import world
-from game.scenes.ocean.boat import HEAVE_S, PITCHED, ROLL_S, SPEED, UP
+from game.scenes.ocean.boat import BEAM, HEAVE_S, PITCHED, RISING, ROLL_S, ROLLING, SPEED, UP
 from game.scenes.ocean.weather import RAIN_FALLS
 from game.scenes.ocean.world import NOW, RAINS, OceanWorld, height_by_law
 from game.stage import Comparison, Hearing, Readout, Steady
@@ -20,6 +20,7 @@ from game.worlds.hearing import ROOM, wind
 NAMES = {world.SLAM: "ground", world.BOOM: "wood", world.CRACK: "rustle"}
 HALF = 12.0  # m beside the boat that are all on one side
 POURS, BREAKS, DEAFENING = 40.0, 3.0, 6.0  # mm/h of rain, m of waves, m/s of cloth that are as loud as can be
+LAPPING = 1.0  # m/s of a hull that rolls and rises: as loud as that can be
 ARM_UP_TO = 180
 
 
@@ -102,14 +103,19 @@ def charts(model: OceanWorld) -> dict[str, Comparison]:
 
 
 def hearing(model: OceanWorld) -> Hearing:
-    """Wind, waves that break and run along the hull, rain, a sail that flaps; blows, the boom, cracks of
-    cloth."""
+    """Wind, rain, waves that break and run along the hull, water that laps as it rolls.
+
+    Also a sail that flaps, blows, the boom, cracks of cloth.
+    """
     along, across = model.wind()
     strong = elementary.length(along - float(model.boat.pose[SPEED]), across)
     sea = 0.1 + min(model.sea.significant() / BREAKS, 1.0) * 0.3
-    rush = 0.25 * min(abs(float(model.boat.pose[SPEED])) / 4.0, 1.0)
+    pose = model.boat.pose
+    rush = 0.25 * min(abs(float(pose[SPEED])) / 4.0, 1.0)
+    laps = elementary.length(0.5 * BEAM * float(pose[ROLLING]), float(pose[RISING]))
     steady = [
         ROOM, wind(0.8 * strong), Steady("rubble", 0.5 * sea, 0.2), Steady("sliding", 0.5 * rush, 0.0),
+        Steady("water", 0.3 * min(laps / LAPPING, 1.0), 0.3),
         Steady("hiss", 0.35 * math.sqrt(min(max(float(model.air[RAINS]), 0.0) / POURS, 1.0)), 0.4),
         Steady("rustle", 0.4 * min(model.boat.sail.flapping() / DEAFENING, 1.0), 0.2),
     ]  # fmt: skip

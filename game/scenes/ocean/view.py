@@ -136,8 +136,8 @@ class OceanView:
         back = drops[:, :3] - 0.035 * (drops[:, 3:6] - (speed, 0.0, 0.0))
         canvas.discs(at, 6.0 * size, color_of(0xDCE8EE), 0.05)
         tails = projected(eye, back[:, 0], back[:, 1], back[:, 2])
-        canvas.segments(at, tails, color_of(0xF4FAFC), 1.3, 0.6)
-        canvas.discs(at, 0.8 * size, color_of(0xF8FCFF), 0.8)
+        canvas.segments(at, tails, color_of(0xF4FAFC), 1.3, 0.35)
+        canvas.discs(at, 0.5 * size, color_of(0xF8FCFF), 0.8)
 
     def _draw_rain(self, canvas: Canvas, eye: float, late: bool) -> None:
         rain = self.model.rain

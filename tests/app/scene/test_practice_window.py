@@ -44,8 +44,8 @@ def drawn(driver: Driver) -> np.ndarray:
 
 def column_rect(driver: Driver) -> pygame.Rect:
     camera = driver.top.play.view.camera
-    left, top = camera.to_screen(columns.COLUMN.top, columns.COLUMN.left)
-    right, foot = camera.to_screen(columns.COLUMN.bottom, columns.COLUMN.right)
+    left, top = camera.to_screen(columns.COLUMN.box.top, columns.COLUMN.box.left)
+    right, foot = camera.to_screen(columns.COLUMN.box.bottom, columns.COLUMN.box.right)
     return pygame.Rect(round(left), round(top), round(right - left), round(foot - top))
 
 
@@ -81,7 +81,7 @@ def test_the_map_comes_while_one_looks_on_and_a_click_plays(driver):
     until = time.monotonic() + 60.0
     while not scene.advisor.fresh and time.monotonic() < until:
         driver.frames(1)
-    px, py = driver.top.play.view.camera.to_screen(*columns.row_box(0).middle)
+    px, py = driver.top.play.view.camera.to_screen(*columns.COLUMN.row_box(0).middle)
     for phase in ("aiming", "striking"):
         driver.click(round(px), round(py))
         driver.frames(2)

@@ -20,6 +20,7 @@ from game.scenes.burning_cloth.scene import BurningCloth
 from game.scenes.burning_cloth.tables import BOX, TABLE
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 
 LEVELS = level_files("a10")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -29,10 +30,6 @@ SMALL = {"tier": "own", "meshes": 40}
 def opened(name: str, **parameters) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(BurningCloth, level=load_level(path, "a10", BurningClothContent), parameters=parameters)
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

@@ -14,6 +14,7 @@ from game.scenes.cavity.published import EXTREMES, GHIA_U, GHIA_V, HEIGHTS, PLAC
 from game.scenes.cavity.scene import Cavity
 from game.stage import Pointer, SetEffect, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 
 LEVELS = level_files("cavity")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -22,10 +23,6 @@ SECONDS = {"hard-01-re-100": 15.0, "hard-03-nusselt": 40.0}
 
 def opened(path) -> Stage:
     return Stage(Cavity, level=load_level(path, "cavity", Cavity.content_type))
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

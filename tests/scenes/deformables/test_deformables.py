@@ -12,6 +12,7 @@ from game.levels import level_files, load_level
 from game.scenes.deformables.scene import Deformables
 from game.stage import ParameterError, Pointer, SetEffect, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 
 LEVELS = {path.stem: path for path in level_files("p04")}
 HARD = [name for name in LEVELS if name.startswith("hard-")]
@@ -19,10 +20,6 @@ HARD = [name for name in LEVELS if name.startswith("hard-")]
 
 def opened(name: str) -> Stage:
     return Stage(Deformables, level=load_level(LEVELS[name], "p04", Deformables.content_type))
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("name", HARD)

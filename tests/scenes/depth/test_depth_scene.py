@@ -15,6 +15,7 @@ from game.scenes.depth.borders import border_of, common
 from game.scenes.depth.scene import Depth
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 from tests.scenes.labels import labels_of
 
 LEVELS = level_files("p32")
@@ -24,10 +25,6 @@ HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
 def opened(name: str) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(Depth, level=load_level(path, "p32", Depth.content_type))
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("name", [path.stem for path in HARD])

@@ -17,6 +17,7 @@ from game.scenes.fireplace.tables import BODY, SCALE, WHOLE
 from game.scenes.fireplace.wood import SPENT
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 
 LEVELS = level_files("a26")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -26,10 +27,6 @@ SMALL = {"tier": "own", "cells": 32}
 def opened(name: str, **parameters) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(Fireplace, level=load_level(path, "a26", FireplaceContent), parameters=parameters)
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

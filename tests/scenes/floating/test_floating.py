@@ -13,6 +13,7 @@ from game.scenes.floating.level import FloatingContent
 from game.scenes.floating.scene import Floating
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import drag, measured
 
 LEVELS = level_files("floating")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -21,20 +22,6 @@ HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
 def opened(name: str = "default", **parameters) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(Floating, level=load_level(path, "floating", FloatingContent), parameters=parameters)
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
-
-
-def drag(stage: Stage, *places, steps=1):
-    stage.post(Pointer("down", *places[0], 1))
-    for place in places[1:]:
-        stage.run(steps)
-        stage.post(Pointer("move", *place, 1))
-    stage.run(steps)
-    stage.post(Pointer("up", *places[-1], 1))
-    stage.run(1)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

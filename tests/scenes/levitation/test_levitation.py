@@ -14,6 +14,7 @@ from game.scenes.levitation.model import APART, WAVE
 from game.scenes.levitation.scene import Levitation
 from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 from tests.scenes.labels import labels_of
 
 LEVELS = level_files("p28")
@@ -22,10 +23,6 @@ HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
 
 def opened(path) -> Stage:
     return Stage(Levitation, level=load_level(path, "p28", Levitation.content_type))
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

@@ -15,6 +15,7 @@ from game.scenes.liquid.dam_view import BRUSHES, said_of
 from game.scenes.liquid.dam_world import EXPERIMENT, DamContent
 from game.scenes.liquid.methods import COLUMNS, DamState
 from game.stage import Stage
+from tests.scenes.by_hand import measured
 
 LEVELS = level_files("dam")
 
@@ -22,10 +23,6 @@ LEVELS = level_files("dam")
 def opened(name: str = "default", **parameters) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(Dam, level=load_level(path, "dam", DamContent), parameters=parameters)
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 def test_the_fronts_lie_in_their_order():

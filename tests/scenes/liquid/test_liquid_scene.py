@@ -15,6 +15,7 @@ from game.scenes.liquid.view import ABOUT_DENSITIES
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from game.ui.canvas.canvas import Canvas
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import drag, measured
 
 LEVELS = level_files("liquid")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -25,20 +26,6 @@ def opened(name: str = "still", **parameters) -> Stage:
     return Stage(
         LiquidScene, level=load_level(path, "liquid", LiquidContent), parameters={"cells": 48, **parameters}
     )
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
-
-
-def drag(stage: Stage, *places, button=1, steps=1):
-    stage.post(Pointer("down", *places[0], button))
-    for place in places[1:]:
-        stage.run(steps)
-        stage.post(Pointer("move", *place, button))
-    stage.run(steps)
-    stage.post(Pointer("up", *places[-1], button))
-    stage.run(1)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

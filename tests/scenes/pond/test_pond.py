@@ -14,6 +14,7 @@ from game.scenes.pond.scene import Pond
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from game.stage.states.state import copy_state, digest_of
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import drag, measured
 
 LEVELS = level_files("p15")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -22,20 +23,6 @@ HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
 def opened(name: str = "default", **parameters) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(Pond, level=load_level(path, "p15", PondContent), parameters=parameters)
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
-
-
-def drag(stage: Stage, *places, button=1, steps=2):
-    stage.post(Pointer("down", *places[0], button))
-    for place in places[1:]:
-        stage.run(steps)
-        stage.post(Pointer("move", *place, button))
-    stage.run(steps)
-    stage.post(Pointer("up", *places[-1], button))
-    stage.run(1)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)
@@ -66,7 +53,7 @@ def test_the_wedge_is_machs_until_a_hand_takes_the_boat():
     assert measured(stage, "wedge") == pytest.approx(measured(stage, "wedge by law"), abs=1.0)
     assert stage.scene.legend()
     stage.post(Action("tool-boat"))
-    drag(stage, (10.0, 3.0), (11.0, 3.0))
+    drag(stage, (10.0, 3.0), (11.0, 3.0), steps=2)
     assert math.isnan(measured(stage, "wedge")) and not stage.scene.legend()
 
 
@@ -77,9 +64,9 @@ def test_stones_are_dropped_by_click_and_in_a_row():
     stage.run(2)
     first = measured(stage, "put")
     assert first > 30
-    drag(stage, (6.0, 2.0), (6.6, 2.0), (6.7, 2.0), (7.4, 2.0))
+    drag(stage, (6.0, 2.0), (6.6, 2.0), (6.7, 2.0), (7.4, 2.0), steps=2)
     assert measured(stage, "put") >= 4 * first
-    drag(stage, (9.0, 5.0), (9.0, 5.0), button=3)
+    drag(stage, (9.0, 5.0), (9.0, 5.0), button=3, steps=2)
     assert measured(stage, "put") >= 5 * first
 
 
@@ -99,14 +86,14 @@ def test_a_pond_without_a_boat_gets_one_where_it_is_wanted():
     stage = opened("ring")
     assert math.isnan(measured(stage, "boat speed"))
     stage.post(Action("tool-boat"))
-    drag(stage, (6.0, 4.5), (6.5, 4.5))
+    drag(stage, (6.0, 4.5), (6.5, 4.5), steps=2)
     assert stage.scene.model.boat.pose[0] == pytest.approx(6.0, abs=0.3)
 
 
 def test_floats_are_put_pulled_and_no_more_than_there_is_place_for():
     stage = opened("ring")
     stage.post(Action("tool-float"))
-    drag(stage, (4.0, 4.0), (4.0, 4.0))
+    drag(stage, (4.0, 4.0), (4.0, 4.0), steps=2)
     assert measured(stage, "floats") == 1
     drag(stage, (4.0, 4.0), (4.5, 4.0), (5.0, 4.0), steps=10)
     rows = stage.scene.model.floats.rows
@@ -200,7 +187,7 @@ def test_stepping_back_takes_boat_and_theory_back():
     stage = opened("ring")
     stage.run(20)
     stage.post(Action("tool-boat"))
-    drag(stage, (6.0, 4.5), (6.5, 4.5))
+    drag(stage, (6.0, 4.5), (6.5, 4.5), steps=2)
     model = stage.scene.model
     assert model.has_boat and model.touched
     for _ in range(8):

@@ -14,6 +14,7 @@ from game.scenes.smoke.model import DYED, FIELDS, SMOKE, SOOT
 from game.scenes.smoke.parameters import DYES, INKS, VIEWS
 from game.scenes.smoke.scene import Smoke
 from game.stage import Action, Pointer, SetParameter, Stage
+from tests.scenes.by_hand import measured
 
 SMALL = {"cells": 32}
 KEYS = {action.name: action.key for action in Smoke.actions}
@@ -27,10 +28,6 @@ def paint(stage: Stage, dye: str, x: float, y: float = 0.7) -> None:
     stage.post(Action(f"dye-{dye}"))
     stage.post(Pointer("down", x, y, button=1))
     stage.post(Pointer("up", x, y, button=1))
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 def test_keys_choose_the_view_and_the_dye():

@@ -19,6 +19,7 @@ from game.scenes.smoke.parameters import METHODS, VIEWS
 from game.scenes.smoke.scene import Smoke
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 
 LEVELS = level_files("smoke")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -28,10 +29,6 @@ SMALL = {"cells": 32}
 def opened(name: str, **parameters) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(Smoke, level=load_level(path, "smoke", SmokeContent), parameters=parameters)
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

@@ -14,6 +14,7 @@ from game.scenes.spacetime.paper import BUDGETS_US, INTERACTIVE
 from game.scenes.spacetime.scene import SpaceTime
 from game.stage import Pointer, SetEffect, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 
 LEVELS = level_files("p02")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -22,10 +23,6 @@ HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
 def opened(name: str) -> Stage:
     path = next(path for path in LEVELS if path.stem == name)
     return Stage(SpaceTime, level=load_level(path, "p02", SpaceTime.content_type))
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 @pytest.mark.parametrize("path", HARD, ids=lambda path: path.stem)

@@ -15,6 +15,7 @@ from game.scenes.wind_tunnel.scene import WindTunnel
 from game.scenes.wind_tunnel.view import apart_words
 from game.stage import Action, Pointer, SetParameter, Stage
 from game.worlds.expectations import captions_of
+from tests.scenes.by_hand import measured
 
 LEVELS = level_files("wind-tunnel")
 HARD = [path for path in LEVELS if path.stem.startswith("hard-")]
@@ -26,10 +27,6 @@ QUICK = {
 
 def opened(path) -> Stage:
     return Stage(WindTunnel, level=load_level(path, "wind-tunnel", WindTunnel.content_type))
-
-
-def measured(stage: Stage, name: str) -> float:
-    return next(readout.value for readout in stage.readouts() if readout.name == name)
 
 
 def run_until(stage: Stage, done, most: int = 400) -> None:
