@@ -24,6 +24,11 @@ LADDER_ROW = 50  # design px
 LINE = 22  # design px of a line of words
 MOST_CUPS = 6  # on the shelf
 NEWCOMERS_CUP = "Newcomers' cup"
+FIRST_CUP = (
+    "Your first cup will stand here.",
+    "The newcomers' cup is two short matches:",
+    "New tournament begins it.",
+)
 REACHED = ("quarter-final", "semi-final", "final", "cup")
 
 
@@ -158,8 +163,9 @@ def paint_cups(picture: pygame.Surface, look: Look, area: pygame.Rect, player: P
         look.text(picture, fitted, (area.x + px(26), y), 12, "medium", "text1" if won else "text2")
         y += px(24)
     if not player.cups and player.cup is None:
-        words = look.fonts.fit("The newcomers' cup is two short matches.", 12, "medium", area.w)
-        look.text(picture, words, (area.x, y), 12, "medium", "text2")
+        for k, line in enumerate(FIRST_CUP):
+            words = look.fonts.fit(line, 12, "medium", area.w)
+            look.text(picture, words, (area.x, y + k * px(18)), 12, "medium", "text2")
 
 
 def _paint_match(

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 ROW, LEAST_ROW, LABELS, FEW_LABELS, ROOMY = 56, 36, 240, 108, 640  # design px
 SEGMENT, BUTTON, PLAY_WIDTH, FOOT = 34, 48, 232, 100  # design px
-MARGIN, GAP = 32, 12  # design px
+MARGIN, GAP, AROUND = 32, 12, 6  # design px; the last: of a segment beside its words
 
 
 class Below(NamedTuple):
@@ -104,6 +104,8 @@ class StartCard(CardScreen):
             self._open_levels()
         elif name == "lessons":
             self._open_lesson()
+        elif name == "career":
+            self.host.open_career()
         else:
             parameter, _, value = name.partition("=")
             if (prize := self.locked.get((parameter, value))) is not None:
@@ -162,17 +164,26 @@ class StartCard(CardScreen):
         for i, line in enumerate(self.lines):
             y = card.y + px(HEAD) + i * self._row + (self._row - px(SEGMENT)) // 2 - px(4)
             enabled = not self.is_idle(line)
-            for j, (value, _) in enumerate(line.options):
-                x0, x1 = (left + space * n // len(line.options) for n in (j, j + 1))
-                place = pygame.Rect(x0, y, max(x1 - x0, 1), px(SEGMENT))
+            ends = self._ends(line, space)
+            for (value, _), x0, x1 in zip(line.options, ends, ends[1:], strict=False):
+                place = pygame.Rect(left + x0, y, max(x1 - x0, 1), px(SEGMENT))
                 spots.append(Hotspot(f"{line.parameter}={value}", place, enabled))
         return [*spots, *self._buttons()]
+
+    def _ends(self, line: StartLine, space: int) -> list[int]:
+        """Where segments of a line begin and end, window px: alike, or by their words if those need it."""
+        px, fonts, count = self.host.look.px, self.host.look.fonts, len(line.options)
+        wide = [fonts.size(words, 13, "semibold")[0] + px(AROUND) for _, words in line.options]
+        over = space - sum(wide)
+        if over < 0 or max(wide) <= space // count:
+            return [space * n // count for n in range(count + 1)]
+        return [sum(wide[:n]) + over * n // count for n in range(count + 1)]
 
     def _buttons(self) -> list[Hotspot]:
         """The large one at the right, the others beside it."""
         px, card = self.host.look.px, self.veil.card
         names = ["play", *(["go-on"] if self._kept else []), "levels"]
-        names += ["lessons"] if self.lessons else []
+        names += [*(["lessons"] if self.lessons else []), "career"]
         right, bottom = card.right - px(MARGIN), card.bottom - px(28)
         widths = [min(px(PLAY_WIDTH), (card.w - 2 * px(MARGIN)) // len(names) - px(GAP))] * len(names)
         spots = []
@@ -201,11 +212,12 @@ class StartCard(CardScreen):
         self._paint_play(picture)
         self.draw_button(picture, "go-on", "Go on with your game")
         many = self._kept and bool(self.lessons)
-        self.draw_button(picture, "levels", "Levels" if many else "Puzzles, drills and levels")
+        self.draw_button(picture, "levels", "Levels" if many else "Puzzles and drills")
+        self.draw_button(picture, "career", "Career, cups")
         if self.lessons:
             done = sum(bool(head.stars) for head in self.lessons)
             of = f": {done} of {len(self.lessons)}" if done else ""
-            self.draw_button(picture, "lessons", f"First ten minutes{of}")
+            self.draw_button(picture, "lessons", f"{'Lessons' if many else 'First ten minutes'}{of}")
 
     def _paint_play(self, picture: pygame.Surface) -> None:
         spot = self.spots.find("play")

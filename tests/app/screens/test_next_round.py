@@ -1,5 +1,7 @@
 """After a match of a cup the table itself leads to the next round, and never to a match beside the cup."""
 
+from types import SimpleNamespace
+
 import msgspec
 import pytest
 
@@ -9,7 +11,8 @@ from game.app.stagehand.career_opening import begin_match
 from game.billiards.career.career import Career, Player
 from game.billiards.career.matches import cup_match, new_cup
 from game.scenes import CATALOGUE
-from game.scenes.shared.tables.seats.cup import NEXT_ROUND, THE_CUP, after_match
+from game.scenes.billiards.view.standing import standing_of as pool_standing
+from game.scenes.shared.tables.seats.cup import NEXT_ROUND, THE_CUP, after_match, with_round
 from game.stage import Action
 from tests.app.tests_app import Driver
 
@@ -73,6 +76,16 @@ def test_the_table_leads_to_the_next_round(driver, game, action):
     assert second.parameters.second_player == cup_match(player).opponent != opponent
     assert player.pending == cup_match(player) and second.contest.over is False
     assert second.save_content().cup == "Semi-final"
+    if game == "nine-ball":
+        assert pool_standing(second.play, second.opponents.thinker).caption == "Semi-final, to 3"
+
+
+def test_the_round_is_said_in_a_cup_alone():
+    played = [
+        SimpleNamespace(model=SimpleNamespace(content=SimpleNamespace(cup=cup))) for cup in ("", "Final")
+    ]
+    assert [with_round("points, race to 50", one) for one in played] == ["points, race to 50", "Final, to 50"]
+    assert with_round("best of 3", played[1]) == "Final, best of 3"
 
 
 @pytest.mark.parametrize(("game", "action"), TABLES)

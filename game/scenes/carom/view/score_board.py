@@ -18,7 +18,7 @@ from game.scenes.shared.tables.choices import player_words
 from game.scenes.shared.tables.course import PERSON, REPLAY
 from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.referee.card import Counted, time_words
-from game.scenes.shared.tables.seats.cup import after_match
+from game.scenes.shared.tables.seats.cup import after_match, with_round
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -45,6 +45,7 @@ def draw_board(canvas: Canvas, look: Look, course: Course) -> None:
         ends = f"figure {game.figure + 1} of {len(FIGURES)}"
     if game.most_innings:
         ends = f"{ends}, {game.most_innings} innings" if game.target else f"{game.most_innings} innings"
+    ends = with_round(ends, course)
     if course.coached:
         ends = f"{ends}, coached"
     look.text(canvas.surface, ends, (rect.x + px(30), rect.centery + px(10)), 12, "medium", "text3")
