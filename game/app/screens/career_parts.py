@@ -157,8 +157,9 @@ def paint_cups(picture: pygame.Surface, look: Look, area: pygame.Rect, player: P
         sign = icon("cup", px(18), look.color("amber" if won else "text3"))
         picture.blit(sign, sign.get_rect(midleft=(area.x, y)))
         entry = REGISTER.get(cup.game)
-        title = NEWCOMERS_CUP if cup.newcomers else entry.title if entry else cup.game
-        words = f"{title}: {REACHED[cup.reached]}, {cup.when[:10]}"
+        played = entry.title if entry else cup.game
+        title = f"{NEWCOMERS_CUP}, {played}" if cup.newcomers else played
+        words = f"{title}: {'won' if won else REACHED[cup.reached]}, {cup.when[:10]}"
         fitted = look.fonts.fit(words, 12, "medium", area.w - px(26))
         look.text(picture, fitted, (area.x + px(26), y), 12, "medium", "text1" if won else "text2")
         y += px(24)

@@ -285,7 +285,7 @@ def test_no_choice_is_cut_off_and_the_card_leads_to_the_career(begin: Callable[.
     driver.app.open_scene(name)
     driver.frames(20)
     card, fonts = driver.top, driver.app.look.fonts
-    for line in card.lines:
+    for line in card.rows:
         places = [card.spots.find(f"{line.parameter}={value}").rect for value, _ in line.options]
         for (_, words), place, after in zip(line.options, places, [*places[1:], None], strict=True):
             inner = place.w - 2 * driver.app.look.px(2)
@@ -295,3 +295,16 @@ def test_no_choice_is_cut_off_and_the_card_leads_to_the_career(begin: Callable[.
     press(driver, "career")
     driver.frames(20)
     assert isinstance(driver.top, NameCard)
+
+
+def test_what_matters_beside_a_computer_and_between_two_persons_shares_a_line(begin: Callable[..., Driver]):
+    driver = begin()
+    for other, there, gone in (
+        ("person", "hand_over=card", "their_strokes=fast"),
+        ("novice", "their_strokes=fast", "hand_over=card"),
+    ):
+        press(driver, f"second_player={other}")
+        find = driver.top.spots.find
+        assert find(there).enabled and find(gone) is None
+        press(driver, there)
+    assert driver.top.chosen["their_strokes"] == "fast" and driver.top.chosen["hand_over"] == "card"

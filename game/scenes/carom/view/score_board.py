@@ -18,7 +18,7 @@ from game.scenes.shared.tables.choices import player_words
 from game.scenes.shared.tables.course import PERSON, REPLAY
 from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.referee.card import Counted, time_words
-from game.scenes.shared.tables.seats.cup import after_match, with_round
+from game.scenes.shared.tables.seats.cup import after_match, with_round, won_with
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -186,7 +186,8 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
 def counted_of(course: Course) -> Counted:
     """What the card at the end of a game says."""
     game, seconds = course.model.frame.game, course.frame_s
-    title = "Drawn" if game.winner is None else f"{game.players[game.winner]} wins"
+    won = won_with(course, "")
+    title = f"{game.players[game.winner]} wins{won and f' the {won}'}" if game.winner is not None else "Drawn"
     first, second = (
         (str(game.points[k]), str(game.innings[k]), f"{game.average(k):.2f}", str(game.high_runs[k]))
         for k in range(2)

@@ -33,6 +33,14 @@ def after_match(course: Any) -> str:
     return NEXT_ROUND if seen.victory and course.model.content.cup != FINAL else THE_CUP
 
 
+def won_with(course: Any, otherwise: str) -> str:
+    """What a game that has ended wins: the cup, or one of its rounds; else what is given."""
+    played = str(course.model.content.cup)
+    if not after_match(course):
+        return otherwise
+    return "cup" if played == FINAL else played.lower()
+
+
 def goes_on(course: Any) -> bool:
     """True after a match of a cup: its tournament is asked for, and nothing is racked here."""
     if not after_match(course):
