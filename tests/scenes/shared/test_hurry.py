@@ -1,4 +1,4 @@
-"""Strokes of a computer player go by as fast as the person who waits has chosen."""
+"""Strokes of a computer player are shown as fast as the person at the table has chosen."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_three_times_as_fast_takes_a_third_and_ends_alike(table: str):
     assert fast[0] == pytest.approx(plain[0] / 3.0, abs=2.0) and plain[0] > 100
     assert ended[0] <= 2
     assert plain[1:] == fast[1:] == ended[1:]
-    assert rolled(table, "person", TO_THE_END) == plain, "a person's own stroke goes by as it is"
+    assert rolled(table, "person", TO_THE_END) == plain, "a person's own stroke is shown as it is"
 
 
 class Course:

@@ -1,4 +1,4 @@
-"""How fast a computer player's strokes go by where a person waits for its turn: a choice of the person's."""
+"""How fast a computer player's strokes are shown where a person waits for its turn: the person chooses."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ def their_strokes() -> Choice:
     """How fast strokes of a computer player are shown to a person."""
     return Choice(
         AS_PLAYED, OPTIONS, labels=LABELS, group="Game", label="Their strokes",
-        help="how fast a computer player's go by while you wait; one that ends the game is shown as it is",
+        help="how fast a computer player's are shown while you wait; one that ends the game is not hurried",
     )  # fmt: skip
 
 
 THEIR_STROKES_LINE = StartLine(
-    "their_strokes", "Their strokes", "how fast they go by", tuple(zip(OPTIONS, LABELS, strict=True)),
+    "their_strokes", "Their strokes", "how fast you see them", tuple(zip(OPTIONS, LABELS, strict=True)),
     AS_PLAYED, idle=("second_player", PERSON), instead="hand_over",
 )  # fmt: skip
 
@@ -31,8 +31,8 @@ THEIR_STROKES_LINE = StartLine(
 def times(course: Any) -> float:
     """How many times as fast as time the stroke that rolls is shown; infinity: only its end.
 
-    course: of any cue game. Strokes of a person go by as they are, and those of computer players among
-    themselves.
+    course: of any cue game. A person's stroke is not hurried, nor are strokes of computer players
+    among themselves.
     """
     if course.person_plays or course.plays_itself or course.plays_alone:
         return 1.0
