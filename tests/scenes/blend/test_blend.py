@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -42,7 +44,8 @@ def test_nine_dams_from_four_lie_near_true_runs(dams):
 
 def test_alignment_is_nearer_to_true_runs_than_plain_mixing(dams):
     """By the liquid that lies elsewhere in the middle of the square, at each third of the run."""
-    model, one = dams.scene.model, dams.scene.model.squares[4]
+    model: Any = dams.scene.model
+    one = model.squares[4]
     inside = model.dry(one.entry)
     for frame in (10, 15, 20):
         plain, true = model.blend.at(frame, one.weights, False), one.true[frame]
