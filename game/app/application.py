@@ -271,6 +271,22 @@ class App:
         if not isinstance(self.screens.top, CareerCard):
             self._open_card(CareerCard.called, lambda: CareerCard(self))
 
+    def open_next_round(self) -> None:
+        """The next match of the tournament at its table; the card of the career once that has ended."""
+        from game.app.stagehand.career_file import load_career
+        from game.app.stagehand.career_opening import begin_match
+        from game.billiards.career.matches import cup_match
+
+        career, complaint = load_career()
+        match = cup_match(career.player) if career.player is not None else None
+        if match is None:
+            self.open_career()
+            return
+        begun = begin_match(career, match)
+        for words in filter(None, (complaint, begun.complaint)):
+            self.tell("Career.", words, "warning")
+        self.open_scene(begun.scene, opening=begun.opening)
+
     def open_challenge(self) -> None:
         """The challenge of this day at its table; one line where the catalogue has no such table."""
         if not any(entry.name == "billiards" for entry in self.catalogue):

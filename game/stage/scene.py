@@ -325,6 +325,11 @@ class Scene(SceneDeclaration):
         """How a match stands between a person and a computer player, for a career; None: there is none."""
         return None
 
+    @property
+    def round_wanted(self) -> int:
+        """How often the next round of a cup has been asked for at the scene itself."""
+        return 0
+
     def stroke_measured(self) -> StrokeMeasured | None:
         """What was measured of the last stroke of a person in a contest; None if nothing was."""
         return None

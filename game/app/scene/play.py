@@ -66,6 +66,7 @@ class ScenePlay:
         self._frame = stage.scene.frame()  # that the view was fitted to
         self.story: StoryPlay | None = None
         self._wanted: Path | None = None  # level that the scene asks for
+        self._rounds = stage.scene.round_wanted
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
@@ -327,7 +328,8 @@ class ScenePlay:
             self._stand_still(elapsed_s)
             return
         if not errands.busy:
-            self._go_where_it_wants()
+            if self._go_where_it_wants():
+                return
             panel = self.shell.panel
             self.steps.go_on(elapsed_s, measuring=panel is not None and panel.shows_effects)
         if self.story is not None:
@@ -344,12 +346,20 @@ class ScenePlay:
             return
         self._follow(elapsed_s, still=self.stage.paused or errands.busy)
 
-    def _go_where_it_wants(self) -> None:
-        """Open the level that the scene asks for, once."""
+    def _go_where_it_wants(self) -> bool:
+        """Open the level, or the next round of a cup, that the scene asks for, once. True if this scene is
+        left.
+        """
+        rounds, before_rounds = self.stage.scene.round_wanted, self._rounds
+        self._rounds = rounds
+        if rounds > before_rounds and not self.record.borrowed:
+            self.host.open_next_round()
+            return True
         wanted, before = self.shelf.own_level(self.stage.scene.level_wanted), self._wanted
         self._wanted = wanted
         if wanted is not None and wanted != before:
             self.open_file(wanted)
+        return False
 
     def _follow(self, elapsed_s: float, still: bool) -> None:
         """Sounds, camera, messages and shell as the scene is now."""

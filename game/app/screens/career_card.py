@@ -14,25 +14,29 @@ from game.app.screens.career_prizes import PRIZES_HEIGHT, paint_prizes
 from game.app.screens.host import Host
 from game.app.screens.question import Question
 from game.app.stagehand.career_file import keep_career, load_career
-from game.app.stagehand.opening import Opening
+from game.app.stagehand.career_opening import begin_match
 from game.app.window.commands import Actions
 from game.billiards.career.career import LONGEST_NAME, Career, Match, Player
 from game.billiards.career.matches import (
     cup_match,
     fair_head_start,
-    length_of,
+    is_newcomer,
     new_cup,
     next_opponent,
     opponents_at,
 )
 from game.billiards.game.register import REGISTER
 from game.billiards.players.ladder import BY_NAME
-from game.levels import level_files
 from game.ui.widgets.hotspots import Hotspot
 from game.ui.widgets.list_row import ListRow
 
 LEFT, GAP, FOOT, BUTTON = 268, 20, 84, 38  # design px: width of the ladder, between columns, foot, buttons
 FAIR, LEVEL = "fair", "level"
+NEWCOMERS, EIGHT_PLAYERS = "newcomers", "eight"
+CUPS = (
+    ListRow("Newcomers' cup", "two short matches with the weakest three, half an hour", value=NEWCOMERS),
+    ListRow("Tournament of eight", "three rounds with the strongest", value=EIGHT_PLAYERS),
+)
 NAME = Question("Your name", "It stands on the score board, and your career is kept under it.", "Begin", "",
                 "A name of your own", LONGEST_NAME)  # fmt: skip
 BUTTONS = ("player", "game", "start", "cup", "statistics", "play")  # from the left
@@ -52,7 +56,7 @@ class CareerCard(CardScreen):
         last = self.player.results[-1].match.game if self.player and self.player.results else "eight-ball"
         self.game = last if last in REGISTER else "eight-ball"
         self.opponent = ""
-        self.start = LEVEL
+        self.start = FAIR if self.player and self.player.cup and self.player.cup.fair else LEVEL
         self.in_cup = True  # if one goes on
         super().__init__(host)
         self._choose_next()
@@ -77,7 +81,8 @@ class CareerCard(CardScreen):
         if player is None:
             return None
         match = (cup_match(player) if self.in_cup else None) or Match(self.game, self.opponent)
-        start = fair_head_start(player, match.opponent, match.game) if self.start == FAIR else 0
+        short = match.cup and player.cup is not None and player.cup.newcomers
+        start = fair_head_start(player, match.opponent, match.game, short) if self.start == FAIR else 0
         return msgspec.structs.replace(match, head_start=start)
 
     @property
@@ -136,17 +141,15 @@ class CareerCard(CardScreen):
         if match is None or player is None:
             self._ask_name()
             return
-        entry = REGISTER[match.game]
-        self._keep(self.career.with_player(player.replace(pending=match)))
-        length = length_of(entry)
-        opponent = BY_NAME[match.opponent].title if match.opponent in BY_NAME else match.opponent
-        parameters = {
-            "first_player": "person", "second_player": match.opponent,
-            "head_start": float(match.head_start), length.parameter: length.value,
-        }  # fmt: skip
-        level = next((path for path in level_files(entry.family) if path.stem == entry.level), None)
-        opening = Opening(level=level, parameters=parameters, players=(player.name, opponent))
-        self.host.open_scene(entry.family, opening=opening)
+        career = self.career
+        if match.cup and player.cup is not None:  # the next rounds are played with the same kind of start
+            cup = msgspec.structs.replace(player.cup, fair=self.start == FAIR)
+            career = career.with_player(player.replace(cup=cup))
+        begun = begin_match(career, match)
+        self.career = begun.career
+        if begun.complaint:
+            self.host.tell("Career.", begun.complaint, "warning")
+        self.host.open_scene(begun.scene, opening=begun.opening)
 
     def _begin_cup(self) -> None:
         """The draw of a tournament; while one goes on, its match or another one is played next."""
@@ -157,8 +160,17 @@ class CareerCard(CardScreen):
             self.in_cup = not self.in_cup
             self.refresh()
         else:
-            self.in_cup = True
-            self._keep(self.career.with_player(new_cup(player, self.game, time.time_ns() % 1_000_000)))
+            first = NEWCOMERS if is_newcomer(player) else EIGHT_PLAYERS
+            self.host.open_choices("Tournament", CUPS, self._take_cup, first)
+
+    def _take_cup(self, kind: str) -> None:
+        """A tournament of a kind begins; who plays is in it."""
+        player = self.player
+        if player is None:
+            return
+        self.in_cup = True
+        seed = time.time_ns() % 1_000_000
+        self._keep(self.career.with_player(new_cup(player, self.game, seed, kind == NEWCOMERS)))
 
     def _open_games(self) -> None:
         """The list of all games that are registered."""

@@ -23,6 +23,7 @@ from game.ui.widgets.hotspots import Hotspots
 LADDER_ROW = 50  # design px
 LINE = 22  # design px of a line of words
 MOST_CUPS = 6  # on the shelf
+NEWCOMERS_CUP = "Newcomers' cup"
 REACHED = ("quarter-final", "semi-final", "final", "cup")
 
 
@@ -130,9 +131,10 @@ def paint_cups(picture: pygame.Surface, look: Look, area: pygame.Rect, player: P
     px = look.px
     y = area.y + px(8)
     if player.cup is not None:
-        look.text(
-            picture, f"Tournament: {REGISTER[player.cup.game].title}", (area.x, y), 13, "semibold", "text1"
-        )
+        kind = NEWCOMERS_CUP if player.cup.newcomers else "Tournament"
+        words = f"{kind}: {REGISTER[player.cup.game].title}"
+        fitted = look.fonts.fit(words, 13, "semibold", area.w)
+        look.text(picture, fitted, (area.x, y), 13, "semibold", "text1")
         y += px(LINE)
         for name, matches in rounds_of(player.cup.knockout):
             look.text(picture, name, (area.x, y), 12, "semibold", "text3")
@@ -150,12 +152,13 @@ def paint_cups(picture: pygame.Surface, look: Look, area: pygame.Rect, player: P
         sign = icon("cup", px(18), look.color("amber" if won else "text3"))
         picture.blit(sign, sign.get_rect(midleft=(area.x, y)))
         entry = REGISTER.get(cup.game)
-        words = f"{entry.title if entry else cup.game}: {REACHED[cup.reached]}, {cup.when[:10]}"
+        title = NEWCOMERS_CUP if cup.newcomers else entry.title if entry else cup.game
+        words = f"{title}: {REACHED[cup.reached]}, {cup.when[:10]}"
         fitted = look.fonts.fit(words, 12, "medium", area.w - px(26))
         look.text(picture, fitted, (area.x + px(26), y), 12, "medium", "text1" if won else "text2")
         y += px(24)
     if not player.cups and player.cup is None:
-        words = look.fonts.fit("Eight players, three rounds, one cup.", 12, "medium", area.w)
+        words = look.fonts.fit("The newcomers' cup is two short matches.", 12, "medium", area.w)
         look.text(picture, words, (area.x, y), 12, "medium", "text2")
 
 

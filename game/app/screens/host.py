@@ -133,6 +133,10 @@ class Host(Protocol):
         """The card of the career."""
         ...
 
+    def open_next_round(self) -> None:
+        """The next match of the tournament at its table; the card of the career once that has ended."""
+        ...
+
     def open_statistics(self, person: str) -> None:
         """The card of what was counted of a person's strokes."""
         ...

@@ -1,6 +1,6 @@
-"""The careers of this machine in one file of the user's folder: career.json, format 2.
+"""The careers of this machine in one file of the user's folder: career.json, format 3.
 
-Format 1 had no prizes and no measured hand; it is read as well.
+Format 1 had no prizes and no measured hand, format 2 no newcomers' cup; both are read as well.
 
 It is written whole or not at all. A file that cannot be understood is kept beside as career.broken.json, and
 one line says so. One of a later version is left as it is, and nothing is written over it.
@@ -17,7 +17,7 @@ from game.files import FileProblem, put_aside, read_text, write_text
 from game.folders import user_folder
 
 FILE_NAME = "career.json"
-FORMAT = 2
+FORMAT = 3
 LARGEST_BYTES = 32 << 20
 
 

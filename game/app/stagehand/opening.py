@@ -23,6 +23,7 @@ class Opening(NamedTuple):
     level: Path | None = None
     parameters: Mapping[str, Any] = NOTHING
     players: tuple[str, ...] = ()  # names of a game's players, in place of the level's
+    cup: str = ""  # round of the cup that the match is
     effects_off: tuple[str, ...] = ()
     seed: int | None = None
     recording: Recording | None = None
@@ -39,7 +40,7 @@ class Opening(NamedTuple):
             return Stage(scene_type, level=story.level)
         return Stage(
             scene_type,
-            level=with_players(scene_type, read_level(scene_type, self.level), self.players),
+            level=with_players(scene_type, read_level(scene_type, self.level), self.players, self.cup),
             parameters=self.parameters,
             effects_off=self.effects_off,
             seed=self.seed,
@@ -59,15 +60,19 @@ class Opening(NamedTuple):
         return found[0]
 
 
-def with_players(scene_type: type[Scene], level: Level | None, players: tuple[str, ...]) -> Level | None:
-    """A level whose players have these names; the level itself without names. LevelError if it has none."""
+def with_players(
+    scene_type: type[Scene], level: Level | None, players: tuple[str, ...], cup: str = ""
+) -> Level | None:
+    """A level whose players have these names, in a round of a cup; the level itself without names. LevelError
+    if it has none.
+    """
     if not players:
         return level
     content_type: Any = scene_type.content_type
     content = level.content if level is not None and level.content is not None else content_type()
     if not hasattr(content, "players"):
         raise LevelError(None, "players", f"{scene_type.name} has none")
-    named = msgspec.structs.replace(content, players=players)
+    named = msgspec.structs.replace(content, players=players, **({"cup": cup} if cup else {}))
     if level is None:
         return Level(scene=scene_type.name, content=named)
     return msgspec.structs.replace(level, content=named)

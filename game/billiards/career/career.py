@@ -55,19 +55,26 @@ class Result(Entry, frozen=True):
 
 
 class CupResult(Entry, frozen=True):
-    """How a tournament ended for the person. reached: 0 lost at once, to 3, the cup."""
+    """How a tournament ended for the person. reached: 0 a quarter-final, to 3, the cup. newcomers: it was
+    that of newcomers.
+    """
 
     game: Word
     when: When
     reached: Annotated[int, msgspec.Meta(ge=0, le=3)]
+    newcomers: bool = False
 
 
 class RunningCup(Entry, frozen=True):
-    """A tournament that goes on. seed: of the matches that others play."""
+    """A tournament that goes on. seed: of the matches that others play. fair: its matches are played with
+    fair head starts. newcomers: it is that of newcomers, of four and with short matches.
+    """
 
     game: Word
     knockout: Knockout
     seed: Count
+    fair: bool = False
+    newcomers: bool = False
 
 
 class Hand(Entry, frozen=True):

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import msgspec
 import numpy as np
 
-from game.billiards.career.bracket import EIGHT, draw, play_on
+from game.billiards.career.bracket import EIGHT, FOUR, draw, play_on
 from game.billiards.career.career import CupResult, Match, Player, Result, RunningCup, rating_of, strength_of
 from game.billiards.career.handicap import fair_start, needed_of_best, point_chance, race_chance
 from game.billiards.career.prizes import with_prizes
@@ -14,8 +15,16 @@ from game.billiards.game.register import REGISTER, Registered
 from game.billiards.game.strengths import chance_of
 from game.billiards.players.ladder import LadderPlayer, ladder_of
 
+WON = 3  # of `CupResult.reached`
 START = 400.0  # rating of a person that has none yet, for a fair head start and the draw
 FRAMES, RACKS, POINTS = 3, 3, 10  # of a match
+SHORT_POINTS = 3  # of a match of the newcomers' cup, which else is one rack or frame
+# Games of an hour and more have a shorter one in their place in the newcomers' cup.
+SHORTER = {
+    "snooker": "six-red", "straight-pool": "nine-ball", "artistic": "straight-rail",
+    "balkline-47-1": "straight-rail", "balkline-47-2": "straight-rail", "balkline-71-2": "straight-rail",
+    "three-cushion": "one-cushion",
+}  # fmt: skip
 
 
 class Length(NamedTuple):
@@ -29,14 +38,16 @@ class Length(NamedTuple):
     points: int = 0
 
 
-def length_of(entry: Registered) -> Length:
-    """How long a match of a game is."""
+def length_of(entry: Registered, short: bool = False) -> Length:
+    """How long a match of a game is; short: one of the newcomers' cup."""
     if entry.unit == "rack":
-        return Length("race", str(RACKS), RACKS)
+        return Length("race", "1", 1) if short else Length("race", str(RACKS), RACKS)
     if entry.unit == "frame":
-        return Length("best_of", str(FRAMES), needed_of_best(FRAMES))
+        frames = 1 if short else FRAMES
+        return Length("best_of", str(frames), needed_of_best(frames))
     if entry.family == "carom":
-        return Length("target", float(POINTS), 1, POINTS)
+        points = SHORT_POINTS if short else POINTS
+        return Length("target", float(points), 1, points)
     return Length("race", "1", 1)
 
 
@@ -46,9 +57,11 @@ def own_strength(player: Player, game: str) -> float:
     return START if rating is None else rating.points
 
 
-def fair_head_start(player: Player, opponent: str, game: str) -> int:
-    """Racks, frames or points that the person is given so that the match is even; below 0 the opponent."""
-    length = length_of(REGISTER[game])
+def fair_head_start(player: Player, opponent: str, game: str, short: bool = False) -> int:
+    """Racks, frames or points that the person is given so that the match is even; below 0 the opponent.
+    short: as of `length_of`.
+    """
+    length = length_of(REGISTER[game], short)
     other = strength_of(opponent, game)
     if other is None or (length.needed == 1 and not length.points):
         return 0
@@ -77,15 +90,23 @@ def next_opponent(player: Player, game: str) -> LadderPlayer:
 # -- tournaments ------------------------------------------------------------------------------------
 
 
-def new_cup(player: Player, game: str, seed: int) -> Player:
-    """A tournament of eight begins: the person, and the seven strongest of the ladder. ValueError while one
-    goes on.
+def is_newcomer(player: Player) -> bool:
+    """Whether a person has won no cup yet: the newcomers' cup is then offered first."""
+    return not any(cup.reached == WON for cup in player.cups)
+
+
+def new_cup(player: Player, game: str, seed: int, newcomers: bool = False) -> Player:
+    """A tournament begins: the person, and the seven strongest of the ladder. The newcomers' cup has its
+    three weakest, short matches, and a shorter game if need be. ValueError while one goes on.
     """
     if player.cup is not None:
         raise ValueError("tournament: one goes on")
-    field = {one.name: strength_of(one.name, game) or START for one in opponents_at(game)[1 - EIGHT :]}
+    game = SHORTER.get(game, game) if newcomers else game
+    ladder = opponents_at(game)
+    others = ladder[: FOUR - 1] if newcomers else ladder[1 - EIGHT :]
+    field = {one.name: strength_of(one.name, game) or START for one in others}
     field[player.name] = own_strength(player, game)
-    begun = RunningCup(game, draw(field), seed)
+    begun = RunningCup(game, draw(field), seed, newcomers=newcomers)
     return _played_on(player.replace(cup=begun))
 
 
@@ -97,7 +118,9 @@ def cup_match(player: Player) -> Match | None:
     if player.name not in pair:
         return None
     other = pair[1] if pair[0] == player.name else pair[0]
-    return Match(player.cup.game, other, 0, cup=True)
+    cup = player.cup
+    start = fair_head_start(player, other, cup.game, cup.newcomers) if cup.fair else 0
+    return Match(player.cup.game, other, start, cup=True)
 
 
 def _played_on(player: Player) -> Player:
@@ -105,14 +128,15 @@ def _played_on(player: Player) -> Player:
     cup = player.cup
     assert cup is not None
     entry = REGISTER[cup.game]
-    needed = length_of(entry).needed
+    needed = length_of(entry, cup.newcomers).needed
 
     def decide(a: str, b: str, match: int) -> str:
         strengths = [strength_of(name, cup.game) or START for name in (a, b)]
         chance = race_chance(chance_of(strengths[0] - strengths[1]), needed, needed)
         return a if np.random.default_rng((cup.seed, match)).random() < chance else b
 
-    return player.replace(cup=RunningCup(cup.game, play_on(cup.knockout, player.name, decide), cup.seed))
+    knockout = play_on(cup.knockout, player.name, decide)
+    return player.replace(cup=msgspec.structs.replace(cup, knockout=knockout))
 
 
 def with_result(player: Player, result: Result) -> Player:
@@ -127,10 +151,10 @@ def _with_result(player: Player, result: Result) -> Player:
     winner = player.name if result.victory else result.match.opponent
     cup = after.cup
     knockout = cup.knockout.with_winner(winner)
-    after = _played_on(after.replace(cup=RunningCup(cup.game, knockout, cup.seed)))
+    after = _played_on(after.replace(cup=msgspec.structs.replace(cup, knockout=knockout)))
     assert after.cup is not None
     if after.cup.knockout.champion:
         reached = after.cup.knockout.reached(player.name)
-        ended = CupResult(cup.game, result.when, reached)
+        ended = CupResult(cup.game, result.when, reached, cup.newcomers)
         after = after.replace(cup=None, cups=(*after.cups, ended))
     return after

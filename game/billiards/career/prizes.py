@@ -18,7 +18,7 @@ class Prize(NamedTuple):
     """One of them. parameter, value: the option that it unlocks. families: whose tables have it.
 
     kind, needed: matches won; players of the ladder beaten without a start; points of a break; round of a
-    cup.
+    cup of eight.
     """
 
     name: str
@@ -52,7 +52,7 @@ def progress(player: Player, prize: Prize) -> int:
     if prize.kind == "match":
         return sum(one.victory for one in player.results)
     if prize.kind == "cup":
-        return max((cup.reached for cup in player.cups), default=0)
+        return max((cup.reached for cup in player.cups if not cup.newcomers), default=0)
     own = [one for one in player.results if family_of(one) in prize.families]
     if prize.kind == "break":
         return max((one.highest for one in own), default=0)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.arrays import Floats
+from game.billiards.game.rules import CUE_BALL, ShotSummary
 from game.billiards.laws import state as s
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.balk import FREE, Barred, Zone, zone_at
@@ -84,6 +85,24 @@ def summarize_carom(trajectory: Trajectory, cue: int, barred: Barred = FREE) -> 
     )
     off = tuple(numbers[int(i)] for _, event, i, _ in trajectory.rows.tolist() if event == s.BALL_OFF)
     return CaromSummary(tuple(path), rest, into, off, left, away)
+
+
+def as_shot(summary: CaromSummary, cue: int) -> ShotSummary:
+    """A stroke at carom as goals see strokes: the cue ball is 0, the other one 1, the red ball 2.
+
+    What pool alone asks for (pockets, balls driven to cushions) is empty.
+    """
+    number = {cue: CUE_BALL, 1 - cue: 1, RED: RED}
+    path = tuple((kind, number[one] if kind == BALL else one) for kind, one in summary.path)
+    met = tuple(dict.fromkeys(one for kind, one in path if kind == BALL))
+    return ShotSummary(
+        first=met[:1], off_table=tuple(number[ball] for ball in summary.off_table), cue_path=path,
+        touched=met,
+        rest=tuple(
+            (number[ball], float(x), float(y)) for ball, (x, y) in enumerate(summary.rest.tolist())
+            if ball not in summary.off_table
+        ),
+    )  # fmt: skip
 
 
 def _number(name: str) -> int:

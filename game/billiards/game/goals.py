@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from typing import Annotated
 
 import msgspec
 
 from game.billiards.game.rules import CUE_BALL, ShotSummary, listed, named
 
-Ball = Annotated[int, msgspec.Meta(ge=0, le=15)]
+LARGEST = 21  # the black at snooker; at pool the 15
+Ball = Annotated[int, msgspec.Meta(ge=0, le=LARGEST)]
+Naming = Callable[[int], str]  # a ball in words
 Count = Annotated[int, msgspec.Meta(ge=0, le=15)]
 Metres = Annotated[float, msgspec.Meta(ge=-1.0, le=10.0)]
 
@@ -55,36 +58,49 @@ class Goal(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_default
     scratch: bool = False
 
 
-def missed(goal: Goal, shot: ShotSummary) -> tuple[str, ...]:
-    """What a stroke did not bring about, each in words; empty if the goal is met."""
+def balls_of(goal: Goal) -> frozenset[int]:
+    """Numbers of the balls that a goal speaks of."""
+    potted, resting = (one.ball for one in goal.pots), (one.ball for one in goal.zones)
+    return frozenset((*potted, *resting, *goal.cue_touches, *goal.untouched))
+
+
+def stars_of(goals: Sequence[Goal], shot: ShotSummary) -> int:
+    """Stars of a stroke: none if the first goal is missed, one more for each further goal, in their order."""
+    return next((stars for stars, goal in enumerate(goals) if missed(goal, shot)), len(goals))
+
+
+def missed(goal: Goal, shot: ShotSummary, name: Naming = named) -> tuple[str, ...]:
+    """What a stroke did not bring about, each in words; empty if the goal is met. name: how balls are
+    called.
+    """
     lacking = []
     if shot.cue_pocketed != goal.scratch:
         lacking.append("The cue ball went down." if shot.cue_pocketed else "The cue ball did not go down.")
-    lacking += [f"The {named(ball)} left the table." for ball in shot.off_table]
-    lacking += [text for pot in goal.pots if (text := _pot_missed(pot, shot))]
+    lacking += [f"The {name(ball)} left the table." for ball in shot.off_table]
+    lacking += [text for pot in goal.pots if (text := _pot_missed(pot, shot, name))]
     if len(shot.pocketed) < goal.down:
         lacking.append(f"{len(shot.pocketed)} of {goal.down} balls went down.")
-    lacking += _path_missed(goal, shot)
-    lacking += [f"The {named(ball)} was touched." for ball in goal.untouched if ball in shot.touched]
-    lacking += [text for zone in goal.zones if (text := _zone_missed(zone, shot))]
+    lacking += _path_missed(goal, shot, name)
+    lacking += [f"The {name(ball)} was touched." for ball in goal.untouched if ball in shot.touched]
+    lacking += [text for zone in goal.zones if (text := _zone_missed(zone, shot, name))]
     return tuple(lacking)
 
 
-def _pot_missed(pot: Pot, shot: ShotSummary) -> str:
+def _pot_missed(pot: Pot, shot: ShotSummary, name: Naming) -> str:
     """Why a ball does not count as potted; empty if it does."""
-    fallen = shot.pocketing(pot.ball)
+    fallen, ball = shot.pocketing(pot.ball), name(pot.ball)
     if fallen is None:
-        return f"The {pot.ball} did not go down."
+        return f"The {ball} did not go down."
     if pot.pocket is not None and fallen.pocket != pot.pocket:
-        return f"The {pot.ball} went into another pocket."
+        return f"The {ball} went into another pocket."
     if pot.by_way_of and len(fallen.chain) - 2 < pot.by_way_of:
-        return f"The {pot.ball} went down without enough balls in between."
+        return f"The {ball} went down without enough balls in between."
     if fallen.cushions < pot.cushions:
-        return f"The {pot.ball} touched {fallen.cushions} of {pot.cushions} cushions."
+        return f"The {ball} touched {fallen.cushions} of {pot.cushions} cushions."
     return ""
 
 
-def _path_missed(goal: Goal, shot: ShotSummary) -> list[str]:
+def _path_missed(goal: Goal, shot: ShotSummary, name: Naming) -> list[str]:
     """What is wrong with the path of the cue ball."""
     lacking = []
     before = 0
@@ -106,13 +122,13 @@ def _path_missed(goal: Goal, shot: ShotSummary) -> list[str]:
         elif number == awaited[0]:
             del awaited[0]
     if awaited:
-        lacking.append(f"The cue ball did not touch {listed(tuple(awaited[:1]))}.")
+        lacking.append(f"The cue ball did not touch the {name(awaited[0])}.")
     elif between < goal.cushions_between:
         lacking.append(f"The cue ball touched {between} of {goal.cushions_between} cushions on its path.")
     return lacking
 
 
-def _zone_missed(zone: Zone, shot: ShotSummary) -> str:
+def _zone_missed(zone: Zone, shot: ShotSummary, name: Naming) -> str:
     """Why a ball is not where it should be; empty if it is."""
     for ball, x, y in shot.rest:
         if ball == zone.ball:
@@ -120,8 +136,8 @@ def _zone_missed(zone: Zone, shot: ShotSummary) -> str:
             far = math.sqrt(dx * dx + dy * dy)
             if far <= zone.radius:
                 return ""
-            return f"The {named(ball)} stopped {100.0 * (far - zone.radius):.0f} cm outside of its ring."
-    return f"The {named(zone.ball)} is not on the table."
+            return f"The {name(ball)} stopped {100.0 * (far - zone.radius):.0f} cm outside of its ring."
+    return f"The {name(zone.ball)} is not on the table."
 
 
 def described(goal: Goal, pockets: tuple[str, ...] = ()) -> tuple[str, ...]:

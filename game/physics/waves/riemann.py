@@ -12,6 +12,11 @@ at rest but for the rounding of its level, since all that acts are differences o
 Two waves (Harten, Lax & van Leer 1983) give the flux, with Einfeldt's (1988) speeds and those of a dry bed.
 What goes across is carried by the side that the water comes from: the contact wave of HLLC (Toro, Spruce &
 Speares 1994). A cell gives away no more than it has.
+
+No level goes through the cells of a film that runs down steep ground. There the bed does, half way between
+neighbours (Kurganov & Petrova 2007), so that each cell passes on what it has; none keeps water that falls on
+and on. Speeds at both faces of a cell share its momentum (Bouchut 2004). What is left when nearly all has
+gone is slowed down, as Kurganov & Petrova reckon speeds of films.
 """
 
 from __future__ import annotations
@@ -22,7 +27,7 @@ from game.compiler.decorator import inner_kernel, kernel
 from game.physics.kernels import elementary
 from game.physics.kernels.lanes import LANES, any_of, choose, larger, load, root, smaller, store, zeros
 
-DRY = 1e-9  # m; thinner water does not move
+DRY, FILM = 1e-9, 1e-5  # m; thinner water does not move; is slowed down where it gets thinner still
 TINY = 1e-30  # m/s, what two waves of nothing are apart
 GHOSTS = 2
 # what is beyond the first and the last cell of a row
@@ -116,6 +121,22 @@ def _slope(array, at, wet):
 
 
 @inner_kernel
+def _is_film(row, work, width, i):
+    """Where water is above the level of a neighbour with its bed: it runs down, and is part of no lake."""
+    bed, low = load(row, BED * width + i), load(work, SURFACE * width + i - 1)
+    low = smaller(low, load(work, SURFACE * width + i + 1))
+    return choose(low < bed, load(row, DEPTH * width + i), 0.0) > DRY
+
+
+@inner_kernel
+def _bed_beside(row, work, width, i, other):
+    """Of a film, at its face with the cells ``other``: half way, and not below a lower level there."""
+    bed, level = load(row, BED * width + i), load(work, SURFACE * width + other)
+    middle = 0.5 * (bed + load(row, BED * width + other))
+    return choose(level < bed, larger(middle, level), middle)
+
+
+@inner_kernel
 def _half_step(row, work, width, count, share, gravity, second):
     """Depth, level, speeds at both faces of cells, half a step on (Toro 2001, 14.4); share: dt / (2 dx)."""
     for i in range(0, count + 4, LANES):
@@ -132,16 +153,24 @@ def _half_step(row, work, width, count, share, gravity, second):
         du, dv = _slope(work, SPEED * width + i, wet), _slope(work, DRIFT * width + i, wet)
         poured = smaller(2.0 * share * (h * du + u * dh), h - larger(dh, -dh))
         h, e = h - poured, load(work, SURFACE * width + i) - poured
+        left, right = e - de, e + de
+        film = _is_film(row, work, width, i)
+        if any_of(film):
+            back, ahead = _bed_beside(row, work, width, i, i - 1), _bed_beside(row, work, width, i, i + 1)
+            left, right = choose(film, back + h - dh, left), choose(film, ahead + h + dh, right)
+            de = 0.5 * (right - left)
         v = load(work, DRIFT * width + i) - 2.0 * share * u * dv
         u = u - 2.0 * share * (u * du + gravity * de)
+        part = 1.0 / larger(h, DRY)
+        before, after = part * (h + dh), part * (h - dh)
         store(work, LEFT_H * width + i, h - dh)
-        store(work, LEFT_E * width + i, e - de)
-        store(work, LEFT_U * width + i, u - du)
-        store(work, LEFT_V * width + i, v - dv)
+        store(work, LEFT_E * width + i, left)
+        store(work, LEFT_U * width + i, u - before * du)
+        store(work, LEFT_V * width + i, v - before * dv)
         store(work, RIGHT_H * width + i, h + dh)
-        store(work, RIGHT_E * width + i, e + de)
-        store(work, RIGHT_U * width + i, u + du)
-        store(work, RIGHT_V * width + i, v + dv)
+        store(work, RIGHT_E * width + i, right)
+        store(work, RIGHT_U * width + i, u + after * du)
+        store(work, RIGHT_V * width + i, v + after * dv)
 
 
 @inner_kernel
@@ -206,9 +235,8 @@ def sweep_row(row, work, count, ratio, gravity, second):
         pushed = load(work, PUSH_LEFT * width + i + 1) - load(work, PUSH_RIGHT * width + i)
         carried = load(work, CARRIED * width + i + 1) - load(work, CARRIED * width + i)
         depth = larger(load(row, DEPTH * width + i) - ratio * poured, 0.0)
-        wet = depth > DRY
+        square, least = depth * depth, choose(depth < load(row, DEPTH * width + i), FILM * FILM, DRY * DRY)
+        kept = choose(depth > DRY, square / larger(square, least), 0.0)
         store(row, DEPTH * width + i, depth)
-        store(
-            row, ALONG * width + i, choose(wet, load(row, ALONG * width + i) - ratio * (pushed + fall), 0.0)
-        )
-        store(row, ACROSS * width + i, choose(wet, load(row, ACROSS * width + i) - ratio * carried, 0.0))
+        store(row, ALONG * width + i, kept * (load(row, ALONG * width + i) - ratio * (pushed + fall)))
+        store(row, ACROSS * width + i, kept * (load(row, ACROSS * width + i) - ratio * carried))

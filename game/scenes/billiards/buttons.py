@@ -15,6 +15,7 @@ from game.scenes.shared.tables.actions import OPTIONS
 from game.scenes.shared.tables.choices import GUIDE_BUTTONS, GUIDES, following, next_player
 from game.scenes.shared.tables.eye.choices import SIDES
 from game.scenes.shared.tables.grip import NOTHING, Grip, Held
+from game.scenes.shared.tables.seats.cup import after_match
 from game.stage import Part
 
 POWER_STEP = 0.1  # m/s for a key or a notch of the wheel
@@ -64,7 +65,8 @@ class Buttons(Part):
             again = "Again" if len(game.players) == 1 else "New match"
             if len(game.players) == 2 and play.log.entries:
                 rows.append(("film-strokes", "Film", False))
-            rows.append(("rack", again if own or play.match_over else "Next rack", True))
+            again = again if own or play.match_over else "Next rack"
+            rows.append(("rack", after_match(play) or again, True))
         elif game.may_push_out():
             call = play.aiming.call
             rows.append(("safety", "Safety" if call.safety else "Push out", call.safety or call.push_out))

@@ -20,15 +20,16 @@ from game.billiards.shot.balls import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
 from game.physics.kernels import elementary, linear
+from game.scenes.shared.tables.lessons.lesson import Solution, check_goals
+from game.scenes.shared.tables.seats.cup import Round
 from game.worlds.entries.entry import LevelEntry
 
 # the cushions' model needs a nose below the top of every ball, 1.27 R0 < 2 R: R > 0.635 R0
 MOST_RADIUS_SPREAD = 0.35
+LARGEST = 15  # number of a ball at pool
 MOUTH = 0.045  # m; a ball may stand so far outside the noses' lines, in a pocket's mouth
 Coordinate = Annotated[float, msgspec.Meta(ge=-1.0, le=5.0)]  # m
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
-Degrees = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
-Offset = Annotated[float, msgspec.Meta(ge=-0.7, le=0.7)]
 
 
 class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
@@ -36,23 +37,6 @@ class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_onl
 
     number: Annotated[int, msgspec.Meta(ge=0, le=15)]
     position: tuple[Coordinate, Coordinate]
-
-
-class Solution(LevelEntry, frozen=True, kw_only=True):
-    """A stroke that meets the goal of a puzzle: as `game.billiards.Stroke`, angles in degrees."""
-
-    cue_speed: Annotated[float, msgspec.Meta(gt=0.0, le=20.0)]  # m/s
-    azimuth_deg: Degrees
-    elevation_deg: Annotated[float, msgspec.Meta(ge=0.0, le=85.0)] = 0.0
-    tip_left: Offset = 0.0
-    tip_up: Offset = 0.0
-
-    def stroke(self) -> Stroke:
-        """The same in rad."""
-        return Stroke(
-            self.cue_speed, math.radians(self.azimuth_deg), math.radians(self.elevation_deg),
-            self.tip_left, self.tip_up,
-        )  # fmt: skip
 
 
 class BestPlayed(LevelEntry, frozen=True, kw_only=True):
@@ -71,6 +55,7 @@ class BestPlayed(LevelEntry, frozen=True, kw_only=True):
 class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a billiards level.
 
+    cup: of which round of a cup the match is.
     target: points that win a game of straight pool. alternating: in a combination match players take turns
     also after a stroke that counted.
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
@@ -86,6 +71,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
         "run-drill", "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
     ] = "eight-ball"  # fmt: skip
     players: tuple[Name, Name] = ("Ada", "Ben")
+    cup: Round = ""
     calling: Literal["all", "eight", "none"] = "none"
     alternating: bool = False
     target: Annotated[int, msgspec.Meta(ge=1, le=1000)] = TARGET
@@ -133,6 +119,7 @@ def game_of(content: BilliardsContent) -> AnyGame:
     if content.game == "drill":
         if not content.goal or not placed:
             raise ValueError("goal: a drill needs a goal, and balls")
+        check_goals((content.goal, *content.more), LARGEST)
         return Drill(
             goal=content.goal, more=tuple(content.more), set_up=numbers, on_table=numbers,
             in_hand=content.in_hand, tries=content.tries, needed=content.needed,

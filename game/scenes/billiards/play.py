@@ -20,6 +20,7 @@ from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.course import LONG_AGO_S
 from game.scenes.shared.tables.grip import NOTHING
 from game.scenes.shared.tables.moments import OFF, decider, pace_at
+from game.scenes.shared.tables.seats.cup import goes_on
 from game.scenes.shared.tables.seats.hot_seat import waits
 from game.scenes.shared.tables.through.measured import news_of_hand
 from game.scenes.shared.tables.through.push import Push
@@ -47,6 +48,7 @@ class Play(Part):
     called_s: since the referee last called, s; rack_s: how long the rack has lasted.
     seated: the player that has the cue, where it is handed over.
     advised: number of strokes at which the coach was asked last, coached: how often in this rack.
+    rounds: how often the next round of a cup has been asked for.
     """
 
     def __init__(
@@ -71,6 +73,7 @@ class Play(Part):
         self.done: Stroke | None = None
         self.own: tuple[tuple[Stroke, Stroke], ...] = ()
         self.log = Log()
+        self.rounds = 0
         self.advised = -1
         self.coached = 0
         self.called_s = LONG_AGO_S
@@ -342,8 +345,10 @@ class Play(Part):
     def rack(self) -> None:
         """The next rack if the game is over, else this game, or this drill, from its beginning.
 
-        After a match the next one.
+        After a match the next one; after a match of a cup its next round is asked for.
         """
+        if goes_on(self):
+            return
         self.model.rack(new_match=self.match_over)
         if not isinstance(self.model.frame.game, Drill):  # a shot that is tried again is aimed as it was
             self.aiming.point_along(AT_THE_RACK)

@@ -38,8 +38,9 @@ def content_of(play: Play, maker: DrillMaker) -> BilliardsContent:
     if isinstance(game, Drill | RunDrill):
         return model.content
     return BilliardsContent(
-        game=model.content.game, players=model.content.players, calling=model.content.calling,
-        alternating=model.content.alternating, balls=_placed(frame.layout), solution=model.content.solution,
+        game=model.content.game, players=model.content.players, cup=model.content.cup,
+        calling=model.content.calling, alternating=model.content.alternating,
+        balls=_placed(frame.layout), solution=model.content.solution,
         saved=msgspec.to_builtins(game), tallies=frame.tallies,
         rack_tallies=frame.rack_tallies, log=text_of_log(play.log),
         best=_told(best) if best is not None else None,

@@ -30,7 +30,6 @@ from game.scenes.billiards.practice.advisor import PoolAdvisor
 from game.scenes.billiards.practice.coach import PoolCoach
 from game.scenes.billiards.practice.columns import frame_with
 from game.scenes.billiards.practice.drill_maker import DrillMaker
-from game.scenes.billiards.practice.lessons import level_after
 from game.scenes.billiards.practice.log_text import log_in
 from game.scenes.billiards.practice.nearness import scored_by
 from game.scenes.billiards.practice.sets import drill_title, standing_set
@@ -45,6 +44,7 @@ from game.scenes.billiards.view.beside.column import ColumnView
 from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.picture import BilliardsView
 from game.scenes.shared.tables.cue_game import CUE_BALL, ENERGY, PLAYS_ITSELF, SLIDING, CueGameScene
+from game.scenes.shared.tables.lessons.order import level_after
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.stage import (

@@ -29,6 +29,7 @@ ACTIONS = (
     SceneAction("safety", "strike, announced as a safety", "B"),
     SceneAction("undo", "undo the last stroke, or moving balls", "U"),
     SceneAction("next", "the next game, or this one again", "N"),
+    SceneAction("lesson", "the next lesson", "O"),
     SceneAction("coach", "coach: what the stroke was worth, why it missed", "Y"),
     SceneAction("ask", "ask the coach before the stroke", "Q"),
     SceneAction("map", "show the map, or hide it", "V"),

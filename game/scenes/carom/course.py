@@ -70,8 +70,13 @@ class Course(CueCourse):
         self.parameters.tip_left, self.parameters.tip_up = stroke.tip_left, stroke.tip_up
         self.parameters.elevation = 0.0
 
-    def next_game(self) -> None:
-        """The next game if this one is over; else this level from its beginning."""
+    def next_one(self) -> None:
+        if self.learning.best:  # a lesson that is done leads on
+            self.learning.go_on()
+        else:
+            super().next_one()
+
+    def begin_next(self) -> None:
         self.model.next_game()
         self.begin_again()
 

@@ -79,7 +79,8 @@ class CaromHand(Part):
         course, x, y = self.course, event.x, event.y
         places = course.model.frame.places
         ball = next((k for k in range(3) if layout.near(places[k], x, y)), -1)
-        if ball >= 0 and course.person_plays and not course.model.frame.game.ended:
+        movable = course.person_plays and course.learning.lesson is None
+        if ball >= 0 and movable and not course.model.frame.game.ended:
             course.grip = grip.ball(ball)
             self.moved = False
         elif course.may_aim and layout.TABLE.holds(x, y):
@@ -175,7 +176,7 @@ class CaromHand(Part):
         elif name == "undo":
             course.undo()
         elif name == "next":
-            course.next_game()
+            course.next_one()
         elif name == "film-strokes":
             if course.may_film:
                 course.films += 1
@@ -199,6 +200,8 @@ class CaromHand(Part):
             course.strike_by_hand(safety=True)
         elif name in ("side", "map", "explain", "ends"):
             self._show(name)
+        elif name == "lesson":
+            course.learning.go_on()
         elif name == "thoughts":
             parameters.considered = not parameters.considered
         elif name == "ask":

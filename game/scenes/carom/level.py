@@ -11,7 +11,9 @@ from game.billiards.game.carom_frame import Points, points_of
 from game.billiards.game.games.artistic import AnyCarom, Artistic
 from game.billiards.game.games.carom import Carom
 from game.billiards.game.games.carom_kinds import Kind
-from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
+from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, RED, fits
+from game.scenes.shared.tables.lessons.lesson import Lesson, check_goals
+from game.scenes.shared.tables.seats.cup import Round
 
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
 Across = Annotated[float, msgspec.Meta(ge=0.0, le=CAROM_WIDTH)]  # m
@@ -24,15 +26,18 @@ class CaromContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_o
     """[content] of a level of carom.
 
     white, yellow, red: places (x, y) m; left out, all three lie in the starting position. practice: one
-    player, without an end. saved: a game under way, as msgspec writes it.
+    player, without an end. cup: of which round of a cup the match is. lesson: what the level
+    teaches, with one stroke at a time. saved: a game under way, as msgspec writes it.
     """
 
     game: Kind = "three-cushion"
     players: tuple[Name, Name] = ("Ada", "Ben")
+    cup: Round = ""
     white: Place | None = None
     yellow: Place | None = None
     red: Place | None = None
     practice: bool = False
+    lesson: Lesson | None = None
     saved: dict[str, Any] = {}
 
 
@@ -40,6 +45,8 @@ def game_of(content: CaromContent, target: int, innings: int) -> Carom:
     """The game that a level begins with. ValueError for a saved one that cannot be read."""
     if content.saved:
         return read_game(content.saved)
+    if content.lesson is not None:
+        check_goals(content.lesson.goals, RED)
     placed = content.white is not None
     if content.game == "artistic":
         match = Artistic(players=tuple(content.players))
@@ -51,7 +58,7 @@ def game_of(content: CaromContent, target: int, innings: int) -> Carom:
         most_innings=innings,
         opening=not placed,
     )
-    return game.alone() if content.practice else game
+    return game.alone() if content.practice or content.lesson is not None else game
 
 
 def read_game(saved: dict[str, Any]) -> Carom:

@@ -7,12 +7,14 @@ import msgspec
 from game.arrays import Floats
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, points_of, rows_of
+from game.billiards.game.carom_summary import as_shot
 from game.billiards.game.games.carom import Carom
+from game.billiards.game.rules import ShotSummary
 from game.billiards.shot.cloths import CLOTHS
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of
-from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
+from game.billiards.table.carom import BALL_NAMES, BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, WHITE, fits
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.physics.kernels import elementary
@@ -51,7 +53,8 @@ class CaromModel(Part):
         """A game at its beginning, with the head start of one of two players."""
         if len(game.players) != 2 or (content.saved and not game.opening):
             return game
-        return msgspec.structs.replace(game, points=ahead(self.parameters.head_start))
+        start = ahead(self.parameters.head_start)
+        return msgspec.structs.replace(game, points=start, given=start)
 
     def configure(self, active: EffectSet) -> None:
         """Let the cloth, the ends of the game and the effects act from the next stroke on."""
@@ -147,6 +150,27 @@ class CaromModel(Part):
             self.frame = CaromFrame(self._opened(game, content), places, self.frame.table, self.frame.physics)
         self._lay_out()
 
+    # -- lessons ------------------------------------------------------------------------------------
+
+    def put_back(self, words: tuple[str, ...]) -> None:
+        """The balls as a lesson begins, after a stroke of which this is said; it can be seen again."""
+        content = msgspec.structs.replace(self.content, saved={})
+        game, places = begun(content, int(self.parameters.target), int(self.parameters.innings))
+        self.frame = self.frame.replace(game=game, places=places, words=words, foul=False)
+        self._lay_out()
+
+    def seen(self) -> ShotSummary | None:
+        """What the referee saw of the last stroke, the cue ball being 0; None before the first."""
+        played, last = self.played, self.frame.last
+        if played is None or last is None:
+            return None
+        return as_shot(played.summary, last.frame.game.cue)
+
+    @staticmethod
+    def name_of(ball: int) -> str:
+        """A ball in words, in a lesson, which is played with the white one."""
+        return "cue ball" if ball == WHITE else BALL_NAMES[ball]
+
     def begin_moving(self) -> bool:
         """Balls are going to be moved by hand: a game between two becomes practice. True if it was one."""
         game = self.frame.game
@@ -189,6 +213,8 @@ def _said(frame: CaromFrame) -> object:
     last, game = frame.last, msgspec.to_builtins(frame.game)
     if not frame.game.anchored:  # the word of a game without anchors stays what it was before these
         del game["anchored"]
+    if not any(frame.game.given):  # nor does that of a game at level change
+        del game["given"]
     return (
         game, frame.places, frame.physics, frame.strokes,
         None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),

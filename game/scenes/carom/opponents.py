@@ -58,7 +58,7 @@ class CaromOpponents(TableOpponents):
 
     def begin_again(self) -> None:
         """The next game."""
-        self.course.next_game()
+        self.course.next_one()
 
     def play_itself(self) -> None:
         """The last option, or the best stroke at a glance."""

@@ -27,8 +27,9 @@ def _content(model: CaromModel, frame: CaromFrame) -> CaromContent:
     """A frame as a level has it."""
     white, yellow, red = frame.places
     return CaromContent(
-        game=frame.game.kind, players=model.content.players, white=white, yellow=yellow, red=red,
-        practice=len(frame.game.players) == 1, saved=msgspec.to_builtins(frame.game),
+        game=frame.game.kind, players=model.content.players, cup=model.content.cup, white=white,
+        yellow=yellow, red=red, practice=len(frame.game.players) == 1,
+        lesson=model.content.lesson, saved=msgspec.to_builtins(frame.game),
     )  # fmt: skip
 
 

@@ -41,6 +41,7 @@ ACTIONS = (
     SceneAction("coach", "coach: what the stroke was worth, why it missed", "Y"),
     SceneAction("ask", "ask the coach before the stroke", "G"),
     SceneAction("restart", "agree on a stalemate: the frame begins again", "T"),
+    SceneAction("lesson", "the next lesson", "O"),
     keys.LOCK,
     *keys.TURNS,
     *keys.POWERS,

@@ -130,8 +130,7 @@ class Course(CueCourse):
 
     # -- back, on, and what no stroke brings about --------------------------------------------------
 
-    def next_frame(self) -> None:
-        """The next frame if this one is over; else this level from its beginning."""
+    def begin_next(self) -> None:
         again = bool(self.model.game.drill)
         self.model.next_frame()
         self.begin_again()

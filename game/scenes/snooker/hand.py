@@ -20,6 +20,7 @@ from game.scenes.shared.tables.cue import LEAST_SPEED, MAX_SPEED
 from game.scenes.shared.tables.eye.choices import SIDES
 from game.scenes.shared.tables.eye.inset import Inset
 from game.scenes.shared.tables.grip import NOTHING, Grip, Held
+from game.scenes.shared.tables.seats.cup import after_match
 from game.scenes.snooker import layout
 from game.scenes.snooker.columns import COLUMN
 from game.scenes.snooker.course import Course
@@ -56,11 +57,13 @@ class SnookerHand(Part):
             rows.append(("concede", "Claim" if claims else "Sure?" if sure else "Concede", claims or sure))
         if game.may_restart and len(game.players) == 2:
             rows.append(("restart", "Stalemate", False))
+        if course.learning.lesson is not None:
+            rows.append(("lesson", "Next lesson", course.learning.best > 0))
         if game.over:
             if course.may_film:
                 rows.append(("film-strokes", "Film", False))
             words = "Again" if game.drill else "New match" if game.match_over else "Next frame"
-            rows.append(("rack", words, True))
+            rows.append(("rack", after_match(course) or words, True))
         elif course.may_aim:
             rows.append(("strike", "Strike", True))
         return rows
@@ -290,8 +293,10 @@ class SnookerHand(Part):
             parameters.eye = not parameters.eye
         elif name == "view":
             course.next_guide()
+        elif name == "lesson":
+            course.learning.go_on()
         elif name == "rack":
-            course.next_frame()
+            course.next_one()
         elif name == "lock":
             course.locked = not course.locked
         elif name == "concede" and course.person_plays:
@@ -309,7 +314,7 @@ class SnookerHand(Part):
         if course.phase in (ROLLING, REPLAY):
             course.skip()
         elif course.phase == AIMING and course.model.game.over:
-            course.next_frame()
+            course.next_one()
         elif course.may_aim:
             course.strike_by_hand()
 

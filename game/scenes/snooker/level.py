@@ -18,6 +18,8 @@ from game.billiards.table.snooker import (
 )
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
 from game.physics.kernels import elementary
+from game.scenes.shared.tables.lessons.lesson import Lesson, check_goals
+from game.scenes.shared.tables.seats.cup import Round
 
 MOUTH = 0.045  # m; a ball may stand so far outside the noses' lines, in a pocket's mouth
 OVERLAP = 1e-6  # m; balls that a stroke has left touching overlap by rounding
@@ -37,14 +39,17 @@ class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_onl
 class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a level of snooker.
 
+    cup: of which round of a cup the match is.
     balls: where they lie; left out, all are set up for the break-off. spotted: colours on their spots
     besides. after_red: a colour is on. free_ball: the striker has one. points: of both at the start.
     practice: one player; drill: a break that a miss ends, one pot, or one ball on to be hit, again and
-    again. saved: a game under way, as msgspec writes it; put_back: where the balls lay before a miss in it.
+    again. lesson: what the level teaches, with one stroke at a time.
+    saved: a game under way, as msgspec writes it; put_back: where the balls lay before a miss in it.
     """
 
     game: Literal["snooker", "six-red"] = "snooker"
     players: tuple[Name, Name] = ("Ada", "Ben")
+    cup: Round = ""
     balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=22)] = []
     spotted: tuple[Number, ...] = ()
     after_red: bool = False
@@ -52,6 +57,7 @@ class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw
     points: tuple[Points, Points] = (0, 0)
     practice: bool = False
     drill: Literal["", "break", "pot", "escape"] = ""
+    lesson: Lesson | None = None
     saved: dict[str, Any] = {}
     put_back: Annotated[list[PlacedBall], msgspec.Meta(max_length=22)] = []
 
@@ -62,11 +68,14 @@ def game_of(content: SnookerContent, places: Places | None, lot: int) -> Snooker
     """
     if content.saved:
         return read_game(content.saved)
-    alone = content.practice or bool(content.drill)
+    drill = "pot" if content.lesson is not None else content.drill
+    alone = content.practice or bool(drill)
+    if content.lesson is not None:
+        check_goals(content.lesson.goals, COLOURS[-1])
     players = ("Player",) if alone else tuple(content.players)
     game = new_snooker(players, 6 if content.game == "six-red" else 15, lot=lot)
     if places is None:
-        if content.after_red or content.free_ball or content.drill or any(content.points):
+        if content.after_red or content.free_ball or drill or any(content.points):
             raise ValueError("balls: give their places, if a frame is to begin in its midst")
         return game
     numbers = tuple(sorted(ball for ball in places if ball != CUE_BALL))
@@ -78,7 +87,7 @@ def game_of(content: SnookerContent, places: Places | None, lot: int) -> Snooker
     stage = "colour" if content.after_red else "red" if reds else "order"
     return msgspec.structs.replace(
         game, on_table=numbers, opening=False, in_hand="" if CUE_BALL in places else "in the D", stage=stage,
-        free_ball=content.free_ball, points=(0,) if alone else content.points, drill=content.drill,
+        free_ball=content.free_ball, points=(0,) if alone else content.points, drill=drill,
     )  # fmt: skip
 
 

@@ -7,14 +7,14 @@ import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame, Played
-from game.billiards.game.rules import CUE_BALL, Call, Verdict
+from game.billiards.game.rules import CUE_BALL, Call, ShotSummary, Verdict
 from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame, snooker_layout
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.shot.cloths import SNOOKER_CLOTH, faster
 from game.billiards.shot.physics import Physics
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of, table_of
-from game.billiards.table.snooker import BALLS
+from game.billiards.table.snooker import BALLS, name_of
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.shared.tables.choices import ahead
@@ -183,12 +183,35 @@ class SnookerModel(Part):
             content = self.content
             if not game.drill:
                 content = msgspec.structs.replace(content, saved={})
-            fresh, places = begun(content, self.seed_of_lots)
-            fresh = msgspec.structs.replace(
-                self._set(fresh), attempts=game.attempts, made=game.made, high=game.high, winner=None,
-            )  # fmt: skip
-            self.frame = new_snooker_frame(fresh, places, self.frame.table, self.frame.physics)
+            self.frame = self._again(content)
         self._lay_out()
+
+    def _again(self, content: SnookerContent) -> SnookerFrame:
+        """A level at its beginning, with what was counted of a drill."""
+        game = self.game
+        fresh, places = begun(content, self.seed_of_lots)
+        fresh = msgspec.structs.replace(
+            self._set(fresh), attempts=game.attempts, made=game.made, high=game.high, winner=None,
+        )  # fmt: skip
+        return new_snooker_frame(fresh, places, self.frame.table, self.frame.physics)
+
+    # -- lessons ------------------------------------------------------------------------------------
+
+    def put_back(self, words: tuple[str, ...]) -> None:
+        """The balls as a lesson begins, after a stroke of which this is said; it can be seen again."""
+        again = self._again(self.content)
+        following = self.frame.replace(game=again.game, layout=again.layout, words=words, foul=False)
+        self.frame = self._as_snooker(following)
+        self._lay_out()
+
+    def seen(self) -> ShotSummary | None:
+        """What the referee saw of the last stroke; None before the first."""
+        return self.played.summary if self.played is not None else None
+
+    @staticmethod
+    def name_of(ball: int) -> str:
+        """A ball in words."""
+        return name_of(ball)
 
 
 def _said(frame: SnookerFrame) -> object:

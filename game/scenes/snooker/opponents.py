@@ -100,7 +100,7 @@ class SnookerOpponents(TableOpponents):
 
     def begin_again(self) -> None:
         """The next frame."""
-        self.course.next_frame()
+        self.course.next_one()
 
     def play_itself(self) -> None:
         """The first option, or a simple stroke of its own seed."""

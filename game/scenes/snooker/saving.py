@@ -23,8 +23,10 @@ def content_of(model: SnookerModel) -> SnookerContent:
     """Game and table as they are; in the midst of a stroke, as they were before it."""
     balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in model.frame.layout.places]
     return SnookerContent(
-        game=model.content.game, players=model.content.players, balls=balls, practice=model.content.practice,
-        drill=model.content.drill, saved=msgspec.to_builtins(model.game), put_back=_put_back(model),
+        game=model.content.game, players=model.content.players, cup=model.content.cup, balls=balls,
+        practice=model.content.practice,
+        drill=model.content.drill, lesson=model.content.lesson,
+        saved=msgspec.to_builtins(model.game), put_back=_put_back(model),
     )  # fmt: skip
 
 

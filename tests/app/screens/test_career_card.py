@@ -15,6 +15,7 @@ from game.billiards.career.matches import cup_match, opponents_at
 from game.billiards.career.prizes import PRIZES
 from game.billiards.game.register import REGISTER
 from game.scenes import CATALOGUE
+from game.stage import Action
 from tests.app.tests_app import Driver
 
 LONGEST_S = 300.0
@@ -112,6 +113,10 @@ def test_a_tournament_is_begun_and_won_in_the_window(driver):
     driver.frames(30)
     driver.top._take_game("three-cushion")
     press(driver, "cup")
+    assert isinstance(driver.top, ChoiceCard)
+    driver.key(pygame.K_DOWN)
+    driver.key(pygame.K_RETURN)
+    driver.frames(30)
     for _ in range(3):
         if not isinstance(driver.top, CareerCard):
             driver.app.open_menu()
@@ -169,6 +174,9 @@ def test_a_tournament_may_be_played_with_fair_head_starts(driver):
     card = driver.top
     card._take_game("straight-rail")
     press(driver, "cup")
+    driver.key(pygame.K_DOWN)
+    driver.key(pygame.K_RETURN)
+    driver.frames(30)
     level = card.match
     assert level is not None and level.cup and level.head_start == 0
     press(driver, "start")
@@ -177,3 +185,36 @@ def test_a_tournament_may_be_played_with_fair_head_starts(driver):
     assert fair.head_start != 0 and card.in_cup
     press(driver, "play")
     assert read_career().player.pending == fair
+
+
+def test_the_first_tournament_of_a_career_is_that_of_newcomers(driver):
+    """It is what Enter takes; two short matches win it, and then the tournament of eight comes first."""
+    keep_career(Career((Player("Mia"),)))
+    driver.app.open_career()
+    driver.frames(30)
+    assert driver.top.game == "eight-ball"
+    press(driver, "cup")
+    driver.key(pygame.K_RETURN)
+    driver.frames(30)
+    for round_name in ("Semi-final", "Final"):
+        player = read_career().player
+        assert player.cup.newcomers and player.cup.knockout.round_name == round_name
+        if round_name == "Semi-final":
+            driver.top.begin()
+        else:
+            driver.stage.post(Action("rack"))
+            driver.frames(3)
+        scene = opened(driver)
+        assert scene.parameters.race == "1" and not scene.contest.over
+        assert scene.parameters.second_player in [one.name for one in opponents_at("eight-ball")[:3]]
+        frame = scene.model.frame
+        won = msgspec.structs.replace(frame.game, won=(1, 0), winner=0, turn=0)
+        scene.model.frame = frame.replace(game=won)
+        driver.frames(3)
+    player = read_career().player
+    assert [(cup.reached, cup.newcomers) for cup in player.cups] == [(3, True)]
+    assert "slate cloth" not in player.unlocked and "olive cloth" not in player.unlocked
+    driver.app.open_career()
+    driver.frames(30)
+    press(driver, "cup")
+    assert driver.top.rows[driver.top.focus].value == "eight"

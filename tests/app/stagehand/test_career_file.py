@@ -83,5 +83,5 @@ def test_a_file_of_the_first_format_is_read_and_written_in_the_present_one():
     career_path().write_text('{"format": 1, "career": {"players": [{"name": "Mia"}]}}')
     assert load_career() == (Career((Player("Mia"),)), "")
     keep_career(Career((Player("Mia", unlocked=("blue cloth",)),)))
-    assert json.loads(career_path().read_text())["format"] == 2
+    assert json.loads(career_path().read_text())["format"] == career_file.FORMAT
     assert read_career().player.unlocked == ("blue cloth",)

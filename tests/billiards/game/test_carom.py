@@ -2,6 +2,7 @@
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -85,6 +86,16 @@ def test_run_innings_average_high_run():
     assert (now.points, now.innings, now.high_runs, now.run, now.turn) == ((3, 0), (2, 2), (2, 0), 0, 1)
     assert now.average(0) == 1.5 and now.average(1) == 0.0
     assert Carom().average(1) == 0.0
+
+
+def test_points_of_a_head_start_are_none_of_the_average():
+    now = game(target=0, points=(4, 0), given=(4, 0))
+    for path in ("r<^>y", "r<^>y", "r", "w", "r<^>y", ""):
+        now = now.judge(did(path)).game
+    assert (now.points, now.innings, now.high_runs) == ((7, 0), (2, 2), (2, 0))
+    assert (now.average(0), now.average(1)) == (1.5, 0.0)
+    ended = msgspec.structs.replace(now, ended=True).next_game().game
+    assert (ended.points, ended.given, ended.average(0)) == ((0, 0), (0, 0), 0.0)
 
 
 # -- the beginning ----------------------------------------------------------------------------------

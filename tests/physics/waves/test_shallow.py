@@ -173,10 +173,14 @@ def test_round_water_breathes_in_a_round_bowl():
     volume = water.volume()
     water.advance(1.0)
     middle = water.depth[n // 2 - 1 : n // 2 + 1, n // 2 - 1 : n // 2 + 1].mean()
+    later = 1.0 - share * math.cos(math.sqrt(0.8 * G))
+    exact = 0.1 * (root / later - r2 * ((1.0 - share * share) / (later * later) - 1.0))
+    error = np.abs(water.depth - np.maximum(exact - bed, 0.0)).mean()
     assert middle == pytest.approx(0.06510118759658438, rel=0.02)
     assert water.volume() == pytest.approx(volume, rel=1e-13)
     assert np.max(np.abs(water.depth - water.depth[::-1])) < 1e-12
-    assert np.max(np.abs(water.depth - water.depth.T)) < 2e-4  # the sweeps' order alone tells x from y
+    assert error < 8.5e-5  # m
+    assert np.abs(water.depth - water.depth.T).mean() < 0.2 * error  # the sweeps' order alone tells x from y
 
 
 def test_a_channel_along_y_does_as_one_along_x():
@@ -238,6 +242,36 @@ def test_puddles_and_a_moving_shore_stay_sane():
         water.advance(0.05)
         assert (water.depth >= 0.0).all() and np.max(np.abs(water.velocity()[0])) < most
     assert water.volume() == pytest.approx(volume, rel=1e-12)
+
+
+@pytest.mark.parametrize("method", ["constant", "linear"])
+@pytest.mark.parametrize(("slope", "cell"), [(0.2, 0.1), (0.75, 0.5), (1.0, 0.1)])
+def test_a_film_down_a_slope_is_not_faster_than_its_fall(slope, cell, method):
+    """Its tip leaves a lake 0.5 m deep with 2 sqrt(g h): u² = 4 g h + 2 g drop at most; and nearly that."""
+    x = (np.arange(200) + 0.5) * cell
+    drop = slope * np.maximum(x - 40 * cell, 0.0)
+    ends = ("wall", "open", "wall", "wall")
+    water = channel(
+        np.where(drop > 0.0, 0.0, 0.5), -drop, cell, ends, method=("constant", "linear").index(method)
+    )
+    most = 0.0
+    for _ in range(60):
+        water.advance(0.05)
+        most = max(most, float(np.max(np.abs(water.velocity()[0][0]) / np.sqrt(G * (2.0 + 2.0 * drop)))))
+    assert 0.85 < most < 1.0
+
+
+@pytest.mark.parametrize("shore", [((0, 20), (12, 3), (20, 0)), ((0, 17), (7, 9), (15, 3), (22, 0))])
+def test_a_shore_that_falls_dry_lets_its_last_water_go(shore):
+    """No film stays behind on it, to fall and fall; none is faster than Ritter's tip, 2 sqrt(g h)."""
+    x = (np.arange(256) + 0.5) * 0.5
+    bed = np.interp(x, *zip(*shore, strict=True))
+    depth = np.where(x < 48.0, np.maximum(10.0 - bed, 0.0), 0.0)
+    water = channel(depth, bed, 0.5, ("wall", "open", "wall", "wall"))
+    for _ in range(200):
+        water.advance(0.1)
+        assert np.max(np.abs(water.velocity()[0])) < 2.0 * math.sqrt(10.0 * G)
+    assert np.max(water.depth[0, bed > 4.0]) < 1e-3
 
 
 def test_streams_that_part_faster_than_the_vacuum_leave_dry_ground():

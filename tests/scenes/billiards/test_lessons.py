@@ -11,9 +11,9 @@ from game.billiards.search.chances import pocket_of
 from game.billiards.search.legality import Legality
 from game.billiards.search.strokes import Board
 from game.levels import level_files
-from game.scenes.billiards.practice.lessons import LAST, LESSON, level_after
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.view.words import line_of
+from game.scenes.shared.tables.lessons.order import LAST, LESSON, level_after
 from game.stage import Action, Stage, replay_scene
 from tests.scenes.billiards.billiards_stages import open_level, seconds, until_aiming
 

@@ -13,7 +13,7 @@ from game.billiards.players.carom import CAROM_GRADES, decide_carom, hand_of, po
 from game.billiards.table.carom import BALL_RADIUS, RED, WHITE, YELLOW, fits
 from game.levels import LevelError, parse_level
 from game.scenes.carom import layout
-from game.scenes.carom.level import CaromContent
+from game.scenes.carom.level import CaromContent, read_game
 from game.scenes.carom.opponents import CaromOpponents
 from game.scenes.carom.scene import CaromScene
 from game.scenes.shared.tables import grip
@@ -474,3 +474,14 @@ def test_boxes_do_not_overlap():
     assert np.hypot(*np.subtract(layout.TIP_MIDDLE, layout.TIP.middle)) < 1.0
     assert layout.row_at(*layout.row_box(3).middle) == 3 and layout.row_at(0.0, 0.0) == -1
     assert YELLOW == 1 and BALL_RADIUS > 0.0
+
+
+@pytest.mark.parametrize(("start", "points"), [(3, (3, 0)), (-2, (0, 2))])
+def test_a_head_start_begins_with_points_and_without_an_average(start, points):
+    stage = open_level("straight-rail", head_start=start)
+    game = stage.scene.model.frame.game
+    assert game.points == game.given == points
+    assert {one.name: one.value for one in stage.scene.readouts()}["average"] == 0.0
+    assert read_game(msgspec.to_builtins(game)) == game
+    old = {name: value for name, value in msgspec.to_builtins(game).items() if name != "given"}
+    assert read_game(old).given == (0, 0), "a game that was kept before head starts were told apart"

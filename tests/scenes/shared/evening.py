@@ -6,8 +6,8 @@ rack one of the two is a program with a pointer, which aims at a ball and strike
 
 from __future__ import annotations
 
+import argparse
 import math
-import sys
 import time
 from typing import Any
 
@@ -128,6 +128,14 @@ def scene_points(stage: Stage) -> object:
     return game.winner if game.winner is not None else getattr(game, "points", None)
 
 
+def parser() -> argparse.ArgumentParser:
+    """What an evening is asked for with."""
+    made = argparse.ArgumentParser(prog="python -m tests.scenes.shared.evening", description=__doc__)
+    made.add_argument("racks", nargs="?", type=int, default=200, help="how many are played (%(default)s)")
+    made.add_argument("seed", nargs="?", type=int, default=0, help="of the first of them (%(default)s)")
+    return made
+
+
 def main(racks: int, seed: int) -> None:
     """Play, game after game in turn, and say how it went."""
     entries, faults = list(REGISTER.values()), 0
@@ -148,4 +156,5 @@ def main(racks: int, seed: int) -> None:
 
 
 if __name__ == "__main__":
-    main(*(int(value) for value in [*sys.argv[1:], *("200", "0")[len(sys.argv) - 1 :]]))
+    asked = parser().parse_args()
+    main(asked.racks, asked.seed)

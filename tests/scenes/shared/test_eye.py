@@ -13,11 +13,12 @@ from game.billiards.game.frame import Struck, trajectory_of
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.table.table import Table
+from game.scenes.shared.tables.eye import view
 from game.scenes.shared.tables.eye.cameras import Room, behind, beside
 from game.scenes.shared.tables.eye.inset import SHAPE, corner_for, inner_corner
-from game.scenes.shared.tables.eye.lines import Line, draw_lines_seen
+from game.scenes.shared.tables.eye.lines import CIRCLE, Line, draw_lines_seen, lines_of
 from game.scenes.shared.tables.moments import AFTER_S, SLOW, Moments, moments_of, pace_at
-from game.scenes.shared.tables.prediction import foresee
+from game.scenes.shared.tables.prediction import FIRST_BALL, SET_OFF, foresee
 from game.stage import Action, Pointer
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
@@ -299,3 +300,40 @@ def test_what_is_foreseen_ends_at_the_event_that_is_asked_for():
     end = trajectory.state_at(float(contacts[-1, 0])).positions[frame.layout.numbers.index(CUE_BALL)]
     assert every.after[-1] == pytest.approx(end, abs=1e-6)
     assert more.last is not None or more.after[-1] != pytest.approx(end, abs=1e-3)
+
+
+@pytest.mark.parametrize(("guide", "ends"), [("whole", True), ("first", False)])
+def test_the_view_from_the_cue_holds_what_the_picture_from_above_has(guide: str, ends: bool):
+    """Beside the paths: rings at cushions, pots and ends; and, through the ball, where that sets off."""
+    stage = pool.straight_pot()
+    stage.scene.parameters.guide = guide
+    frame = stage.scene.model.frame
+    sight = foresee(Struck(frame, Stroke(1.5, pool.AT_THE_CORNER)), 30 if guide == "whole" else FIRST_BALL)
+    radius = float(frame.layout.balls.radii[CUE_BALL])
+    lines = lines_of(sight, radius)
+    through = [line for line in lines if line.over]
+    assert len(through) == 1
+    begun = through[0].points
+    assert begun[0] == pytest.approx(sight.target_place, abs=1e-6)
+    assert float(np.hypot(*np.diff(begun, axis=0).T).sum()) == pytest.approx(SET_OFF)
+    rings = [line for line in lines if len(line.points) == len(CIRCLE) and np.allclose(*line.points[[0, -1]])]
+    middles = [tuple(line.points[:-1].mean(axis=0)) for line in rings]
+    places = [*sight.bounces, *(path.points[-1] for path in sight.others if path.potted)]
+    places += [sight.target_place, *([sight.last] if sight.last is not None else [])]
+    assert middles == [pytest.approx(tuple(place), abs=1e-9) for place in places]
+    assert (sight.last is not None) is ends
+
+
+@pytest.mark.parametrize("table", ["pool", "snooker"])
+def test_of_a_straight_stroke_the_way_of_the_first_ball_is_seen_through_it(table, monkeypatch):
+    stage = OPEN[table](eye=True)
+    stage.scene.parameters.guide = "first"
+    stage.run(2)
+    whole = drawn(stage)
+    kept = view.EyePicture.draw
+
+    def without(self, canvas, rect, furniture, eye, seen):
+        kept(self, canvas, rect, furniture, eye, seen._replace(lines=[x for x in seen.lines if not x.over]))
+
+    monkeypatch.setattr(view.EyePicture, "draw", without)
+    assert differ(whole, drawn(stage)) > 0.0

@@ -70,12 +70,12 @@ def test_the_wheel_turns_the_cue_and_with_control_or_over_the_bar_sets_the_power
 
 @pytest.mark.parametrize(
     ("name", "called"),
-    [("undo", "undo"), ("replay", "replay"), ("view", "next_guide"), ("rack", "next_frame"),
+    [("undo", "undo"), ("replay", "replay"), ("view", "next_guide"), ("rack", "next_one"),
      ("concede", "concede"), ("restart", "restart"), ("strike", "strike_by_hand")],
 )  # fmt: skip
 def test_each_command_is_what_its_name_says_and_nothing_else(hand, monkeypatch, name, called):
     done = []
-    names = ("undo", "replay", "next_guide", "next_frame", "concede", "restart", "strike_by_hand", "skip",
+    names = ("undo", "replay", "next_guide", "next_one", "concede", "restart", "strike_by_hand", "skip",
              "take_option", "nominate")  # fmt: skip
     for other in names:
         monkeypatch.setattr(type(hand.course), other, lambda course, *given, other=other: done.append(other))

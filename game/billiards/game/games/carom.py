@@ -44,7 +44,8 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
 
     target: points that end it, 0 for none. most_innings: of each player, 0 for no limit. equalise: the second
     player has as many innings as the first. points, innings (begun), high_runs, safeties (in a row), won
-    (games): of each player. run: points of this inning. inside: ENTERED or INSIDE while both object balls lie
+    (games): of each player. given: points of each that are a head
+    start. run: points of this inning. inside: ENTERED or INSIDE while both object balls lie
     in one barred corner or box, else 0; anchored: the same of one anchor. alone_with: the
     ball that a player without another one plays. opening: the stroke is made from the starting position.
     ended: the game has ended; winner: None too if it is drawn.
@@ -59,6 +60,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     turn: int = 0
     breaker: int = 0
     points: tuple[int, ...] = (0, 0)
+    given: tuple[int, int] = (0, 0)
     innings: tuple[int, ...] = (1, 0)
     high_runs: tuple[int, ...] = (0, 0)
     safeties: tuple[int, ...] = (0, 0)
@@ -112,8 +114,9 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         return must_leave(self.rule.barred, self.counts, places, self.cue)
 
     def average(self, player: int) -> float:
-        """Points an inning of a player; 0 before the first."""
-        return self.points[player] / self.innings[player] if self.innings[player] else 0.0
+        """Points made in an inning by a player, without those of a head start; 0 before the first."""
+        innings, made = self.innings[player], self.points[player] - self.given[player]
+        return made / innings if innings else 0.0
 
     def start(self) -> Floats:
         """Places (3, 2) m of the starting position of the player at turn."""
@@ -275,7 +278,8 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         breaker = (self.breaker + 1) % len(self.players)
         zeros = (0,) * len(self.players)
         game = msgspec.structs.replace(
-            self, turn=breaker, breaker=breaker, points=zeros, innings=_with(zeros, breaker, 1),
+            self, turn=breaker, breaker=breaker, points=zeros, given=(0, 0),
+            innings=_with(zeros, breaker, 1),
             high_runs=zeros, safeties=zeros, run=0, inside=0, anchored=0, opening=True, options=(),
             ended=False, winner=None,
         )  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from game.billiards.game.goals import Goal, missed
+from game.billiards.game.goals import Goal, missed, stars_of
 from game.billiards.game.rules import Call, Game, Hand, ShotSummary, Verdict
 
 
@@ -47,12 +47,7 @@ class Drill(Game, frozen=True, kw_only=True, tag="drill"):
 
     def stars(self, shot: ShotSummary) -> int:
         """Stars of a stroke: none if the goal is missed, one more for each further goal, in their order."""
-        stars = 0
-        for goal in (self.goal, *self.more):
-            if missed(goal, shot):
-                break
-            stars += 1
-        return stars
+        return stars_of((self.goal, *self.more), shot)
 
     def judge(self, shot: ShotSummary, call: Call = Call()) -> Verdict:  # noqa: B008  (immutable)
         """What follows from a stroke. `scored` of the verdict: what went down, if the goal is met."""

@@ -16,6 +16,7 @@ from game.scenes.billiards.view.beside.record import rating_words
 from game.scenes.billiards.view.cloth import dress_of
 from game.scenes.shared.tables.referee.card import time_words
 from game.scenes.shared.tables.rolling import balls_at
+from game.scenes.shared.tables.seats.cup import after_match
 from game.scenes.shared.tables.view import draw_balls, draw_table, frame_of
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
@@ -82,7 +83,8 @@ class EndCard:
         title = look.fonts.fit(f"{game.players[game.winner]} wins the rack", 20, "display", space)
         look.text(canvas.surface, title, (x, y), 20, "display", "text1")
         _draw_figures(canvas.surface, look, frame, x, y + px(44), space, time_words(play.rack_s))
-        words = "Enter: next rack     U: undo"
+        following = after_match(play).lower() or ("new match" if play.match_over else "next rack")
+        words = f"Enter: {following}     U: undo"
         look.text(canvas.surface, words, (x, rect.bottom - px(24)), 12, "medium", "text3")
         if frame.best is not None:
             self._draw_best(canvas, look, play, frame.best, rect)

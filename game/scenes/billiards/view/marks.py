@@ -6,12 +6,11 @@ from game.billiards.game.games import Drill
 from game.billiards.game.games.eight_ball import EIGHT
 from game.billiards.game.rules import CUE_BALL, Game
 from game.billiards.table.rack import HEAD_SPOT
-from game.billiards.table.table import Table
 from game.scenes.billiards.play import AIMING, SET_UP, Play
+from game.scenes.shared.tables.lessons.rings import draw_goals
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_COOL, FELT_LINE, FELT_WARM
 
-STAR = "★"
 OWN_RING = 1.32  # of the light round a ball, in its radii
 
 
@@ -23,7 +22,7 @@ def draw_marks(canvas: Canvas, play: Play) -> None:
         y = HEAD_SPOT * table.length
         canvas.line((0.0, y), (table.width, y), FELT_LINE, 1.25, dash=(6.0, 6.0), alpha=0.6)
     if isinstance(game, Drill) and play.phase != SET_UP:
-        _draw_goal(canvas, game, table)
+        draw_goals(canvas, (game.goal, *game.more), table)
     if play.may_aim:
         _draw_own(canvas, play)
     _draw_call(canvas, play)
@@ -57,16 +56,6 @@ def _draw_own(canvas: Canvas, play: Play) -> None:
                           dash=dash, alpha=0.75)  # fmt: skip
 
 
-def _draw_goal(canvas: Canvas, game: Drill, table: Table) -> None:
-    """Rings where balls must stop, and the pockets where balls must fall."""
-    with canvas.within((0.0, 0.0), (table.width, table.length)):
-        _draw_rings(game, table, canvas)
-    for pot in game.goal.pots:
-        if pot.pocket is not None and pot.pocket < len(table.pockets):
-            x, y, radius = table.pockets[pot.pocket].tolist()
-            canvas.circle((x, y), radius + canvas.px(3.0), outline=FELT_WARM, width=2.0)
-
-
 def _draw_call(canvas: Canvas, play: Play) -> None:
     """The pocket and the ball that are called."""
     frame, call = play.model.frame, play.aiming.call
@@ -77,15 +66,3 @@ def _draw_call(canvas: Canvas, play: Play) -> None:
         if number == call.ball and play.phase == AIMING:
             radius = 1.35 * float(frame.layout.balls.radii[number])
             canvas.circle((x, y), radius, outline=FELT_COOL, width=2.0)
-
-
-def _draw_rings(game: Drill, table: Table, canvas: Canvas) -> None:
-    """Where a ball must stop, each ring with the stars that it brings at its end towards the middle."""
-    middle = 0.5 * table.width
-    for stars, goal in enumerate((game.goal, *game.more), 1):
-        for zone in goal.zones:
-            inward = 1.0 if zone.x < middle else -1.0
-            canvas.circle((zone.x, zone.y), zone.radius, fill=FELT_WARM, fill_alpha=0.08, outline=FELT_WARM,
-                          width=1.5, dash=(5.0, 4.0))  # fmt: skip
-            end = (zone.x + inward * zone.radius, zone.y)
-            canvas.label(end, STAR * stars, FELT_WARM, 11, offset=(0.0, -9.0 * inward), halo=False)

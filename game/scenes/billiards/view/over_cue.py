@@ -67,7 +67,7 @@ class OverCue:
         radius = float(before.layout.balls.radii[CUE_BALL])
         gap = cue.gap if cue is not None and cue.solid >= SEEN else None
         foul = sight is not None and foul_of(before.game, play.aiming.call, sight.target, sight.short)
-        lines = lines_of(sight) if sight is not None else []
+        lines = lines_of(sight, radius) if sight is not None else []
         seen = Seen(balls, lines, ghost_of(sight, radius, bool(foul)))
         aimed = Aimed(before.cue_ball, stroke, radius, gap)
         self._eye.draw_inset(

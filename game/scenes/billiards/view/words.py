@@ -14,6 +14,7 @@ from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, ROLLING, STRIKING, Play
 from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.motion import power_of
+from game.scenes.shared.tables.lessons.lesson import NEXT_LESSON
 
 
 def aim_words(azimuth: float) -> str:
@@ -54,7 +55,6 @@ def foul_of(game: Game, call: Call, first: int | None, short: bool) -> str:
 
 
 PULLS, PUSHES = "pull the cue back and let go", "draw the cue back and push it through"
-NEXT_LESSON = "O goes on to the next lesson."
 
 
 class Line(NamedTuple):

@@ -37,6 +37,7 @@ from game.scenes.shared.tables.eye.lines import Line
 from game.scenes.shared.tables.eye.picture import Furniture, Seen
 from game.scenes.shared.tables.furnishing.felts import FELTS
 from game.scenes.shared.tables.grip import Held
+from game.scenes.shared.tables.lessons.rings import draw_goals
 from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.referee.banner import draw_call
 from game.scenes.shared.tables.referee.calls import carom_call
@@ -107,12 +108,14 @@ class CaromView:
             return
         draw_call(canvas, look, layout.TABLE, carom_call(played.verdict), course.called_s)
         if game.ended and len(game.players) == 2:
-            draw_card(canvas, look, layout.TABLE, counted_of(game, course.frame_s))
+            draw_card(canvas, look, layout.TABLE, counted_of(course))
 
     def _draw_play(self, canvas: Canvas, drawn: Drawn | None, furniture: Furniture, balls: Balls) -> None:
         """What lies and moves on the table, from above; the view from the cue."""
         course = self.course
         draw_zones(canvas, course)
+        if course.learning.lesson is not None:
+            draw_goals(canvas, course.learning.lesson.goals, course.model.frame.table)
         lines = self._draw_paths(canvas, drawn) if course.phase == AIMING else []
         draw_balls(canvas, balls, furniture.table, felt=furniture.dress.felt)
         if course.may_aim or course.phase == STRIKING:

@@ -18,6 +18,7 @@ from game.scenes.shared.tables.choices import player_words
 from game.scenes.shared.tables.course import PERSON, REPLAY
 from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.referee.card import Counted, time_words
+from game.scenes.shared.tables.seats.cup import after_match
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -105,7 +106,8 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None, t
     rect = rect_of(canvas, layout.FOOT)
     frame = course.model.frame
     y = rect.y + look.px(10)
-    said = " ".join(frame.words) or figure_words(frame.game)
+    lesson = course.learning.lesson
+    said = " ".join(frame.words) or (lesson.says if lesson is not None else figure_words(frame.game))
     if said:
         words = look.fonts.fit(said, 13, "semibold", rect.w)
         look.text(canvas.surface, words, (rect.x + look.px(4), y), 13, "semibold",
@@ -165,17 +167,24 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
         "replay": course.phase == REPLAY or course.model.frame.last is not None,
         "film-strokes": course.may_film,
     }.get(name, True)
-    main = usable and (name == "play" or (name in ("eye", "coach") and getattr(course.parameters, name)))
+    main = usable and (
+        name == "play"
+        or (name == "next" and bool(course.learning.best or after_match(course)))
+        or (name in ("eye", "coach") and getattr(course.parameters, name))
+    )
     fill = look.theme.accent if main else look.theme.inset
     draw_box(canvas.surface, box, look.px(6), fill, None if main else look.theme.line, look.border)
     said = {("strike", "rolling"): "To the end", ("replay", REPLAY): "Back"}
     words = said.get((name, course.phase), BUTTON_WORDS[name])
+    if name == "next":
+        words = "Next lesson" if course.learning.best else after_match(course) or words
     color = "on_accent" if main else "text1" if usable else "text3"
     look.text(canvas.surface, words, box.center, 12, "semibold", color, "center")
 
 
-def counted_of(game: Carom, seconds: float) -> Counted:
-    """What the card at the end of a game of so many s says."""
+def counted_of(course: Course) -> Counted:
+    """What the card at the end of a game says."""
+    game, seconds = course.model.frame.game, course.frame_s
     title = "Drawn" if game.winner is None else f"{game.players[game.winner]} wins"
     first, second = (
         (str(game.points[k]), str(game.innings[k]), f"{game.average(k):.2f}", str(game.high_runs[k]))
@@ -183,4 +192,5 @@ def counted_of(game: Carom, seconds: float) -> Counted:
     )
     heads = ("Points", "Innings", "Average", "High run")
     rows = (*zip(heads, first, second, strict=True), ("Time", "", time_words(seconds)))
-    return Counted(title, (game.players[0], game.players[1]), rows, "N: next game     U: undo")
+    foot = f"N: {after_match(course).lower() or 'next game'}     U: undo"
+    return Counted(title, (game.players[0], game.players[1]), rows, foot)

@@ -13,7 +13,9 @@ from game.billiards.shot.cue import speed_ratio
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.lessons.lesson import Learning
 from game.scenes.shared.tables.moments import OFF, decider, pace_at, slowed_s
+from game.scenes.shared.tables.seats.cup import goes_on
 from game.scenes.shared.tables.seats.hot_seat import waits
 from game.scenes.shared.tables.through.measured import news_of_hand
 from game.scenes.shared.tables.through.push import Push
@@ -41,6 +43,7 @@ class CueCourse(Part):
     from_side: a replay is seen from its side, slowly about the moments that decide. marked: the strokes of
     the match as they counted; films: how often a film of those that decided it has been asked for.
     advised: number of strokes at which the coach was asked last, coached: how often in this frame.
+    rounds: how often the next round of a cup has been asked for. learning: how a lesson goes.
     """
 
     model: Any
@@ -70,6 +73,8 @@ class CueCourse(Part):
         self.frame_s = 0.0
         self.marked: tuple[Marked, ...] = ()
         self.films = 0
+        self.rounds = 0
+        self.learning = Learning(model.content.lesson, model.seen, model.name_of)
         self.advised = -1
         self.coached = 0
         self._seed = seed
@@ -239,6 +244,8 @@ class CueCourse(Part):
             self.marked = with_marked(self.marked, self.model.frame.last, self.model.played)
             self.model.settle()
             self.called_s = 0.0
+            if self.learning.lesson is not None and not self.plays_itself:
+                self.model.put_back(self.learning.judged())
             self.start_phase(AIMING)
 
     @property
@@ -298,6 +305,15 @@ class CueCourse(Part):
         self.model.go_back_to(taken)
         self.chosen, self.grip = None, NOTHING
         self.start_phase(AIMING)
+
+    def next_one(self) -> None:
+        """The next frame or game; after a match of a cup its next round is asked for, and nothing begins."""
+        if not goes_on(self):
+            self.begin_next()
+
+    def begin_next(self) -> None:
+        """The next frame or game if this one is over; else this level from its beginning."""
+        raise NotImplementedError
 
     def begin_again(self) -> None:
         """Nothing is pending, chosen or held; the cue is at rest."""

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from game.arrays import Floats
 from game.scenes.shared.tables import actions as keys
 from game.scenes.shared.tables.course import REPLAY
+from game.scenes.shared.tables.lessons.order import level_after
 from game.scenes.shared.tables.minds.contest import contest_of, stroke_of
 from game.scenes.shared.tables.seats.hot_seat import draw_hand_over, waits
 from game.scenes.shared.tables.together.stroke_text import looks_like_a_stroke
@@ -111,6 +112,20 @@ class CueGameScene(Scene):
     @property
     def contest(self) -> Contested | None:
         return contest_of(self.course)
+
+    @property
+    def stars(self) -> tuple[int, int] | None:
+        stars: tuple[int, int] | None = None if self.course.plays_itself else self.course.learning.stars
+        return stars
+
+    @property
+    def level_wanted(self) -> str:
+        path = self.level.path if self.level is not None else None
+        return level_after(path.stem) if self.course.learning.to_next and path is not None else ""
+
+    @property
+    def round_wanted(self) -> int:
+        return int(self.course.rounds)
 
     def stroke_measured(self) -> StrokeMeasured | None:
         return stroke_of(self.course)

@@ -77,7 +77,7 @@ def foresee(struck: Struck, events: int) -> Sight:
         cut = _cut(paths.path(cue, 0.0, meets), ghost, place)
         short = is_short(trajectory, cue, other, meets)
         if only_first:
-            begun = BallPath(target, _beginning(paths.path(other, meets, trajectory.end_time)), False)
+            begun = BallPath(target, beginning(paths.path(other, meets, trajectory.end_time)), False)
             return Sight(
                 paths.path(cue, 0.0, meets), np.empty((0, 2)), ghost, target, place, cut, (begun,),
                 _bounces(paths, seen, cue), None, *_flown(struck, paths, cue, meets), short,
@@ -129,7 +129,7 @@ def _bounces(paths: Paths, seen: Floats, cue: int) -> tuple[tuple[float, float],
     )
 
 
-def _beginning(points: Floats) -> Floats:
+def beginning(points: Floats) -> Floats:
     """The first SET_OFF of a path (n, 2) m."""
     way = np.concatenate([[0.0], np.cumsum(elementwise.hypot(*np.diff(points, axis=0).T))])
     count = int(np.searchsorted(way, SET_OFF))

@@ -10,6 +10,7 @@ from game.billiards.game.rules import CUE_BALL
 from game.billiards.table import snooker
 from game.billiards.table.table import SNOOKER_WIDTH
 from game.scenes.shared.tables.course import AIMING
+from game.scenes.shared.tables.lessons.rings import draw_goals
 from game.scenes.snooker.course import Course
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_COOL, FELT_LINE, FELT_WARM
@@ -30,6 +31,8 @@ def draw_lines(canvas: Canvas) -> None:
 def draw_marks(canvas: Canvas, course: Course) -> None:
     """What is on where that is one ball, what is nominated, the cue ball in hand, a locked aim."""
     frame, game = course.model.frame, course.model.game
+    if course.learning.lesson is not None:
+        draw_goals(canvas, course.learning.lesson.goals, frame.table)
     if course.phase != AIMING or not frame.playable:
         return
     on, nominated = game.balls_on(), course.call.ball if course.may_aim else None

@@ -106,7 +106,7 @@ class SnookerView:
             draw_walk(canvas, frame.table, self.opponents.walk)
         if sight is not None and place is not None:
             self._magnify(canvas, sight, balls, place, bool(foul))
-        lines = lines_of(sight) if sight is not None else []
+        lines = lines_of(sight, BALL_RADIUS) if sight is not None else []
         seen = Seen(balls, lines, ghost_of(sight, BALL_RADIUS, bool(foul)))
         self._eye.draw_inset(canvas, Furniture(frame.table, dress, draw_lines), seen)
         self._draw_around(canvas, sight)
@@ -143,7 +143,7 @@ class SnookerView:
             assert isinstance(before, Snooker)
             draw_call(canvas, look, layout.TABLE, snooker_call(before, played.verdict), course.called_s)
         if frame.game.over and len(frame.game.players) == 2:
-            draw_card(canvas, look, layout.TABLE, counted_of(frame, course.frame_s))
+            draw_card(canvas, look, layout.TABLE, counted_of(course))
 
     def _magnify(
         self, canvas: Canvas, sight: Sight, balls: Balls, place: tuple[float, float], foul: bool

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from game.billiards.game.rules import ShotSummary
-from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.game.snooker.stroke import Seen, contact_penalties, on_words
 from game.billiards.players.ladder import BY_NAME
@@ -13,7 +12,9 @@ from game.billiards.search.legality import Legality
 from game.billiards.table.snooker import name_of
 from game.scenes.shared.tables.choices import PERSON, player_words
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
+from game.scenes.shared.tables.lessons.lesson import star_words
 from game.scenes.shared.tables.referee.card import Counted, share_words, time_words
+from game.scenes.shared.tables.seats.cup import after_match
 from game.scenes.shared.thinker import Thinker
 from game.scenes.snooker.coach import legality_for
 from game.scenes.snooker.course import Course
@@ -107,7 +108,9 @@ def _card(course: Course, thinker: Thinker, player: int, title: str) -> Card:
         parts.append(f"needs {needed} snooker{'s' * (needed > 1)}")
     if game.high[player]:
         parts.append(f"highest {game.high[player]}")
-    if game.drill:
+    if course.learning.stars is not None:
+        parts = [star_words(*course.learning.stars)]
+    elif game.drill:
         parts = [f"{game.made} of {game.attempts} made" if game.attempts else "first try", *parts[1:]]
     grade = course.grade_of(player)
     name = game.players[player]
@@ -147,6 +150,8 @@ def line_of(course: Course) -> Line:
     if frame.words:
         lead, *why = frame.words
         return Line(lead, " ".join(why), frame.foul)
+    if course.learning.lesson is not None:
+        return Line(course.learning.lesson.says)
     if game.options:
         return Line(f"{game.shooter} chooses.", "A free ball." if game.free_ball else "")
     if not course.person_plays or game.over:
@@ -175,8 +180,9 @@ def legality_to_come(course: Course) -> Legality:
     return legality_for(course.model.game, course.call)
 
 
-def counted_of(frame: SnookerFrame, seconds: float) -> Counted:
-    """What the card at the end of a frame of so many s says."""
+def counted_of(course: Course) -> Counted:
+    """What the card at the end of a frame says."""
+    frame, seconds = course.model.frame, course.frame_s
     game = frame.snooker
     assert game.winner is not None
     title = f"{game.players[game.winner]} wins the {'match' if game.match_over else 'frame'}"
@@ -186,5 +192,5 @@ def counted_of(frame: SnookerFrame, seconds: float) -> Counted:
     )
     heads = ("Points", "Highest break", "Pots", "Fouls")
     rows = (*zip(heads, first, second, strict=True), ("Time", "", time_words(seconds)))
-    again = "Enter: new match" if game.match_over else "Enter: next frame"
-    return Counted(title, (game.players[0], game.players[1]), rows, f"{again}     U: undo")
+    following = after_match(course).lower() or ("new match" if game.match_over else "next frame")
+    return Counted(title, (game.players[0], game.players[1]), rows, f"Enter: {following}     U: undo")

@@ -70,9 +70,11 @@ class EyePicture:
         table, felt = furniture.table, furniture.dress.felt
         bed = (table.width, table.length)
         self._draw_ground(part, eye, self._relief(canvas, furniture))
-        draw_lines_seen(pixels, clip, eye, seen.lines, bed, canvas.k)
+        under, over = ([line for line in seen.lines if line.over is on] for on in (False, True))
+        draw_lines_seen(pixels, clip, eye, under, bed, canvas.k)
         light = (np.array((felt.r, felt.g, felt.b)) / 255.0) ** 2
         paint_balls_seen(pixels, clip, eye, room_balls(seen.balls, table), light)
+        draw_lines_seen(pixels, clip, eye, over, bed, canvas.k)
         if seen.ghost is not None:
             _draw_ghost(pixels, clip, eye, seen.ghost, bed, canvas.k)
         if seen.cue is not None:

@@ -1,4 +1,4 @@
-"""The first ten minutes at the table: five lessons, each a drill with rings, and which follows which."""
+"""The first ten minutes at a table: five lessons with rings, alike at all tables, and which follows which."""
 
 from __future__ import annotations
 

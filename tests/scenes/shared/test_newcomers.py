@@ -1,0 +1,66 @@
+"""The newcomers' cup: whom one meets, how likely it is won, and that it is over within half an hour."""
+
+from __future__ import annotations
+
+import pytest
+
+from game.billiards.career.career import CupResult, Player, strength_of
+from game.billiards.career.handicap import race_chance
+from game.billiards.career.matches import (
+    START,
+    cup_match,
+    fair_head_start,
+    is_newcomer,
+    length_of,
+    new_cup,
+    opponents_at,
+)
+from game.billiards.game.register import REGISTER
+from game.billiards.game.strengths import chance_of
+from tests.scenes.shared.newcomers import WHEN, cup_s
+
+HALF_AN_HOUR_S = 1800.0
+
+
+def chance_of_cup(game: str, newcomers: bool) -> float:
+    """Chance that a person without a rating wins a cup, all opponents met being the strongest in it."""
+    player = new_cup(Player("Mia"), game, 1, newcomers)
+    needed = length_of(REGISTER[player.cup.game], newcomers).needed
+    field = sorted(strength_of(name, player.cup.game) for name in player.cup.knockout.field if name != "Mia")
+    rounds = len(player.cup.knockout.rounds)
+    chance = 1.0
+    for other in field[-rounds:]:
+        chance *= race_chance(chance_of(START - other), needed, needed)
+    return chance
+
+
+@pytest.mark.parametrize("game", REGISTER)
+def test_opponents_are_of_the_lower_half_and_matches_short(game):
+    player = new_cup(Player("Mia"), game, 1, newcomers=True)
+    cup = player.cup
+    ladder = [one.name for one in opponents_at(cup.game)]
+    others = [name for name in cup.knockout.field if name != "Mia"]
+    assert len(others) == 3 and set(others) <= set(ladder[: len(ladder) // 2])
+    assert REGISTER[cup.game].family == REGISTER[game].family
+    assert length_of(REGISTER[cup.game], short=True).needed == 1
+    assert cup_match(player).cup and cup.knockout.round_name == "Semi-final"
+    assert abs(fair_head_start(player, others[0], cup.game, short=True)) < 3
+
+
+def test_it_is_won_far_more_often_than_the_tournament_of_eight():
+    assert chance_of_cup("eight-ball", True) > 0.3
+    assert chance_of_cup("eight-ball", False) < 0.02
+
+
+def test_one_is_a_newcomer_until_a_cup_is_won():
+    lost = Player("Mia", cups=(CupResult("eight-ball", WHEN, 2, newcomers=True),))
+    won = Player("Mia", cups=(CupResult("eight-ball", WHEN, 3, newcomers=True),))
+    assert is_newcomer(Player("Mia")) and is_newcomer(lost) and not is_newcomer(won)
+
+
+@pytest.mark.parametrize("game", ["eight-ball", "three-cushion"])
+def test_it_is_over_within_half_an_hour(game):
+    """A club player's hand in the person's place, who looks at the table for a while before each stroke."""
+    took, won = cup_s(game, "club", seed=1)
+    assert 60.0 < took < HALF_AN_HOUR_S
+    assert won or game != "eight-ball", "a cup that was lost at once would take half as long"
