@@ -93,7 +93,9 @@ class StartCard(CardScreen):
         self.host.open_scene(self.entry.name, level=next_lesson(self.lessons).path)
 
     def _open_levels(self) -> None:
-        self.host.open_levels(self.entry, lambda path: self.host.open_scene(self.entry.name, level=path))
+        self.host.cards.open_levels(
+            self.entry, lambda path: self.host.open_scene(self.entry.name, level=path)
+        )
 
     def pressed(self, name: str) -> None:
         if name == "play":
