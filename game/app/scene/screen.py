@@ -251,7 +251,7 @@ class SceneScreen(Screen):
     def wants_key(self, event: pygame.Event) -> bool:
         if self.play is None:
             return False
-        return self.play.panel_wants(event) or self.play.action_of(event) is not None
+        return self.shell.wants_key(event) or self.play.action_of(event) is not None
 
     def handle(self, event: pygame.Event) -> None:
         play = self.play
@@ -261,7 +261,7 @@ class SceneScreen(Screen):
                     perform(wish.name, self.actions)
             return
         name = None
-        if event.type == pygame.KEYDOWN and not play.panel_wants(event):
+        if event.type == pygame.KEYDOWN and not self.shell.wants_key(event):
             name = play.action_of(event)
         if name is not None:
             play.act(name)
