@@ -20,7 +20,7 @@ import pytest
 from game.billiards import simulate
 from game.lab.benchmarks.billiards import break_shot
 from game.physics.particle_fluids import LAWS, FluidSettings, Liquid, ParticleFluid, lattice
-from game.scenes.honey.painting import LiquidPainter
+from game.worlds.painting.particle_liquid import ParticleLiquidPainter
 
 SPACING, DT = 0.025, 0.001
 BOX = ((0.0, 0.0), (3.2, 0.0), (3.2, 2.4), (0.0, 2.4))
@@ -55,6 +55,6 @@ def test_painting(benchmark):
     target = pixels, np.array((0, 0, 1280, 720), np.int64)
     places = lattice((200.0, 200.0), (840.0, 700.0), 11.0)
     inks, amounts = np.full((len(places), 3), 0.5), np.ones(len(places))
-    painter = LiquidPainter()
+    painter = ParticleLiquidPainter()
     measure(benchmark, lambda: painter.paint(target, places, 11.0, inks, amounts))
     assert np.count_nonzero(pixels) > 200_000

@@ -63,6 +63,8 @@ class GridObstacles:
 
     First blocks of 8 x 8 cells are asked at their centres. Only those that a surface may cross are sampled in
     full, so the cost grows with the length of the outlines.
+
+    body_u (ny, nx + 1), body_v (ny + 1, nx): which body is nearest to the middle of a face, -1 for none.
     """
 
     def __init__(self, grid: Grid):
@@ -72,6 +74,7 @@ class GridObstacles:
         shapes = ((ny + 1, nx + 1), (ny, nx + 1), (ny + 1, nx), (ny, nx))
         places = (grid.nodes(), grid.u_places(), grid.v_places(), grid.centres())
         self._distances = [np.zeros(shape) for shape in shapes]
+        self.body_u, self.body_v = np.full(shapes[1], -1, np.int64), np.full(shapes[2], -1, np.int64)
         self._points = [np.stack([x.ravel(), y.ravel()], axis=1) for x, y in places]
         self._blocks = [self._block_of(shape) for shape in shapes]
         bx, by = -(-(nx + 1) // BLOCK), -(-(ny + 1) // BLOCK)
@@ -90,6 +93,7 @@ class GridObstacles:
         h, faces = self.grid.cell, self.faces
         near, deep = self._look(solids)
         faces.u[:], faces.v[:], faces.body[:] = 0.0, 0.0, -1
+        self.body_u[:], self.body_v[:] = -1, -1
         for k, field in enumerate(self._distances):
             flat, block = field.reshape(-1), self._blocks[k]
             flat[:] = np.where(deep, -NEAR * h, NEAR * h)[block]
@@ -99,9 +103,9 @@ class GridObstacles:
             distance, velocity, body = _nearest(solids, self._points[k][chosen])
             flat[chosen] = distance
             if k == 1:
-                faces.u.reshape(-1)[chosen] = velocity[:, 0]
+                faces.u.reshape(-1)[chosen], self.body_u.reshape(-1)[chosen] = velocity[:, 0], body
             elif k == 2:
-                faces.v.reshape(-1)[chosen] = velocity[:, 1]
+                faces.v.reshape(-1)[chosen], self.body_v.reshape(-1)[chosen] = velocity[:, 1], body
             elif k == 3:
                 faces.body.reshape(-1)[chosen] = body
         return self._derive()
@@ -114,6 +118,7 @@ class GridObstacles:
 
     def clear(self) -> SolidFaces:
         """No solid any more."""
+        self.body_u[:], self.body_v[:] = -1, -1
         for old, new in zip(self.faces, all_open(self.grid), strict=True):
             old[:] = new
         return self.faces

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from game.arrays import Floats, Longs
 from game.physics.grid.layout import Grid
 
-LEAST_OPEN = 1e-3  # part of a face; less is closed
+LEAST_OPEN = 0.05  # part of a face; less is closed
 
 
 class Particles(NamedTuple):

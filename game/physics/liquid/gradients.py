@@ -1,7 +1,7 @@
 """Conjugate gradients with a modified incomplete factorisation, MIC(0), on the wet cells alone.
 
-Hestenes and Stiefel 1952; Gustafsson 1978; the factors 0.97 and 0.25 as in Bridson's book (2008). Bodies are
-left out of the factorisation, not out of the equation: each costs a few turns.
+Hestenes and Stiefel 1952; Gustafsson 1978; the factors 0.97 and 0.25 as in Bridson's book (2008). Of bodies
+only the diagonal is in the factorisation: each costs a few turns.
 """
 
 from __future__ import annotations
@@ -9,22 +9,25 @@ from __future__ import annotations
 import math
 
 from game.compiler.decorator import inner_kernel
-from game.physics.liquid.bodies import answer
+from game.physics.liquid.bodies import answer, stiffen
 
 MODIFIED, SAFETY = 0.97, 0.25
 
 
 @inner_kernel
-def factorise(s, count):
-    """The incomplete factor, with all that its two sweeps multiply by."""
+def factorise(s, grips, count):
+    """The incomplete factor, with all that its two sweeps multiply by. The diagonal is that of bodies too."""
+    for k in range(count + 1):
+        s.d[k] = s.diagonal[k]
+    stiffen(grips, s.d)
     for k in range(1, count + 1):
         left, below, down = s.left[k], s.below[k], s.down[k]
         a, b = left * s.factor[k - 1], below * s.factor[down]
-        rest = s.diagonal[k] - a * a - b * b
+        rest = s.d[k] - a * a - b * b
         rest -= MODIFIED * left * s.below[s.up[k - 1]] * (s.factor[k - 1] * s.factor[k - 1])
         rest -= MODIFIED * below * s.left[down + 1] * (s.factor[down] * s.factor[down])
-        if rest < SAFETY * s.diagonal[k]:
-            rest = s.diagonal[k]
+        if rest < SAFETY * s.d[k]:
+            rest = s.d[k]
         here = 1.0 / math.sqrt(rest) if rest > 0.0 else 0.0
         s.factor[k] = here
         s.back[k, 0], s.back[k, 1] = a * here, b * here

@@ -91,6 +91,7 @@ class Liquid:
         self.obstacles = GridObstacles(grid)
         self.surfaces: tuple[Surface, ...] = ()
         self._grips, self._held = bodies.make_grips(grid.ny, grid.nx), list[bodies.Held]()
+        self._scale = density * grid.cell * grid.cell
         self.account: Floats = np.zeros(3)
         self.clock: Floats = np.zeros(2)
         self._origin = (grid.lower[0], grid.lower[1], grid.cell)
@@ -183,8 +184,8 @@ class Liquid:
             self.obstacles.update(*[bodies.Numbered(one, k, many) for k, one in enumerate(surfaces)])
         else:
             self.obstacles.clear()
-        scale = self.density * self.grid.cell * self.grid.cell
-        self._held = bodies.hold_bodies(self._grips, surfaces, self.obstacles.faces.body, scale)
+        found = self.obstacles
+        self._held = bodies.hold_bodies(self._grips, surfaces, found.body_u, found.body_v, self._scale)
         self._take_walls()
 
     def solid_distance(self, places: Floats) -> Floats:
@@ -197,13 +198,14 @@ class Liquid:
     def _take_walls(self) -> None:
         found, walls = self.obstacles.faces, self.walls
         walls.ax[:], walls.ay[:], walls.u[:], walls.v[:] = found.ax, found.ay, found.u, found.v
+        of_u, of_v = self._grips.of_u, self._grips.of_v
         edges = (
-            (walls.ax[:, 0], walls.u[:, 0]), (walls.ax[:, -1], walls.u[:, -1]),
-            (walls.ay[0], walls.v[0]), (walls.ay[-1], walls.v[-1]),
+            (walls.ax[:, 0], walls.u[:, 0], of_u[:, 0]), (walls.ax[:, -1], walls.u[:, -1], of_u[:, -1]),
+            (walls.ay[0], walls.v[0], of_v[0]), (walls.ay[-1], walls.v[-1], of_v[-1]),
         )  # fmt: skip
-        for is_open, (part, speed) in zip(self.cells.ends, edges, strict=True):
+        for is_open, (part, speed, body) in zip(self.cells.ends, edges, strict=True):
             if not is_open:
-                part[:], speed[:] = 0.0, 0.0
+                part[:], speed[:], body[:] = 0.0, 0.0, -1
         if self.surfaces:
             cells = 1.0 / self.grid.cell
             nodes, mid_x, mid_y, centres = self.obstacles.distances
@@ -212,6 +214,7 @@ class Liquid:
         else:
             walls.distance[:] = SOLID_FAR
         walls.present[0] = bool(self.surfaces)
+        walls.ax[walls.ax < LEAST_OPEN], walls.ay[walls.ay < LEAST_OPEN] = 0.0, 0.0
         self.walls = walls._replace(
             closed_u=np.flatnonzero(walls.ax < LEAST_OPEN),
             closed_v=np.flatnonzero(walls.ay < LEAST_OPEN),
@@ -243,12 +246,13 @@ class Liquid:
         if not 0.0 <= duration < math.inf:
             raise ValueError(f"duration = {duration!r}: expected a number from 0, s")
         left, made = duration, 0
+        bodies.find_lift(self._grips, self._held, self._scale, self._pull(), duration)
         while left > 1e-12 * duration:
             speed = float(moving.fastest(self.particles)) + (abs(self._pull()) * left if self.count else 0.0)
             parts = max(1.0, math.ceil(left * speed / (self.settings.courant * self.grid.cell) - 1e-9))
             if not parts + made <= MOST_PARTS:
                 raise RuntimeError(f"liquid: {speed:.4g} m/s asks for {parts:g} part steps in {left:g} s")
-            self.step(left / parts)
+            self.step(left / parts, duration)
             left -= left / parts
             made += 1
         return made
@@ -256,15 +260,15 @@ class Liquid:
     def _pull(self) -> float:
         return self.settings.gravity if GRAVITY in self.effects else 0.0
 
-    def step(self, dt: float) -> None:
-        """One part step of dt, s."""
+    def step(self, dt: float, whole: float = 0.0) -> None:
+        """One part step of dt, s. whole: s, of the step in which bodies get it evenly; 0 is at once."""
         settings, cells, walls, origin = self.settings, self.cells, self.walls, self._origin
         pull, ghost = self._pull(), settings.surface == SURFACES.index("ghost")
         transfer.to_cells(self.particles, cells, walls, origin, 1.0 / (self.spread * self.spread))
         faces.pull(cells, -pull * dt)
         wet, regions, turns, after = int(find_surface(cells, walls)), 0, 0, 0.0
         if wet:
-            regions, turns, after = self._find_pressure(wet, pull * dt)
+            regions, turns, after = self._find_pressure(wet, dt, whole)
             equation.take_slope(cells, walls, cells.q, 1.0, ghost)
         else:
             cells.q[:] = 0.0
@@ -283,20 +287,20 @@ class Liquid:
         self.report = Report(wet, int(turns), int(moved_apart), float(after))
         self.clock += dt, 1.0
 
-    def _find_pressure(self, wet: int, fall: float) -> tuple[int, int, float]:
-        """The pressure, with what it does to bodies, which meanwhile fall faster by ``fall``, m/s."""
+    def _find_pressure(self, wet: int, dt: float, whole: float) -> tuple[int, int, float]:
+        """The pressure, with what it does to bodies, which meanwhile fall for dt, s, or are held up."""
         grips, held = self._grips, self._held
         if held:
-            bodies.grip(grips, self.cells.rank, self.obstacles.faces, self._origin)
-            grips.gain[: len(held), 1] -= fall
+            bodies.grip(grips, self.cells.rank, self.cells.phi, self.walls, self._origin)
+            grips.gain[: len(held)] += dt * grips.lift[: len(held)]
+            grips.gain[: len(held), 1] -= self._pull() * dt
         found = projection.find_pressure(self.cells, self.walls, self.system, grips, self.settings, wet)
         if held:
             mobility, sums = grips.mobility[: len(held)], grips.sums[: len(held)]
             grips.gain[: len(held)] += mobility * sums
-            scale = self.density * self.grid.cell * self.grid.cell
-            for one, centre, impulse in zip(held, grips.centre, scale * sums, strict=False):
+            for one, centre, impulse in zip(held, grips.centre, self._scale * sums, strict=False):
                 if impulse.any():
-                    bodies.push(one, centre, impulse)
+                    bodies.push(one, centre, impulse, whole)
         return int(found[0]), int(found[1]), float(found[2])
 
     # -- what there is --------------------------------------------------------------------------------------

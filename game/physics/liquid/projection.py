@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from game.compiler.decorator import lean_kernel
 from game.physics.liquid import equation, gradients
-from game.physics.liquid.bodies import gather, sweep
+from game.physics.liquid.bodies import gather, sweep, tie
 
 CROWDED = 0.01  # of a cell: crowding that is let be
 
@@ -14,10 +14,11 @@ def find_pressure(cells, walls, s, grips, settings, wet):
     """q of so many wet cells, and its sums over bodies. (regions, turns, largest outflow left over, m/s)."""
     equation.assemble(cells, walls, s, wet, settings.surface == 0)
     regions = equation.free_regions(s, wet)
+    tie(grips, s.region, s.sums[2], regions)
     equation.outflow(cells, walls, s, wet)
-    sweep(grips, s.b)
+    sweep(grips, walls, s.b)
     equation.balance(s, s.b, wet, regions)
-    gradients.factorise(s, wet)
+    gradients.factorise(s, grips, wet)
     most = 0.0
     for k in range(1, wet + 1):
         most = max(most, abs(s.b[k]))
@@ -31,7 +32,9 @@ def find_pressure(cells, walls, s, grips, settings, wet):
 @lean_kernel
 def find_shift(cells, s, grips, settings, wet, regions):
     """q_shift, by the system that `find_pressure` left; turns of the solver. Bodies stay where they are."""
-    grips.sizes[0] = 0
+    if grips.sizes[0] > 0:
+        grips.sizes[0] = 0
+        equation.free_regions(s, wet)
     equation.crowding(cells, s, wet, settings.keeping)
     equation.balance(s, s.b, wet, regions)
     turns, _, _ = gradients.solve(s, grips, wet, settings.turns, CROWDED * settings.keeping)

@@ -13,37 +13,86 @@ from game.physics.liquid.arrays import LEAST_OPEN
 from game.physics.liquid.transfer import fill_around
 
 BESIDE = 0.5 - 1e-9  # cells: with its centre nearer to a solid a cell is looked at more closely
+NOW, LATER = -1, -2  # for rank, of cells that are not settled yet
+SEALED = 2.0  # cells: phi where no open face leads to liquid or to air
 LEAST_ROOM = 0.15  # of a cell's surroundings; in less the share is not trusted
 
 
 @inner_kernel
-def _widest(walls, j, i):
-    """The open part of a cell's widest face, and the row and column of the cell behind it."""
-    best, y, x = walls.ax[j, i], j, i - 1
-    if walls.ax[j, i + 1] > best:
-        best, y, x = walls.ax[j, i + 1], j, i + 1
-    if walls.ay[j, i] > best:
-        best, y, x = walls.ay[j, i], j - 1, i
-    if walls.ay[j + 1, i] > best:
-        best, y, x = walls.ay[j + 1, i], j + 1, i
-    return best, y, x
+def _behind(cells, walls, j, i):
+    """The open part of a cell's widest face to a cell that is settled, and phi there."""
+    ny, nx = cells.phi.shape
+    best, phi = 0.0, SEALED
+    for side in range(4):
+        x, y = i + (side == 1) - (side == 0), j + (side == 3) - (side == 2)
+        part = walls.ax[j, i + side] if side < 2 else walls.ay[j + side - 2, i]
+        if part < LEAST_OPEN or part <= best:
+            continue
+        if x < 0 or y < 0 or x >= nx or y >= ny:
+            best, phi = part, 1.0
+        elif cells.rank[y, x] == 0:
+            best, phi = part, cells.phi[y, x]
+    return best, phi
 
 
 @inner_kernel
-def _beside(cells, walls, j, i):
-    """Settle phi of a cell whose centre lies near a solid or in one: it is wet if the cell behind its widest
-    face is, and with its centre outside also by its own fill. With its centre inside it counts as full.
+def _is_open(walls, j, i):
+    """Whether a cell has an open face."""
+    across, upright = max(walls.ax[j, i], walls.ax[j, i + 1]), max(walls.ay[j, i], walls.ay[j + 1, i])
+    return max(across, upright) >= LEAST_OPEN
+
+
+@inner_kernel
+def _settle_within(cells, walls, count):
+    """Settle the cells that lie within solids, as many as ``front`` names, from outside inwards.
+
+    Each is wet if the cell behind its widest face is. It counts as full, or as fuller than a whole cell if
+    it is. Were one taken for air, its pressure of 0 would draw in all around.
     """
-    part, y, x = _widest(walls, j, i)
-    if part < LEAST_OPEN:
-        cells.phi[j, i] = 1.0
-        return
-    behind = 1.0
-    if 0 <= y < cells.phi.shape[0] and 0 <= x < cells.phi.shape[1]:
-        behind = cells.phi[y, x]
-    cells.phi[j, i] = min(cells.phi[j, i], behind)
-    if cells.room[j, i] <= 0.0 and cells.phi[j, i] < 0.0:
-        cells.fill[j, i] = 1.0
+    nx, front = cells.phi.shape[1], cells.front
+    found = True
+    while found:
+        found, left = False, 0
+        for m in range(count):
+            j, i = front[m] // nx, front[m] % nx
+            part, behind = _behind(cells, walls, j, i)
+            if part > 0.0:
+                cells.phi[j, i], cells.rank[j, i], found = behind, NOW, True
+        for m in range(count):
+            j, i = front[m] // nx, front[m] % nx
+            if cells.rank[j, i] == NOW:
+                cells.rank[j, i] = 0
+                if cells.phi[j, i] < 0.0 and cells.room[j, i] <= 0.0:
+                    cells.fill[j, i] = max(1.0, LEAST_ROOM * cells.fill[j, i])
+            else:
+                front[left] = front[m]
+                left += 1
+        count = left
+
+
+@inner_kernel
+def _settle(cells, walls):
+    """Settle phi of cells near solids. With its centre outside a cell is wet by its own fill, or if the cell
+    behind its widest face is.
+    """
+    ny, nx = cells.phi.shape
+    within = 0
+    for j in range(ny):
+        for i in range(nx):
+            cells.rank[j, i] = 0
+            if walls.distance[2 * j + 1, 2 * i + 1] < 0.0:
+                cells.phi[j, i], cells.rank[j, i], cells.front[within] = SEALED, LATER, j * nx + i
+                within += 1
+    for j in range(ny):
+        for i in range(nx):
+            if cells.rank[j, i] == 0 and walls.distance[2 * j + 1, 2 * i + 1] < BESIDE:
+                part, behind = _behind(cells, walls, j, i)
+                if part > 0.0:
+                    cells.phi[j, i] = min(cells.phi[j, i], behind)
+                elif cells.phi[j, i] >= 0.0 or not _is_open(walls, j, i):
+                    cells.phi[j, i], cells.rank[j, i], cells.front[within] = SEALED, LATER, j * nx + i
+                    within += 1
+    _settle_within(cells, walls, within)
 
 
 @lean_kernel
@@ -64,11 +113,11 @@ def find_surface(cells, walls):
             cells.phi[j, i] = (
                 1.0 - math.sqrt(2.0 * share) if share < 0.5 else math.sqrt(2.0 * max(1.0 - share, 0.0)) - 1.0
             )
+    if walls.present[0]:
+        _settle(cells, walls)
     for j in range(ny):
         for i in range(nx):
             cells.rank[j, i] = 0
-            if walls.present[0] and walls.distance[2 * j + 1, 2 * i + 1] < BESIDE:
-                _beside(cells, walls, j, i)
             if cells.phi[j, i] < 0.0:
                 count += 1
                 cells.rank[j, i] = count

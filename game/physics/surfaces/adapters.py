@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from game.arrays import Floats
 from game.physics.kernels import elementwise
@@ -64,7 +64,11 @@ class DiscSurface:
         x, y = self.discs.centres[body].tolist()
         return 0.0, 0.0, (x, y)
 
-    def push(self, body: int, point: ArrayLike, impulse: ArrayLike) -> None:
+    def held_up(self, bodies: NDArray[np.int64], dt: float) -> Floats:
+        """Not known: nothing."""
+        return np.zeros((len(bodies), 3))
+
+    def push(self, body: int, point: ArrayLike, impulse: ArrayLike, during: float = 0.0) -> None:
         """The impulse is added to what the disc was given; it does not move."""
         self._known(body)
         self.discs.impulses[body] += np.asarray(impulse, dtype=np.float64)
@@ -104,7 +108,11 @@ class SphereSurface:
         mass = float(parts.masses[body])
         return (0.0 if np.isinf(mass) else 1.0 / mass), float(parts.inverse_inertias[body, 2]), (x, y)
 
-    def push(self, body: int, point: ArrayLike, impulse: ArrayLike) -> None:
+    def held_up(self, bodies: NDArray[np.int64], dt: float) -> Floats:
+        """Not known: nothing."""
+        return np.zeros((len(bodies), 3))
+
+    def push(self, body: int, point: ArrayLike, impulse: ArrayLike, during: float = 0.0) -> None:
         """Linear and angular momentum change at once."""
         self._known(body)
         if np.isinf(self.spheres.composition.masses[body]):
@@ -155,7 +163,11 @@ class BallSurface:
         x, y = self.read()[0][body].tolist()
         return 1.0 / self.mass, 2.5 / (self.mass * (self.radius * self.radius)), (x, y)
 
-    def push(self, body: int, point: ArrayLike, impulse: ArrayLike) -> None:
+    def held_up(self, bodies: NDArray[np.int64], dt: float) -> Floats:
+        """Not known: nothing."""
+        return np.zeros((len(bodies), 3))
+
+    def push(self, body: int, point: ArrayLike, impulse: ArrayLike, during: float = 0.0) -> None:
         """The ball takes the impulse in its centre: it slides, and the cloth makes it roll."""
         self.strike(body, np.asarray(impulse, dtype=np.float64))
 

@@ -37,8 +37,17 @@ class Surface(Protocol):
     def inverse_mass(self, body: int) -> tuple[float, float, tuple[float, float]]:
         """1/m (1/kg), 1/I (1/(kg m²)) and centre (m) of a body; zeros for what nothing moves."""
 
-    def push(self, body: int, point: ArrayLike, impulse: ArrayLike) -> None:
-        """An impulse (2,) N s on a body at a point (2,) m."""
+    def held_up(self, bodies: NDArray[np.int64], dt: float) -> Floats:
+        """(n, 3) N s, N s, N m s about its centre: what contacts give each of these bodies (n,) in a step of
+        dt (s), as far as its room knows from the step before.
+        """
+
+    def push(self, body: int, point: ArrayLike, impulse: ArrayLike, during: float = 0.0) -> None:
+        """An impulse (2,) N s on a body at a point (2,) m.
+
+        during: s of its room's next step, in which it comes evenly, where the room has parts of a step; 0 is
+        at once.
+        """
 
     def heat(self, body: int, joule: float) -> None:
         """Heat (J) into a body, or out of it if negative."""

@@ -7,7 +7,6 @@ from game.physics.particle_fluids.effects import PARTICLE_FLUIDS as ROOM
 from game.scenes.honey import HONEY
 from game.scenes.honey.figure import draw_kernel
 from game.scenes.honey.level import DEFAULT, HoneyContent
-from game.scenes.honey.painting import warm_up_liquid
 from game.scenes.honey.parameters import OF_PICTURE, TOOLS, HoneyParameters
 from game.scenes.honey.told import honey_hand, readouts
 from game.scenes.honey.view import HoneyView
@@ -15,6 +14,7 @@ from game.scenes.honey.world import HoneyWorld
 from game.stage import Equation, Hint, Strip
 from game.worlds.hands.hand import tool_keys
 from game.worlds.painting.liquid import warm_up_backdrop
+from game.worlds.painting.particle_liquid import warm_up_particle_liquid
 from game.worlds.scene import Parts, Told, WorldScene
 
 
@@ -49,7 +49,7 @@ class Honey(WorldScene):
     figure = staticmethod(draw_kernel)
     tools = TOOLS
     tool_prefix = "tool-"
-    painters = (("backdrop", warm_up_backdrop), ("liquid", warm_up_liquid))
+    painters = (("backdrop", warm_up_backdrop), ("liquid", warm_up_particle_liquid))
     hints = (
         Hint(("Drag",), "pour, stir or scoop"),
         Hint(("Right click",), "pour"),

@@ -8,13 +8,13 @@ import numpy as np
 
 from game.arrays import Floats
 from game.physics.particle_fluids.store import ROOM_HEAT
-from game.scenes.honey.painting import LiquidPainter
 from game.scenes.honey.world import HoneyState, HoneyWorld
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
 from game.worlds.painting.inks import channels, color_of, opaque
 from game.worlds.painting.liquid import draw_backdrop, draw_table
+from game.worlds.painting.particle_liquid import ParticleLiquidPainter
 
 INKS = {
     "water": 0x3F9FC8, "honey": 0xE39A1C, "slime": 0x58B93C, "oil": 0xD9C53A, "wax": 0xE2483A,
@@ -50,7 +50,7 @@ class HoneyView:
 
     def __init__(self, model: HoneyWorld, hand: Hand):
         self.model, self.hand = model, hand
-        self.painter = LiquidPainter()
+        self.painter = ParticleLiquidPainter()
         outline = np.asarray(model.content.vessel[0], dtype=np.float64)
         self.foot = float(np.min(outline[:, 1]))
         boxes = (((one.left, one.bottom), (one.right, one.top)) for one in model.content.heaters)

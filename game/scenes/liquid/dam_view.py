@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 
 from game.scenes.liquid.dam_world import BESIDE, DamState, DamWorld
-from game.scenes.liquid.methods import TALL, ByLiquid, ByShallowWater, DamMethod
+from game.scenes.liquid.methods import TALL, ByLiquid, ByParticles, ByShallowWater, DamMethod
 from game.ui.canvas.canvas import Canvas
-from game.ui.look.numerals import format_si
+from game.ui.look.numerals import format_number, format_si
 from game.ui.painters.wall import is_dark
-from game.worlds.painting.inks import color_of
+from game.worlds.painting.inks import channels, color_of
 from game.worlds.painting.liquid import LiquidPainter, draw_backdrop
+from game.worlds.painting.particle_liquid import ParticleLiquidPainter
 
 WATER = (0x4F93B5, 0x235F82)  # by day, by night
 EXPERIMENT, RITTER = "experiment of 1952", "Ritter's front"
@@ -26,6 +27,25 @@ def liquid_brush(one: Any) -> Callable[[Canvas], None]:
     """Paints the liquid's surface."""
     painter = LiquidPainter(one.liquid)
     return lambda canvas: painter.draw(canvas, one.liquid.places)
+
+
+def particle_brush(one: Any) -> Callable[[Canvas], None]:
+    """Paints particles as a body of water."""
+    painter = ParticleLiquidPainter()
+
+    def paint(canvas: Canvas) -> None:
+        fluid, column = one.fluid, one.column
+        left, bottom = canvas.place((0.0, one.floor))
+        right, top = canvas.place((column.length, one.floor + TALL * column.height))
+        pixels, clip = canvas.raster_target
+        tank = np.array((math.floor(left), math.floor(top), math.ceil(right), math.ceil(bottom)), np.int64)
+        tank = np.concatenate([np.maximum(tank[:2], clip[:2]), np.minimum(tank[2:], clip[2:])])
+        inks = np.tile(channels(WATER[is_dark(canvas)]) / 255.0, (len(fluid.place), 1))
+        spots = canvas.place_all(fluid.place).astype(np.float64)
+        spacing = fluid.spacing * canvas.pixels_per_unit
+        painter.paint((pixels, tank), spots, spacing, inks, np.ones(len(spots)))
+
+    return paint
 
 
 def shallow_brush(one: Any) -> Callable[[Canvas], None]:
@@ -48,12 +68,13 @@ def shallow_brush(one: Any) -> Callable[[Canvas], None]:
 
 BRUSHES: dict[type[DamMethod], Callable[[Any], Callable[[Canvas], None]]] = {
     ByLiquid: liquid_brush,
+    ByParticles: particle_brush,
     ByShallowWater: shallow_brush,
 }
 
 
 def said_of(model: DamWorld, one: DamMethod) -> list[str]:
-    """Front, loss and price of a method, a line each."""
+    """Front, loss and price of a method, a line each, and the price beside that of another code."""
     front, measured = one.front(), model.measured()
     arrived = front > (1.0 - AT_END) * one.column.length
     lines = ["front at the far wall" if arrived else f"front at {front:.2f} m"]
@@ -64,7 +85,9 @@ def said_of(model: DamWorld, one: DamMethod) -> list[str]:
     lines.append(f"volume error {format_si(lost, '%', 2)}")
     price = one.watch.median("step")
     if not math.isnan(price):
-        lines.append(f"{format_si(price, 's', 2)} a step")
+        times = model.times_as_fast(one)
+        beside = "" if math.isnan(times) else f", {format_number(times, 2)} times as fast as PySPH"
+        lines.append(f"{format_si(price, 's', 2)} a step{beside}")
     return lines
 
 
@@ -76,13 +99,8 @@ class DamView:
         self.brushes = [BRUSHES[type(one)](one) for one in model.methods]
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        """The lines through all tanks."""
-        rows = []
-        if self.model.parameters.experiment and not math.isnan(self.model.measured()):
-            rows.append(("line:amber", "front in the experiment (Martin and Moyce 1952)", ""))
-        if self.model.parameters.exact:
-            rows.append(("line:vermilion", "shallow water by Ritter (1892)", ""))
-        return rows
+        """None: lines have their names where they are drawn, and tanks beside them."""
+        return ()
 
     def draw(self, canvas: Canvas, previous: DamState | None, alpha: float) -> None:
         """All tanks, as they are now."""

@@ -11,18 +11,21 @@ import numpy as np
 from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.kernels import linear
+from game.physics.particle_fluids import FluidSettings
 from game.physics.waves import DamBreak, dam_break
 from game.scenes.liquid.level import Size
 from game.scenes.liquid.methods import COLUMNS, TALL, Column, DamMethod, DamState
-from game.stage import Choice, Param, Parameters, Readout, Toggle
+from game.stage import Choice, Param, Parameters, Readout, Toggle, control_of
 from game.worlds.entries.entry import LevelEntry, View
 from game.worlds.expectations import Expectations
 from game.worlds.world import World
 
 # Front over width against t sqrt(2 g / width), of a column twice as high as wide (Martin and Moyce 1952)
 EXPERIMENT = ((0.832, 1.217), (1.219, 1.474), (1.997, 2.292), (2.547, 2.995))
+EARTH = 9.81  # m/s²
+OTHER_CODE = 13.8  # s of processor for a second of a column 1 m wide there: PySPH, 3,938 particles
 GAP = 0.12  # of the column's height, between two tanks and above the upper one
-BESIDE = 0.3  # of the floor's length, right of the tanks, where each method is spoken of
+BESIDE = 0.7  # of the floor's length, right of the tanks, where each method is spoken of
 
 
 class DamContent(LevelEntry, frozen=True, kw_only=True):
@@ -59,6 +62,12 @@ class DamParameters(Parameters):
         "apic", ("apic", "pic-flip"), labels=("APIC", "PIC and FLIP"), group="Liquid", rebuild=True,
         label="Speeds by", help="how speeds pass between particles and cells",
     )  # fmt: skip
+    particles = Param(512, 32, 4096, whole=True, log=True, group="Particles", rebuild=True, label="How many",
+                      help="about so many, whole rows in the column")  # fmt: skip
+    law = control_of(
+        FluidSettings, "law", labels=("Müller 2003 (P09)", "Clavet 2005 (P11)", "Position based", "DFSPH"),
+        group="Particles", rebuild=True, label="Pressure by",
+    )  # fmt: skip
     row = Param(400, 20, 4000, whole=True, log=True, group="Shallow water", rebuild=True, label="Cells",
                 help="along the floor")  # fmt: skip
     exact = Toggle(True, group="Shown", help="the surface of shallow water by Ritter")
@@ -89,11 +98,25 @@ class DamWorld(World):
         """The time as t sqrt(2 g / width)."""
         return self.time * math.sqrt(2.0 * self.column.gravity / self.column.width)
 
+    @property
+    def alike(self) -> bool:
+        """Whether the column is as high beside its width as in the experiment."""
+        return abs(self.column.height / self.column.width - 2.0) < 1e-6
+
+    def times_as_fast(self, one: DamMethod) -> float:
+        """As a particle code by others (PySPH); NaN for other columns, and before a step was measured.
+
+        A column so wide falls as one of 1 m does, but in √(width / gravity) of its time.
+        """
+        if not self.alike:
+            return math.nan
+        pace = math.sqrt(self.column.gravity / (EARTH * self.column.width))
+        return OTHER_CODE * pace * one.stepped / one.watch.median("step")
+
     def measured(self) -> float:
         """The front of the experiment now, m; NaN for other columns, before and after what was measured."""
-        alike = abs(self.column.height / self.column.width - 2.0) < 1e-6
         times, fronts = zip(*EXPERIMENT, strict=True)
-        if not alike or not times[0] <= self.scaled <= times[-1]:
+        if not self.alike or not times[0] <= self.scaled <= times[-1]:
             return math.nan
         return self.column.width * float(linear.interpolated(np.array([self.scaled]), times, fronts)[0])
 
@@ -115,7 +138,7 @@ def readouts(model: DamWorld) -> list[Readout]:
     """Fronts, then volumes and prices of each method."""
     fronts = [Readout(f"front, {one.name}", one.front(), "m") for one in model.methods]
     losses = [Readout(f"volume error, {one.name}", one.volume() / one.area - 1.0) for one in model.methods]
-    prices = [Readout(f"a step, {one.name}", one.watch.median("step"), "s") for one in model.methods]
+    prices = [Readout(f"price, {one.name}", one.watch.median("step"), "s") for one in model.methods]
     return [
         *fronts, Readout("front, experiment", model.measured(), "m"),
         Readout("front, Ritter", model.exact_front(), "m"), *losses, *prices,

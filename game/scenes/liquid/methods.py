@@ -5,6 +5,7 @@ One more method is one more class here, its name in `COLUMNS` and in `DamState`,
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -13,11 +14,15 @@ import numpy as np
 from game.arrays import Floats
 from game.physics.grid.layout import Grid
 from game.physics.liquid import CARRIERS, Liquid, LiquidSettings, LiquidState
+from game.physics.particle_fluids import LAWS, FluidSettings, ParticleFluid, lattice
+from game.physics.particle_fluids.store import FluidState
 from game.physics.waves import ShallowSettings, ShallowState, ShallowWater
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Member
 
+SOFTNESS = 6.0  # speed of sound of laws that squeeze, in √(g height)
 THIN = 0.01  # of the column's height: shallower water is no front
+AT_MOST, COURANT = 12, 0.4  # iterations, spacings in a step: a front is no resting column, which needs more
 TALL = 1.15  # height of the tanks, in that of the column; there they have a lid
 
 
@@ -32,16 +37,17 @@ class Column(NamedTuple):
 
 class DamMethod(Member):
     """One method. name, title: as readouts and the picture call it; floor: m, where it is drawn; area:
-    m² at first. parameters: of the scene.
+    m² at first; stepped: s, the last time; watch: what steps cost. parameters: of the scene.
     """
 
     name = title = ""
 
     def __init__(self, column: Column, floor: float, parameters: Any):
         self.column, self.floor, self.watch = column, floor, Stopwatch()
-        self.area = column.width * column.height
+        self.area, self.stepped = column.width * column.height, np.nan
 
     def step(self, dt: float) -> None:
+        self.stepped = dt
         with self.watch.time("step"):
             self.go_on(dt)
 
@@ -93,6 +99,43 @@ class ByLiquid(DamMethod):
         self.liquid.restore(next(fields))
 
 
+class ByParticles(DamMethod):
+    """Particles that feel each other, by a law of fluids of particles."""
+
+    name, title = "particles", "particles"
+
+    def __init__(self, column: Column, floor: float, parameters: Any):
+        super().__init__(column, floor, parameters)
+        rows = math.sqrt(int(parameters.particles) * column.width / column.height)
+        spacing, top = column.width / max(round(rows), 1), floor + TALL * column.height
+        tank = ((0.0, floor), (column.length, floor), (column.length, top), (0.0, top))
+        settings = FluidSettings(
+            gravity=column.gravity, law=LAWS.index(parameters.law), iterations=AT_MOST,
+            softness=SOFTNESS * math.sqrt(column.gravity * column.height), courant=COURANT,
+        )  # fmt: skip
+        self.fluid = ParticleFluid(spacing, vessel=(tank,), settings=settings)
+        self.fluid.add(lattice((0.0, floor), (column.width, floor + column.height), spacing))
+        self.area = len(self.fluid.place) * spacing * spacing
+
+    def go_on(self, dt: float) -> None:
+        self.fluid.advance(dt)
+
+    def front(self) -> float:
+        """Half a spacing beyond the foremost: there a particle's own liquid ends."""
+        return float(np.max(self.fluid.place[:, 0])) + 0.5 * self.fluid.spacing
+
+    def volume(self) -> float:
+        """What is squeezed takes less room."""
+        spacing = self.fluid.spacing
+        return float(np.sum(1.0 / np.maximum(self.fluid.density(), 1.0))) * spacing * spacing
+
+    def state(self) -> tuple[Any, ...]:
+        return (self.fluid.state(),)
+
+    def restore(self, fields: Iterator[Any]) -> None:
+        self.fluid.restore(next(fields))
+
+
 class ByShallowWater(DamMethod):
     """A row of depths: at each place the water goes at one speed from surface to bed."""
 
@@ -124,11 +167,12 @@ class ByShallowWater(DamMethod):
         self.water.restore(next(fields))
 
 
-COLUMNS: tuple[type[DamMethod], ...] = (ByLiquid, ByShallowWater)  # from the top
+COLUMNS: tuple[type[DamMethod], ...] = (ByLiquid, ByParticles, ByShallowWater)  # from the top
 
 
 class DamState(NamedTuple):
     """Each method's own, in the order of `COLUMNS`."""
 
     liquid: LiquidState
+    particles: FluidState
     shallow: ShallowState

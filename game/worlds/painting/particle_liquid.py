@@ -138,7 +138,7 @@ def field_at_rest(reach: float) -> float:
     return math.pi * reach * reach / 3.0
 
 
-class LiquidPainter:
+class ParticleLiquidPainter:
     """Keeps the field from picture to picture."""
 
     def __init__(self) -> None:
@@ -159,7 +159,7 @@ class LiquidPainter:
         paint_liquid(pixels, clip, self._field, full)
 
 
-def warm_up_liquid() -> None:
+def warm_up_particle_liquid() -> None:
     """Compile it on a picture of a few pixels."""
     target = np.zeros((12, 12), dtype=np.uint32), np.array((0, 0, 12, 12), dtype=np.int64)
-    LiquidPainter().paint(target, np.full((1, 2), 6.0), 4.0, np.full((1, 3), 0.5), np.ones(1))
+    ParticleLiquidPainter().paint(target, np.full((1, 2), 6.0), 4.0, np.full((1, 3), 0.5), np.ones(1))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from game.physics.particle_fluids import lattice
-from game.scenes.honey.painting import DEEP, LiquidPainter
+from game.worlds.painting.particle_liquid import DEEP, ParticleLiquidPainter
 
 SPACING = 10.0
 
@@ -14,7 +14,7 @@ SPACING = 10.0
 def painted(places, inks, clip=(0, 0, 300, 200)) -> np.ndarray:
     """(200, 300, 3) of a picture that was black."""
     pixels = np.zeros((200, 300), np.uint32)
-    LiquidPainter().paint(
+    ParticleLiquidPainter().paint(
         (pixels, np.array(clip, np.int64)), places, SPACING, np.asarray(inks), np.ones(len(places))
     )
     return np.stack([pixels >> 16 & 255, pixels >> 8 & 255, pixels & 255], axis=-1).astype(int)
