@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 class Cards(Protocol):
-    """Opens cards over the present screen: what is asked there is answered to whoever opened them."""
+    """Opens cards over the present screen; what is answered there goes to the function that is given."""
 
     def open_welcome(self) -> None:
         """The card of the very first start, over the menu."""
