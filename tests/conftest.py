@@ -16,6 +16,7 @@ import pytest
 
 from game.app.fuzz.memory import peak_bytes, resident_bytes
 from game.trust import make_private_folder, reason_to_distrust  # it knows nothing of the variables below
+from tests.shares import in_order, scheduler, share_of
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
@@ -76,14 +77,21 @@ def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, p
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """In one order for all workers; without the compiler, without the few tests that take minutes each."""
+    """For workers share by share; without the compiler, without the few tests that take minutes each."""
     if _WORKER:
-        items.sort(key=lambda item: item.path.parts)
+        places = in_order(item.nodeid for item in items)
+        items.sort(key=lambda item: (places[share_of(item.nodeid)], item.path.parts))
     if os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0"):
         return
     for item in items:
         if item.get_closest_marker("compiled"):
             item.add_marker(pytest.mark.skip(reason="takes minutes without the compiler"))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Shares of tests that use the same kernels, where files would be handed out."""
+    return scheduler(config, log) if config.getvalue("dist") == "loadfile" else None
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -131,7 +131,7 @@ class Copy:
         )
 
     def finish(self, process: subprocess.Popen[str]) -> Answer:
-        out, err = process.communicate(timeout=200)
+        out, err = process.communicate(timeout=900)
         assert process.returncode == 0, err
         assert err == ""
         return Answer(**json.loads(out))
@@ -243,7 +243,7 @@ def both(x):
         copy.write("physics/twins.py", self.TWINS)
         for call in ("a", "b", "both"):
             code = f"from game.physics.twins import {call}; import sys; print({call}(1.0))"
-            out, err = copy.start(code).communicate(timeout=200)
+            out, err = copy.start(code).communicate(timeout=900)
             assert (float(out), err) == ({"a": -5.0, "b": 1000.0, "both": 9995.0}[call], "")
 
 
@@ -291,7 +291,7 @@ class TestTroubles:
         for path in copy.code_files():
             path.unlink()
             make(path)
-        out, said = copy.start().communicate(timeout=200)
+        out, said = copy.start().communicate(timeout=900)
         assert Answer(**json.loads(out)) == COLD
         assert said.startswith("carom: machine code is not kept, ") and said.count("\n") == 1
         assert f".code: it is {words}" in said
@@ -322,7 +322,7 @@ class TestStrangers:
 
     def finish(self, copy: Copy, **environment: str) -> tuple[Answer, str]:
         process = copy.start(**environment)
-        out, err = process.communicate(timeout=200)
+        out, err = process.communicate(timeout=900)
         assert process.returncode == 0, err
         return Answer(**json.loads(out)), err
 

@@ -40,7 +40,7 @@ WORDS = "carom: machine code that came with Carom is not taken and is compiled a
 def packed(tmp_path_factory: pytest.TempPathFactory) -> Copy:
     """A copy with machine code in it, made from an empty cache and with nothing left of that."""
     copy = Copy(tmp_path_factory.mktemp("packed"))
-    out, err = copy.start(PROBE + PACK, **GENERIC).communicate(timeout=200)
+    out, err = copy.start(PROBE + PACK, **GENERIC).communicate(timeout=900)
     assert (Answer(**json.loads(out)), err) == (COLD, "")
     shutil.rmtree(copy.cache)
     return copy
@@ -61,7 +61,7 @@ def file_of(copy: Copy) -> Path:
 def run(copy: Copy, code: str = PROBE, **environment: str) -> tuple[Answer, str]:
     """A process's answer and what it says beside it."""
     process = copy.start(code, **environment)
-    out, err = process.communicate(timeout=200)
+    out, err = process.communicate(timeout=900)
     assert process.returncode == 0, err
     return Answer(**json.loads(out.splitlines()[0])), err
 
@@ -80,7 +80,7 @@ class TestUse:
     ) -> None:
         assert shipped.run(CAROM_PREBUILT="0") == COLD
         assert len(shipped.code_files()) == 4
-        out, err = shipped.start(PROBE + TAKEN).communicate(timeout=200)
+        out, err = shipped.start(PROBE + TAKEN).communicate(timeout=900)
         answer, counts = map(json.loads, out.splitlines())
         assert (Answer(**answer), counts, err) == (WARM, [0, 3], "")
 

@@ -60,7 +60,6 @@ def trouble_in(told: dict[str, dict[str, Any]]) -> dict[str, str]:
 
 @pytest.mark.skipif(MANY > 0, reason="the many are tried")
 @pytest.mark.compiled
-@pytest.mark.timeout(900)  # where all kernels are compiled first; well below a minute otherwise
 def test_a_few_wild_levels_of_each_scene() -> None:
     told = outcomes([f"{name}:{number}" for name in NAMES for number in range(FEW)], steps=4, tame=True)
     assert trouble_in(told) == {}

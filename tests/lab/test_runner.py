@@ -140,7 +140,7 @@ def test_a_study_runs_in_a_thread_of_its_own_while_its_table_grows():
         target=run_study, args=(study, lambda *news: seen.append(len(table))), kwargs={"table": table}
     )
     worker.start()
-    worker.join(30.0)
+    worker.join(600.0)
     assert seen == [0, 1, 2, 3, 4, 5]
     assert table.complete
 

@@ -28,7 +28,7 @@ class TestWarming:
             return WarmUp(name, lambda: seen.append((name, threading.get_ident() != main)))
 
         warming = Warming([note(name) for name in "abc"])
-        assert warming.wait(60.0)
+        assert warming.wait(600.0)
         assert seen == [("a", True), ("b", True), ("c", True)]
         progress = warming.progress
         assert (progress.done, progress.total, progress.name) == (3, 3, "")
@@ -40,17 +40,17 @@ class TestWarming:
 
         def slow() -> None:
             begun.set()
-            assert go_on.wait(60.0)
+            assert go_on.wait(600.0)
 
         ticks = iter(range(100))
         warming = Warming([WarmUp("slow", slow)], clock=lambda: float(next(ticks)))
-        assert begun.wait(60.0)
+        assert begun.wait(600.0)
         assert not warming.finished
         progress = warming.progress
         assert (progress.done, progress.total, progress.name) == (0, 1, "slow")
         assert warming.progress.seconds > progress.seconds
         go_on.set()
-        assert warming.wait(60.0)
+        assert warming.wait(600.0)
         assert warming.progress.seconds == warming.progress.seconds
 
     def test_errors_are_told_and_the_next_one_is_called(self) -> None:
@@ -63,7 +63,7 @@ class TestWarming:
             raise KeyError
 
         warming = Warming([WarmUp("a", fail), WarmUp("b", silent), WarmUp("c", lambda: seen.append("c"))])
-        assert warming.wait(60.0)
+        assert warming.wait(600.0)
         assert warming.errors == [("a", "no compiler"), ("b", "KeyError")]
         assert seen == ["c"]
         assert warming.progress.done == 3
@@ -73,20 +73,20 @@ class TestWarming:
 
         def first() -> None:
             begun.set()
-            assert go_on.wait(60.0)
+            assert go_on.wait(600.0)
             seen.append("first")
 
         warming = Warming([WarmUp("first", first), WarmUp("second", lambda: seen.append("second"))])
-        assert begun.wait(60.0)
+        assert begun.wait(600.0)
         warming.cancel()
         assert not warming.finished
         go_on.set()
-        assert warming.wait(60.0)
+        assert warming.wait(600.0)
         assert seen == ["first"]
 
     def test_nothing_to_do(self) -> None:
         warming = Warming([])
-        assert warming.wait(60.0)
+        assert warming.wait(600.0)
         assert warming.progress.total == 0
 
     def test_the_default_of_a_scene_is_one_step(self) -> None:

@@ -519,7 +519,7 @@ def test_closed_pipe_and_real_process_give_no_traceback(tmp_path: Path):
     environment = {**os.environ, "CAROM_HOME": str(tmp_path), "PYTHONUNBUFFERED": "1"}
     command = f"{sys.executable} -m game --help | head -1; {sys.executable} -m game run nowhere; echo $?"
     done = subprocess.run(
-        ["bash", "-c", command], cwd=ROOT, env=environment, capture_output=True, text=True, timeout=120
+        ["bash", "-c", command], cwd=ROOT, env=environment, capture_output=True, text=True, timeout=900
     )
     assert "Traceback" not in done.stderr
     assert done.stderr.count("\n") == 1
@@ -528,14 +528,14 @@ def test_closed_pipe_and_real_process_give_no_traceback(tmp_path: Path):
 
 def test_naming_commands_does_not_import_what_they_need():
     code = "import sys, game.app.commands as c; c.build_parser(); print('numba' in sys.modules)"
-    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=900)
     assert done.stdout.split()[-1] == "False"
     assert done.stderr == ""
 
 
 def test_window_and_menu_do_not_import_the_compiler():
     code = "import sys, game.app.start, game.app.application; print('numba' in sys.modules)"
-    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=900)
     assert done.stdout.split()[-1] == "False"
 
 

@@ -38,7 +38,7 @@ def test_a_reader_that_has_enough_is_no_mistake():
         process.stdout.readline()
         process.stdout.close()
         assert process.stderr.read() == b""
-        assert process.wait(60.0) == 0
+        assert process.wait(600.0) == 0
 
 
 def test_an_error_of_the_system_is_one_line(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture):

@@ -41,7 +41,7 @@ def test_what_was_packed_opens_a_scene_elsewhere_without_the_compiler(capsys, tm
         "NUMBA_DISABLE_JIT": "0",
     }
     command = [sys.executable, "-m", "game.app.compile.collecting", SCENE]
-    done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True, timeout=200)
+    done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True, timeout=900)
     scene, whole = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     assert scene == {"scene": SCENE, "opened": True, "trouble": [], "compiled": 0}
     assert whole == {"used": [], "compiled": 0}

@@ -11,7 +11,7 @@ from game.stage.catalogue import Catalogue
 from tests.app.tests_app import example_entry
 
 
-def wait_for(condition, longest_s: float = 20.0) -> None:
+def wait_for(condition, longest_s: float = 600.0) -> None:
     ends = time.monotonic() + longest_s
     while not condition():
         assert time.monotonic() < ends

@@ -50,4 +50,4 @@ def test_it_is_of_the_same_carom_whatever_lies_in_the_folder(monkeypatch, tmp_pa
     code = "import game; print(game.__file__)"
     process = start_quietly((sys.executable, "-c", code), stdout=subprocess.PIPE, text=True)
     assert process is not None
-    assert process.communicate(timeout=60)[0].strip() == game.__file__
+    assert process.communicate(timeout=900)[0].strip() == game.__file__

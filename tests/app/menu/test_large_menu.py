@@ -285,7 +285,7 @@ def test_what_was_opened_comes_first_and_leads_back_to_its_card(many: Driver, wa
     left, work = threading.Event(), Loader._work
 
     def held_up(loader: Loader) -> None:
-        left.wait(60.0)
+        left.wait(600.0)
         work(loader)
 
     if not wait:
@@ -368,7 +368,7 @@ def test_scenes_are_built_of_what_is_seen_only(many: Driver, monkeypatch):
     for _ in range(60):
         menu.thumbnails.begin(many.app.look)
         thread = menu.thumbnails._thread
-        thread.join(10.0)
+        thread.join(600.0)
         many.frames()
     assert built[0] == menu.focused.entry.name
     assert sorted(built) == sorted(menu.items[i].entry.name for i in menu.in_view())

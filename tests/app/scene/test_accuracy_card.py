@@ -35,7 +35,7 @@ class Fake:
 
     def run(self) -> None:
         if self.gate is not None:
-            assert self.gate.wait(60.0)
+            assert self.gate.wait(600.0)
         sum(range(round(200.0 / self.setting.knob)))
 
     def outcome(self) -> Outcome:
@@ -79,14 +79,14 @@ def scene(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> Driver:
     monkeypatch.setattr(example_scene.BouncingBall, "study", make_study())
     driver.open()
     driver.key(pygame.K_a)
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     driver.frames(40)
     return driver
 
 
 def test_data_tell_orders_costs_and_the_present_setting():
     run = StudyRun(make_study(), {"gravity": 2.0})
-    run.wait(60.0)
+    run.wait(600.0)
     assert run.error == ""
     assert not run.progress.running
     data = accuracy_data(run, "Title")
@@ -109,7 +109,7 @@ def test_study_without_any_rows_can_be_shown():
     assert data.sentence == ""
     run.stop()
     gate.set()
-    run.wait(60.0)
+    run.wait(600.0)
 
 
 def test_study_that_raises_says_so():
@@ -117,7 +117,7 @@ def test_study_that_raises_says_so():
         raise RuntimeError("no such trial")
 
     run = StudyRun(make_study(broken), {"gravity": 2.0})
-    run.wait(60.0)
+    run.wait(600.0)
     assert run.error == "no such trial"
     assert "no such trial" in accuracy_data(run, "Title").notes
 
@@ -151,14 +151,14 @@ def test_a_page_that_is_opened_again_waits_for_the_run_of_the_one_before(driver:
     driver.open()
     driver.key(pygame.K_a)
     first = driver.top.run
-    assert begun.wait(60.0)
+    assert begun.wait(600.0)
     driver.key(pygame.K_a)
     driver.frames(30)
     driver.key(pygame.K_a)
     second = driver.top.run
     assert second is not first and second.table is first.table
     gate.set()
-    second.wait(60.0)
+    second.wait(600.0)
     assert inside[0] is first._thread and {*inside[1:]} == {second._thread}
     assert first.error == second.error == ""
     assert len(second.table) == 2 * len(STEPS)
@@ -193,7 +193,7 @@ def test_a_point_switches_effects_and_the_scene_finds_its_place_by_them(
     monkeypatch.setattr(example_scene.BouncingBall, "study", made)
     driver.open()
     driver.key(pygame.K_a)
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     driver.frames(40)
     page = driver.top.page
     point = next(p for p in page.data.series[0].points if p.parameters == {"test-ground": False})
@@ -202,7 +202,7 @@ def test_a_point_switches_effects_and_the_scene_finds_its_place_by_them(
     driver.frames(30)
     assert "test-ground" not in driver.stage.scene.active
     driver.key(pygame.K_a)
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     assert (seen[0], seen[-1]) == (True, False) and driver.top.run.present.knob == 0.005
 
 
@@ -239,14 +239,14 @@ def test_running_study_can_be_stopped_and_gone_on_with(driver: Driver, monkeypat
     assert driver.top.page.progress.running
     driver.click(*driver.top.page.spots.find("stop").rect.center)
     gate.set()
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     driver.frames(30)
     assert not driver.top.page.progress.running
     assert len(driver.top.run.table) < 2 * len(STEPS)
     driver.key(pygame.K_ESCAPE)
     driver.frames(30)
     driver.key(pygame.K_a)
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     assert driver.top.run.table.complete
 
 
@@ -266,18 +266,18 @@ def test_a_tab_shows_and_measures_another_study(driver: Driver, monkeypatch: pyt
     monkeypatch.setattr(example_scene.BouncingBall, "study", family)
     driver.open()
     driver.key(pygame.K_a)
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     driver.frames(40)
     page = driver.top.page
     assert page.data.studies == ("Of error", "Of cost") and page.data.study == 0
     assert page.data.title == "Fake"  # what it is measured on, whatever level is open
     first = driver.top.run.table
     driver.click(*page.spots.find("study-1").rect.center)
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     driver.frames(40)
     assert (page.data.study, page.data.cost_words, page.data.axes.y) == (1, "least", "CPU time")
     assert page.progress.done == 2 * len(STEPS) and driver.top.run.table is not first
     driver.click(*page.spots.find("study-0").rect.center)
-    driver.top.run.wait(60.0)
+    driver.top.run.wait(600.0)
     driver.frames(40)
     assert page.data.study == 0 and driver.top.run.table is first

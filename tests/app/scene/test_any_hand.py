@@ -25,7 +25,7 @@ def test_a_thousand_events_raise_nothing(start, seed: int, tmp_path):
         driver.frames(1, seconds=hand.choice([0.0, 0.004, 0.016, 0.1, 3.0]))
         top = driver.top
         if isinstance(top, SceneScreen) and top.loader is not None:
-            top.loader.wait(60.0)
+            top.loader.wait(600.0)
         if i % 100 == 0 and not isinstance(top, SceneScreen):
             driver.app.open_scene("example")
         driver.app.running = True  # the hand may have chosen to leave

@@ -9,7 +9,7 @@ from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.stage import Action, SetParameter, Stage
 
-LONG_S = 120.0
+LONG_S = 600.0
 STEPS = 24
 
 

@@ -35,7 +35,7 @@ def count(driver: Driver) -> int:
 
 def open_as_a_card_does(driver: Driver, name: str) -> None:
     driver.app.open_scene(name)
-    driver.top.loader.wait(100.0)
+    driver.top.loader.wait(600.0)
     driver.frames(3)
 
 

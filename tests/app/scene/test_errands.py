@@ -11,7 +11,7 @@ from game.stage import SetEffect, SetParameter
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
 
-LONG_S = 60.0
+LONG_S = 600.0
 
 
 def test_what_is_asked_for_acts_at_once_when_nothing_is_under_way():

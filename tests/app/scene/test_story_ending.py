@@ -94,7 +94,7 @@ def test_what_if_goes_back_changes_one_thing_and_plays_on(ended: Driver):
     three = runner.course.reached["three"].step
     lines = [number for number, entry in runner.course.begun.items() if entry.step <= three]
     press(ended, WHAT_IF)
-    ended.top.play.record.errands.wait(30.0)
+    ended.top.play.record.errands.wait(600.0)
     ended.frames(2)
     stage = ended.stage
     assert three <= stage.step_number <= three + 30 and runner.stopped_at == three
@@ -104,14 +104,14 @@ def test_what_if_goes_back_changes_one_thing_and_plays_on(ended: Driver):
     assert stage.step_number > three + 60 and sorted(runner.course.begun) == sorted(lines)
     assert not play_of(ended).offers.spots.spots  # and the story can be gone on with
     ended.key(pygame.K_F6)
-    ended.top.play.record.errands.wait(30.0)
+    ended.top.play.record.errands.wait(600.0)
     ended.frames(2)
     assert runner.playing and stage.scene.values["gravity"] != 2.0
 
 
 def test_once_more_begins_again(ended: Driver):
     press(ended, AGAIN)
-    ended.top.play.record.errands.wait(30.0)
+    ended.top.play.record.errands.wait(600.0)
     ended.frames(2)
     assert play_of(ended).runner.film_s < 1.0 and play_of(ended).runner.playing
 

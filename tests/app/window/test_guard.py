@@ -146,7 +146,7 @@ def test_a_study_that_fails_is_told_of(scene: Driver, monkeypatch, tracebacks, b
     monkeypatch.setattr(example_scene.BouncingBall, "study", make_study(**broken))
     scene.key(pygame.K_a)
     if isinstance(scene.top, AccuracyCard):
-        scene.top.run.wait(60.0)
+        scene.top.run.wait(600.0)
         scene.frames(30)
         assert guard.NAME in scene.top.page.data.notes[0]
         scene.key(pygame.K_ESCAPE)

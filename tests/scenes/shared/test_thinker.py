@@ -8,7 +8,7 @@ from game.scenes.shared.thinker import Question, Thinker, Thought
 
 
 def answer_to(thinker: Thinker, question: Question) -> Thought:
-    end = time.monotonic() + 20.0
+    end = time.monotonic() + 600.0
     while (thought := thinker.ask(question)) is None:
         assert time.monotonic() < end
         time.sleep(0.001)
