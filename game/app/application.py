@@ -19,6 +19,7 @@ from game.app.screens.stack import ScreenStack
 from game.app.screens.start_card import Below, StartCard
 from game.app.stagehand.challenge import best_of, today, words_of, write_challenge
 from game.app.stagehand.opening import Opening
+from game.app.stagehand.start_choices import own_choices
 from game.app.window import clipboard
 from game.app.window.commands import Actions, perform
 from game.app.window.frames import FrameMeter
@@ -230,13 +231,16 @@ class App:
         from game.app.stagehand.career_file import load_career
         from game.app.stagehand.career_opening import begin_match
         from game.billiards.career.matches import cup_match
+        from game.billiards.game.register import REGISTER
 
         career, complaint = load_career()
         match = cup_match(career.player) if career.player is not None else None
         if match is None:
             self.cards.open_career()
             return
-        begun = begin_match(career, match)
+        family = REGISTER[match.game].family
+        own = own_choices(self.catalogue, family, self.settings.start, career.player)
+        begun = begin_match(career, match, own)
         for words in filter(None, (complaint, begun.complaint)):
             self.tell("Career.", words, "warning")
         self.open_scene(begun.scene, opening=begun.opening)

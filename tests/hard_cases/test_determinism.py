@@ -87,7 +87,7 @@ def small_kernels() -> list[Any]:
 @pytest.fixture(scope="class", params=NAMES)
 def played(request: pytest.FixtureRequest) -> Played:
     scene = scene_named(request.param)
-    whole = play(Stage(scene, record=False, snapshot_bytes=0), STEPS, scene.demo)
+    whole = play(Stage(scene, record=False, snapshot_bytes=0, charts=False), STEPS, scene.demo)
     stage = Stage(scene)
     return Played(scene, whole, stage, play(stage, HALF, scene.demo))
 

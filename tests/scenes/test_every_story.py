@@ -76,7 +76,7 @@ def played(request: pytest.FixtureRequest) -> Performance:
     scene_type = CATALOGUE[request.param[0]].load()
     story = next(one for one in stories_of(scene_type) if one.name == request.param[1])
     prepare()
-    stage = stage_of(story, scene_type)
+    stage = stage_of(story, scene_type, charts=False)
     runner = Runner(story, stage)
     off, outside, harmed, eye = [], [], [], Eye(runner)
     every = max(1, round(LOOK_EVERY_S / stage.dt))

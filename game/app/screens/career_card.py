@@ -15,6 +15,7 @@ from game.app.screens.host import Host
 from game.app.screens.question import Question
 from game.app.stagehand.career_file import keep_career, load_career
 from game.app.stagehand.career_opening import begin_match
+from game.app.stagehand.start_choices import own_choices
 from game.app.window.commands import Actions
 from game.billiards.career.career import LONGEST_NAME, Career, Match, Player
 from game.billiards.career.matches import (
@@ -145,7 +146,9 @@ class CareerCard(CardScreen):
         if match.cup and player.cup is not None:  # the next rounds are played with the same kind of start
             cup = msgspec.structs.replace(player.cup, fair=self.start == FAIR)
             career = career.with_player(player.replace(cup=cup))
-        begun = begin_match(career, match)
+        family = REGISTER[match.game].family
+        own = own_choices(self.host.catalogue, family, self.host.settings.start, player)
+        begun = begin_match(career, match, own)
         self.career = begun.career
         if begun.complaint:
             self.host.tell("Career.", begun.complaint, "warning")
