@@ -103,7 +103,7 @@ class StartCard(CardScreen):
         elif name == "lessons":
             self._open_lesson()
         elif name == "career":
-            self.host.open_career()
+            self.host.cards.open_career()
         else:
             parameter, _, value = name.partition("=")
             if (prize := self.locked.get((parameter, value))) is not None:
