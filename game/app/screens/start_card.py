@@ -89,7 +89,9 @@ class StartCard(CardScreen):
         self.host.open_scene(self.entry.name, level=next_lesson(self.lessons).path)
 
     def _open_levels(self) -> None:
-        self.host.open_levels(self.entry, lambda path: self.host.open_scene(self.entry.name, level=path))
+        self.host.cards.open_levels(
+            self.entry, lambda path: self.host.open_scene(self.entry.name, level=path)
+        )
 
     def pressed(self, name: str) -> None:
         if name == "play":
@@ -101,7 +103,7 @@ class StartCard(CardScreen):
         elif name == "lessons":
             self._open_lesson()
         elif name == "career":
-            self.host.open_career()
+            self.host.cards.open_career()
         else:
             parameter, _, value = name.partition("=")
             if (prize := self.locked.get((parameter, value))) is not None:
