@@ -65,7 +65,8 @@ class StartLine(NamedTuple):
     """A line of the card that a game is begun with: a parameter, and which of its values can be chosen there.
 
     options: (value, words). default: the value chosen first. idle: (parameter, value) of another line with
-    which this one means nothing; only: that without which it means nothing.
+    which this one means nothing; only: that without which it means nothing. instead: the parameter of a
+    line in whose place this one stands while that one means nothing.
     """
 
     parameter: str
@@ -74,6 +75,7 @@ class StartLine(NamedTuple):
     options: tuple[tuple[str, str], ...]
     default: str
     idle: tuple[str, str] = ("", "")
+    instead: str = ""
     only: tuple[str, str] = ("", "")
 
 

@@ -15,6 +15,7 @@ from game.app.screens.host import Host
 from game.app.screens.question import Question
 from game.app.stagehand.career_file import keep_career, load_career
 from game.app.stagehand.career_opening import begin_match
+from game.app.stagehand.start_choices import own_choices
 from game.app.window.commands import Actions
 from game.billiards.career.career import LONGEST_NAME, Career, Match, Player
 from game.billiards.career.matches import (
@@ -131,7 +132,7 @@ class CareerCard(CardScreen):
             self.start = LEVEL if self.start == FAIR else FAIR
             self.refresh()
         elif kind == "statistics":
-            self.host.open_statistics(self.player.name if self.player else "")
+            self.host.cards.open_statistics(self.player.name if self.player else "")
         elif kind == "cup":
             self._begin_cup()
 
@@ -145,7 +146,9 @@ class CareerCard(CardScreen):
         if match.cup and player.cup is not None:  # the next rounds are played with the same kind of start
             cup = msgspec.structs.replace(player.cup, fair=self.start == FAIR)
             career = career.with_player(player.replace(cup=cup))
-        begun = begin_match(career, match)
+        family = REGISTER[match.game].family
+        own = own_choices(self.host.catalogue, family, self.host.settings.start, player)
+        begun = begin_match(career, match, own)
         self.career = begun.career
         if begun.complaint:
             self.host.tell("Career.", begun.complaint, "warning")
@@ -161,7 +164,7 @@ class CareerCard(CardScreen):
             self.refresh()
         else:
             first = NEWCOMERS if is_newcomer(player) else EIGHT_PLAYERS
-            self.host.open_choices("Tournament", CUPS, self._take_cup, first)
+            self.host.cards.open_choices("Tournament", CUPS, self._take_cup, first)
 
     def _take_cup(self, kind: str) -> None:
         """A tournament of a kind begins; who plays is in it."""
@@ -175,7 +178,7 @@ class CareerCard(CardScreen):
     def _open_games(self) -> None:
         """The list of all games that are registered."""
         rows = [ListRow(one.title, f"won by {one.won}", value=one.name) for one in REGISTER.values()]
-        self.host.open_choices("Game", rows, self._take_game, self.game)
+        self.host.cards.open_choices("Game", rows, self._take_game, self.game)
 
     def _take_game(self, game: str) -> None:
         self.game, self.in_cup = game, False
@@ -189,7 +192,7 @@ class CareerCard(CardScreen):
         ]
         rows.append(ListRow("Somebody else", "a new name", value=""))
         present = self.player.name if self.player else ""
-        self.host.open_choices("Who plays?", rows, self._take_player, present)
+        self.host.cards.open_choices("Who plays?", rows, self._take_player, present)
 
     def _take_player(self, name: str) -> None:
         if name:
@@ -198,7 +201,7 @@ class CareerCard(CardScreen):
             self._ask_name()
 
     def _ask_name(self) -> None:
-        self.host.open_name(NAME, self._named)
+        self.host.cards.open_name(NAME, self._named)
 
     def handle(self, event: pygame.Event) -> None:
         enter = event.type == pygame.KEYDOWN and event.key in (pygame.K_RETURN, pygame.K_KP_ENTER)

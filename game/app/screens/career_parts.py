@@ -24,6 +24,11 @@ LADDER_ROW = 50  # design px
 LINE = 22  # design px of a line of words
 MOST_CUPS = 6  # on the shelf
 NEWCOMERS_CUP = "Newcomers' cup"
+FIRST_CUP = (
+    "Your first cup will stand here.",
+    "The newcomers' cup is two short matches:",
+    "New tournament begins it.",
+)
 REACHED = ("quarter-final", "semi-final", "final", "cup")
 
 
@@ -152,14 +157,16 @@ def paint_cups(picture: pygame.Surface, look: Look, area: pygame.Rect, player: P
         sign = icon("cup", px(18), look.color("amber" if won else "text3"))
         picture.blit(sign, sign.get_rect(midleft=(area.x, y)))
         entry = REGISTER.get(cup.game)
-        title = NEWCOMERS_CUP if cup.newcomers else entry.title if entry else cup.game
-        words = f"{title}: {REACHED[cup.reached]}, {cup.when[:10]}"
+        played = entry.title if entry else cup.game
+        title = f"{NEWCOMERS_CUP}, {played}" if cup.newcomers else played
+        words = f"{title}: {'won' if won else REACHED[cup.reached]}, {cup.when[:10]}"
         fitted = look.fonts.fit(words, 12, "medium", area.w - px(26))
         look.text(picture, fitted, (area.x + px(26), y), 12, "medium", "text1" if won else "text2")
         y += px(24)
     if not player.cups and player.cup is None:
-        words = look.fonts.fit("The newcomers' cup is two short matches.", 12, "medium", area.w)
-        look.text(picture, words, (area.x, y), 12, "medium", "text2")
+        for k, line in enumerate(FIRST_CUP):
+            words = look.fonts.fit(line, 12, "medium", area.w)
+            look.text(picture, words, (area.x, y + k * px(18)), 12, "medium", "text2")
 
 
 def _paint_match(

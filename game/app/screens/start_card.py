@@ -11,6 +11,7 @@ from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.host import Host
 from game.app.stagehand.level_index import lessons_of, next_lesson
 from game.app.stagehand.opening import Opening
+from game.app.stagehand.start_choices import locked_for, remembered
 from game.app.window.commands import Actions
 from game.stage.catalogue import Entry
 from game.stage.declarations import StartLine
@@ -19,11 +20,11 @@ from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
 
 if TYPE_CHECKING:
-    from game.billiards.career.prizes import Prize
+    from game.billiards.career.career import Player
 
 ROW, LEAST_ROW, LABELS, FEW_LABELS, ROOMY = 56, 36, 240, 108, 640  # design px
 SEGMENT, BUTTON, PLAY_WIDTH, FOOT = 34, 48, 232, 100  # design px
-MARGIN, GAP = 32, 12  # design px
+MARGIN, GAP, AROUND = 32, 12, 6  # design px; the last: of a segment beside its words
 
 
 class Below(NamedTuple):
@@ -35,12 +36,11 @@ class Below(NamedTuple):
     kept: Callable[[], bool]
 
 
-def _locked(family: str) -> dict[tuple[str, str], Prize]:
-    """What a career has not unlocked yet. Imported here, since ratings bring the compiler with them."""
+def _player() -> Player | None:
+    """Who plays the career. Imported here, since ratings bring the compiler with them."""
     from game.app.stagehand.career_file import load_career
-    from game.billiards.career.prizes import locked
 
-    return locked(load_career()[0].player, family)
+    return load_career()[0].player
 
 
 class StartCard(CardScreen):
@@ -53,17 +53,13 @@ class StartCard(CardScreen):
         self.entry = entry
         self.below = below
         self.lines = entry.start_lines()
-        self.chosen = {line.parameter: line.default for line in self.lines}
-        self.locked = _locked(entry.name)
-        remembered = host.settings.start.get(entry.name, {})
-        for line in self.lines:
-            value = remembered.get(line.parameter, line.default)
-            if value in dict(line.options) and (line.parameter, value) not in self.locked:
-                self.chosen[line.parameter] = value
+        player = _player()
+        self.locked = locked_for(player, entry.name)
+        self.chosen = remembered(entry, host.settings.start, player)
         self._kept = below.kept()
         self.lessons = lessons_of(entry.name)
         super().__init__(host)
-        self.veil.size = (self.width, HEAD + ROW * len(self.lines) + FOOT)
+        self.veil.size = (self.width, HEAD + ROW * len(self.rows) + FOOT)
         self.restyle()
 
     @property
@@ -93,7 +89,9 @@ class StartCard(CardScreen):
         self.host.open_scene(self.entry.name, level=next_lesson(self.lessons).path)
 
     def _open_levels(self) -> None:
-        self.host.open_levels(self.entry, lambda path: self.host.open_scene(self.entry.name, level=path))
+        self.host.cards.open_levels(
+            self.entry, lambda path: self.host.open_scene(self.entry.name, level=path)
+        )
 
     def pressed(self, name: str) -> None:
         if name == "play":
@@ -104,6 +102,8 @@ class StartCard(CardScreen):
             self._open_levels()
         elif name == "lessons":
             self._open_lesson()
+        elif name == "career":
+            self.host.cards.open_career()
         else:
             parameter, _, value = name.partition("=")
             if (prize := self.locked.get((parameter, value))) is not None:
@@ -136,6 +136,16 @@ class StartCard(CardScreen):
 
     # -- places -------------------------------------------------------------------------------------
 
+    @property
+    def rows(self) -> list[StartLine]:
+        """The lines that are shown: of two that share a place the one that means something."""
+        other = {line.instead: line for line in self.lines if line.instead}
+        return [
+            other[line.parameter] if line.parameter in other and self.is_idle(line) else line
+            for line in self.lines
+            if not line.instead
+        ]
+
     def is_idle(self, line: StartLine) -> bool:
         """Whether a line means nothing beside what another one says."""
         parameter, value = line.idle
@@ -151,7 +161,7 @@ class StartCard(CardScreen):
     def _row(self) -> int:
         """Height of a line, window px: less in a low window."""
         px = self.host.look.px
-        fits = (self.veil.card.h - px(HEAD) - px(FOOT)) // len(self.lines)
+        fits = (self.veil.card.h - px(HEAD) - px(FOOT)) // len(self.rows)
         return min(px(ROW), max(px(LEAST_ROW), fits))
 
     def places(self) -> list[Hotspot]:
@@ -159,20 +169,29 @@ class StartCard(CardScreen):
         spots = []
         left = card.x + px(LABELS if self._roomy else FEW_LABELS)
         space = max(card.right - px(MARGIN) - left, 1)
-        for i, line in enumerate(self.lines):
+        for i, line in enumerate(self.rows):
             y = card.y + px(HEAD) + i * self._row + (self._row - px(SEGMENT)) // 2 - px(4)
             enabled = not self.is_idle(line)
-            for j, (value, _) in enumerate(line.options):
-                x0, x1 = (left + space * n // len(line.options) for n in (j, j + 1))
-                place = pygame.Rect(x0, y, max(x1 - x0, 1), px(SEGMENT))
+            ends = self._ends(line, space)
+            for (value, _), x0, x1 in zip(line.options, ends, ends[1:], strict=False):
+                place = pygame.Rect(left + x0, y, max(x1 - x0, 1), px(SEGMENT))
                 spots.append(Hotspot(f"{line.parameter}={value}", place, enabled))
         return [*spots, *self._buttons()]
+
+    def _ends(self, line: StartLine, space: int) -> list[int]:
+        """Where segments of a line begin and end, window px: alike, or by their words if those need it."""
+        px, fonts, count = self.host.look.px, self.host.look.fonts, len(line.options)
+        wide = [fonts.size(words, 13, "semibold")[0] + px(AROUND) for _, words in line.options]
+        over = space - sum(wide)
+        if over < 0 or max(wide) <= space // count:
+            return [space * n // count for n in range(count + 1)]
+        return [sum(wide[:n]) + over * n // count for n in range(count + 1)]
 
     def _buttons(self) -> list[Hotspot]:
         """The large one at the right, the others beside it."""
         px, card = self.host.look.px, self.veil.card
         names = ["play", *(["go-on"] if self._kept else []), "levels"]
-        names += ["lessons"] if self.lessons else []
+        names += [*(["lessons"] if self.lessons else []), "career"]
         right, bottom = card.right - px(MARGIN), card.bottom - px(28)
         widths = [min(px(PLAY_WIDTH), (card.w - 2 * px(MARGIN)) // len(names) - px(GAP))] * len(names)
         spots = []
@@ -190,7 +209,7 @@ class StartCard(CardScreen):
 
     def paint(self, picture: pygame.Surface) -> None:
         look, px = self.host.look, self.host.look.px
-        for i, line in enumerate(self.lines):
+        for i, line in enumerate(self.rows):
             y = px(HEAD) + i * self._row + self._row // 2 - px(4)
             up = px(9) if self._roomy else 0
             color = "text3" if self.is_idle(line) else "text1"
@@ -201,11 +220,12 @@ class StartCard(CardScreen):
         self._paint_play(picture)
         self.draw_button(picture, "go-on", "Go on with your game")
         many = self._kept and bool(self.lessons)
-        self.draw_button(picture, "levels", "Levels" if many else "Puzzles, drills and levels")
+        self.draw_button(picture, "levels", "Levels" if many else "Puzzles and drills")
+        self.draw_button(picture, "career", "Career, cups")
         if self.lessons:
             done = sum(bool(head.stars) for head in self.lessons)
             of = f": {done} of {len(self.lessons)}" if done else ""
-            self.draw_button(picture, "lessons", f"First ten minutes{of}")
+            self.draw_button(picture, "lessons", f"{'Lessons' if many else 'First ten minutes'}{of}")
 
     def _paint_play(self, picture: pygame.Surface) -> None:
         spot = self.spots.find("play")

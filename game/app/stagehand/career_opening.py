@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 from game.app.stagehand.career_file import keep_career
 from game.app.stagehand.opening import Opening
@@ -24,9 +25,9 @@ class Begun(NamedTuple):
     complaint: str
 
 
-def begin_match(career: Career, match: Match) -> Begun:
+def begin_match(career: Career, match: Match, own: Mapping[str, str] | None = None) -> Begun:
     """Keep a match as the one that is played now, and say how its table is opened. ValueError without
-    a player.
+    a player. own: parameters that the person has chosen, as of `start_choices.own_choices`.
     """
     player = career.player
     if player is None:
@@ -37,8 +38,8 @@ def begin_match(career: Career, match: Match) -> Begun:
     short = match.cup and player.cup is not None and player.cup.newcomers
     length = length_of(entry, short)
     opponent = BY_NAME[match.opponent].title if match.opponent in BY_NAME else match.opponent
-    parameters = {
-        "first_player": "person", "second_player": match.opponent,
+    parameters: dict[str, Any] = {
+        **(own or {}), "first_player": "person", "second_player": match.opponent,
         "head_start": float(match.head_start), length.parameter: length.value,
     }  # fmt: skip
     level = next((path for path in level_files(entry.family) if path.stem == entry.level), None)

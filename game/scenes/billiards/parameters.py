@@ -8,6 +8,7 @@ from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
 from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.furnishing import choices as furnishing
+from game.scenes.shared.tables.minds import hurry
 from game.scenes.shared.tables.seats import hot_seat
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
@@ -36,6 +37,7 @@ class BilliardsParameters(Parameters):
     first_player = choices.player("First player", "billiards")
     second_player = choices.player("Second player", "billiards")
     hand_over = hot_seat.hand_over()
+    their_strokes = hurry.their_strokes()
     head_start = choices.head_start("racks")
     beside = Choice(
         "none", BESIDE, labels=BESIDE_LABELS, group="Game", label="Beside the table",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,6 +20,7 @@ from game.scenes.billiards.stroke.motion import DRAWN, PUSHED, StrokeMotion, str
 from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.course import LONG_AGO_S
 from game.scenes.shared.tables.grip import NOTHING
+from game.scenes.shared.tables.minds.hurry import hurried
 from game.scenes.shared.tables.moments import OFF, decider, pace_at
 from game.scenes.shared.tables.seats.cup import goes_on
 from game.scenes.shared.tables.seats.hot_seat import waits
@@ -167,7 +169,8 @@ class Play(Part):
             self.clock[PHASE_S] += dt
             self._swing()
         elif self.phase == ROLLING:
-            self.clock[PHASE_S] += dt * self.pace
+            pace = hurried(self, self.pace, self.model.decided is not None)
+            self.clock[PHASE_S] = self.shown_s if math.isinf(pace) else self.clock[PHASE_S] + dt * pace
             self._roll()
         elif self.phase == AIMING:
             self.rest_s += dt

@@ -1,6 +1,7 @@
 """What is chosen before a game of billiards begins: parameters of the scene, in few words."""
 
 from game.scenes.shared.tables.furnishing.choices import FELT_LINE, TABLE_LINE
+from game.scenes.shared.tables.minds.hurry import THEIR_STROKES_LINE
 from game.scenes.shared.tables.seats.hot_seat import HAND_OVER_LINE
 from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
@@ -14,6 +15,7 @@ START = (
         "novice", idle=ALONE,
     ),
     HAND_OVER_LINE,
+    THEIR_STROKES_LINE,
     StartLine(
         "game", "Game", "of the pool table",
         (("eight-ball", "8-ball"), ("nine-ball", "9-ball"), ("ten-ball", "10-ball"),

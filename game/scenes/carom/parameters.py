@@ -9,6 +9,7 @@ from game.scenes.shared.tables.choices import GRADE_LABELS, GRADES, OWN
 from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.furnishing import choices as furnishing
 from game.scenes.shared.tables.furnishing.choices import CAROM_FELT_NAMES
+from game.scenes.shared.tables.minds import hurry
 from game.scenes.shared.tables.seats import hot_seat
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Param, Parameters, Toggle
@@ -29,6 +30,7 @@ class CaromParameters(Parameters):
     first_player = choices.player("First player", "carom")
     second_player = choices.player("Second player", "carom")
     hand_over = hot_seat.hand_over()
+    their_strokes = hurry.their_strokes()
     head_start = choices.head_start("points")
     target = Param(15, 0, 200, whole=True, group="Game", label="Race to", help="points; 0: no end")
     innings = Param(0, 0, 100, whole=True, group="Game", label="Most innings", help="of each; 0: no limit")

@@ -6,13 +6,14 @@ from game.lab.studies.water.sea import sea_study
 from game.physics.waves.effects import SEA
 from game.scenes.ocean import OCEAN
 from game.scenes.ocean.card import draw_arms
-from game.scenes.ocean.painting import warm_up_sea
 from game.scenes.ocean.parameters import OceanContent, OceanParameters
 from game.scenes.ocean.told import charts, hearing, names, ocean_hand, readouts, sizes, targets
 from game.scenes.ocean.view import OceanView
 from game.scenes.ocean.world import OceanWorld
 from game.stage import Equation, Hint, SceneAction, Strip
+from game.worlds.painting.clouds import warm_up_sky
 from game.worlds.painting.polygons import warm_up_painter
+from game.worlds.painting.sea.painter import warm_up_sea
 from game.worlds.scene import Parts, Told, WorldScene
 
 
@@ -39,7 +40,7 @@ class Ocean(WorldScene):
     parts = Parts(OceanWorld, ocean_hand, OceanView)
     told = Told(readouts, targets=targets, sizes=sizes, hearing=hearing, names=names, charts=charts)
     tiny = {"tier": "own", "waves": 8}
-    painters = (("sea", warm_up_sea), ("polygons", warm_up_painter))
+    painters = (("sea", warm_up_sea), ("sky", warm_up_sky), ("polygons", warm_up_painter))
     effects = SEA.known
     content_type, default_content = OceanContent, OceanContent()
     not_of_model = ("astern",)

@@ -80,18 +80,12 @@ def sizes(model: OceanWorld) -> dict[str, float]:
 
 
 def names(model: OceanWorld) -> list[tuple[Point, str]]:
-    """Boat, sail and the crest."""
+    """The crest that is followed; boat and sail, if there is none."""
     places, boat = targets(model), model.boat
-    found = [
-        (
-            places["stern"],
-            f"{boat.hull.mass / 1000.0:.1f} t, {model.parameters.ballast:.0f} kg of it ballast",
-        ),
-        (places["rig"], f"{boat.sail.area:.0f} m² of cloth"),
-    ]
     if "crest" in places:
-        found.append((places["crest"], f"a crest, {model.swell_speed():.1f} m/s"))
-    return found
+        return [(places["crest"], f"a crest, {model.swell_speed():.1f} m/s")]
+    mass = f"{boat.hull.mass / 1000.0:.1f} t, {model.parameters.ballast:.0f} kg of it ballast"
+    return [(places["stern"], mass), (places["rig"], f"{boat.sail.area:.0f} m² of cloth")]
 
 
 def charts(model: OceanWorld) -> dict[str, Comparison]:

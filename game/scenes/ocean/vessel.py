@@ -9,10 +9,10 @@ import numpy as np
 
 from game.arrays import Floats
 from game.scenes.ocean.boat import CORNERS, HEEL, MAST, PITCHED, SWUNG, UP, Boat
-from game.scenes.ocean.painting import Light, projected
 from game.ui.canvas.canvas import Canvas
 from game.worlds.painting.boards import paint_quads
 from game.worlds.painting.inks import channels, color_of, packed
+from game.worlds.painting.sea.cuts import Light, projected
 
 ANTIFOUL, TOPSIDE, STRIPE, DECK, KEEL = 0x8E3A2C, 0xF1EADB, 0x2C5E7A, 0xC69A62, 0x3A3E44
 CLOTH, SEAM, SPAR, CABIN, GLASS, ROPE = 0xB9552C, 0x7E3419, 0xC8964E, 0xEFE6D2, 0x32505E, 0xD8CBB0
@@ -100,7 +100,7 @@ class Vessel:
         sun = np.clip(normal[:, 0] * to[0] + normal[:, 1] * to[1] - 0.35 * normal[:, 2], 0.0, 1.0)
         sky = 0.5 + 0.5 * normal[:, 1]
         shade = 0.42 + 0.3 * sky + SUN_SHARE * sun * min(self._light.glint, 1.0)
-        tint = np.array(self._light.low) / max(self._light.low) * 0.35 + 0.65
+        tint = np.array(self._light.sun) / max(max(self._light.sun), 1.0) * 0.35 + 0.65
         inks = packed(np.clip(colors * shade[:, None] * tint, 0.0, 255.0))
         order = np.argsort(-quads[:, :, 2].mean(axis=1), kind="stable") if sort else slice(None)
         paint_quads(canvas, self._seen(quads[order]).reshape(-1, 2), inks[order], edges=inks[order])

@@ -11,28 +11,22 @@ import numpy as np
 from game.arrays import Floats
 from game.physics.waves.sea import LEVEL, SLOPE_Z
 from game.physics.waves.sections import AREA, MIDDLE_Y, MIDDLE_Z
-from game.scenes.ocean.boat import SAILED, STATIONS
-from game.scenes.ocean.painting import (
-    HORIZON,
-    LEVELS,
-    SUN,
-    Light,
-    SeaPainter,
-    light_of,
-    projected,
-    shrink,
-    sky_of,
-)
+from game.scenes.ocean.boat import BEAM, LENGTH, SAILED, SPEED, STATIONS
+from game.scenes.ocean.painting import SKIES, SUNS, light_of
 from game.scenes.ocean.vessel import Vessel
-from game.scenes.ocean.weather import DX, DY, DZ, WAKE_LASTS
-from game.scenes.ocean.world import CREST, LOST, NOW, RAINS, OceanState, OceanWorld
+from game.scenes.ocean.weather import DX, DY, DZ
+from game.scenes.ocean.world import CREST, LOST, STORM, OceanState, OceanWorld
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import Hand
+from game.worlds.painting.clouds import BRIGHT, draw_sky
 from game.worlds.painting.inks import color_of
+from game.worlds.painting.sea.cuts import AWAY, HORIZON, Wake, projected, shrink
+from game.worlds.painting.sea.painter import SeaPainter, Water
 
-STORM_WIND, STORM_RAIN, FAIR_WIND = 17.0, 30.0, 8.0  # m/s, mm/h that are a storm; m/s of fair weather
 DRIFT = 7.0  # px/s of clouds
+MIRRORED = 6.5  # m to both sides, in which the water mirrors the boat
+WAVE_HIGH = 1.1  # m of the boat's waves at a Froude number of 1
 INSET, INSET_M = 0.27, 4.6  # of the height in view; m across of what is seen from astern
 GREY = 0xC9D4DA
 
@@ -50,80 +44,51 @@ class OceanView:
         marks = [("disc:amber", "middle of mass", ""), ("disc:green", "middle of the water's lift", "")]
         return marks if self._asked or self.model.parameters.astern else []
 
-    def storm(self) -> float:
-        """0 to 1, by wind and rain."""
-        air = self.model.air
-        windy = (float(air[NOW]) - FAIR_WIND) / (STORM_WIND - FAIR_WIND)
-        return min(max(max(windy, 0.0) * 0.75 + 0.6 * float(air[RAINS]) / STORM_RAIN, 0.0), 1.0)
-
     def draw(self, canvas: Canvas, previous: OceanState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         model, late = self.model, is_dark(canvas)
-        storm = self.storm()
-        light = light_of(late, storm)
+        storm, sailed = float(model.air[STORM]), float(model.boat.pose[SAILED])
         seen = canvas.camera.visible()
-        eye = 0.5 * (seen.left + seen.right)
-        rows = model.sea.rows
-        gravity = model.gravity()
-        self._draw_sky(canvas, late, storm, light)
-        self.painter.paint(canvas, rows, light, False, gravity)
+        eye, sun = 0.5 * (seen.left + seen.right), SUNS[late]
+        shift = DRIFT * canvas.k * model.time + 0.6 * sailed
+        sky = draw_sky(canvas, HORIZON, SKIES[late], sun, shift, storm)
+        tall = sky.turns.shape[0] / canvas.pixels_per_unit if sky is not None else 1.0
+        to = (sun.across - 0.5) * (seen.right - seen.left), sun.up * tall, AWAY
+        far = math.hypot(*to)
+        light = light_of(late, storm, (to[0] / far, to[1] / far, to[2] / far))
+        bands = sky.bands if sky is not None else np.zeros((2, BRIGHT, 3))
+        rows, gravity, wind = model.sea.rows, model.gravity(), model.wind()
+        water = Water(
+            rows, light, bands[0] + storm * (bands[1] - bands[0]), gravity, math.hypot(*wind),
+            np.array((math.fmod(sailed, 512.0), 0.0)), storm, self._wake(gravity),
+        )  # fmt: skip
+        self.painter.ripples.make(rows, wind, sailed, model.time)
+        self.painter.paint(canvas, water, near=False)
         pose = self.vessel.pose(previous, alpha)
-        self._draw_foam(canvas, eye)
+        pixels, clip = canvas.raster_target
+        edges = [int(canvas.place((x, 0.0))[0]) for x in (-MIRRORED, MIRRORED)]
+        left, right = (min(max(edge, int(clip[0])), int(clip[2])) for edge in edges)
+        bare = pixels[:, left:right].copy()
         self._draw_drops(canvas, eye, True)
-        self.vessel.draw(canvas, eye, pose, light, model.wind())
-        self.painter.paint(canvas, rows, light, True, gravity)
+        self.vessel.draw(canvas, eye, pose, light, wind)
+        self.painter.paint(canvas, water, True, bare, left)
         self._draw_drops(canvas, eye, False)
         self._draw_rain(canvas, eye, late)
         self._asked = canvas.asked
         if canvas.marks(False):
             self._draw_marks(canvas)
         if model.parameters.astern:
-            self._draw_astern(canvas, pose, light)
+            self._draw_astern(canvas, pose)
         if self.hand.point is not None:
             canvas.ring(self.hand.point, 9.0, "amber", 2.0)
 
-    # -- sky and water ----------------------------------------------------------------------------------
+    def _wake(self, gravity: float) -> Wake:
+        """Of the boat as it goes now."""
+        speed = max(float(self.model.boat.pose[SPEED]), 0.0)
+        froude = speed / math.sqrt(max(gravity, 0.1) * LENGTH)
+        return Wake(-0.5 * LENGTH, 0.5 * LENGTH, 0.5 * BEAM, speed, WAVE_HIGH * min(froude, 0.6) ** 2)
 
-    def _draw_sky(self, canvas: Canvas, late: bool, storm: float, light: Light) -> None:
-        pixels, clip = canvas.raster_target
-        left, top, right, bottom = (int(one) for one in clip)
-        _, y = canvas.place((0.0, HORIZON))
-        foot = min(max(int(y) + 8, top), bottom)
-        rows = foot - top
-        if rows <= 0 or right <= left:
-            return
-        width = right - left
-        tall = max(rows, int(0.62 * (bottom - top)))
-        picture = sky_of(tall, width, late, round(storm * LEVELS))[tall - rows :]
-        shift = int(DRIFT * self.model.time + 0.6 * float(self.model.boat.pose[SAILED])) % width
-        pixels[top:foot, left : right - shift] = picture[:, shift:]
-        if shift:
-            pixels[top:foot, right - shift : right] = picture[:, :shift]
-        share = max(1.0 - 1.6 * storm, 0.0)
-        if share > 0.0:
-            seen = canvas.camera.visible()
-            wide = seen.right - seen.left
-            at = (seen.left + SUN[0] * wide, HORIZON + SUN[1] * max(seen.top - HORIZON, 1.0) + 0.04 * wide)
-            ink = int(light.sun[0]) << 16 | int(light.sun[1]) << 8 | int(light.sun[2])
-            canvas.soft_glow(
-                np.array((at, at)), np.array((0.16 * wide, 0.045 * wide)), np.array((ink, ink), np.uint32),
-                np.array((0.35, 0.9)) * share,
-            )  # fmt: skip
-            canvas.bloom(0.8)
-            canvas.circle(at, 0.013 * wide, color_of(0xFFF6E0), share)
-
-    def _draw_foam(self, canvas: Canvas, eye: float) -> None:
-        foam = self.model.spray.foam
-        if not len(foam):
-            return
-        level = self.model.sea.at(np.ascontiguousarray(foam[:, :2]))[:, LEVEL]
-        at = projected(eye, foam[:, 0], level, foam[:, 1])
-        age = foam[:, 2] / WAKE_LASTS
-        size = foam[:, 3] * (0.5 + 1.2 * np.sqrt(age)) * shrink(foam[:, 1])
-        for low in np.arange(0.0, 1.0, 0.2):
-            part = (age >= low) & (age < low + 0.2)
-            ends = np.stack([size[part], np.zeros(int(part.sum()))], axis=1)
-            canvas.segments(at[part] - ends, at[part] + ends, color_of(0xF2F8FA), 3.0, 0.55 * (1.0 - low))
+    # -- what flies -------------------------------------------------------------------------------------
 
     def _draw_drops(self, canvas: Canvas, eye: float, behind: bool) -> None:
         drops = self.model.spray.drops
@@ -134,7 +99,7 @@ class OceanView:
         size = np.maximum(drops[:, 7] * shrink(drops[:, DZ]), canvas.px(0.7))
         speed = float(self.model.boat.pose[3])
         back = drops[:, :3] - 0.035 * (drops[:, 3:6] - (speed, 0.0, 0.0))
-        canvas.discs(at, 6.0 * size, color_of(0xDCE8EE), 0.05)
+        canvas.discs(at, 3.2 * size, color_of(0xDCE8EE), 0.05)
         tails = projected(eye, back[:, 0], back[:, 1], back[:, 2])
         canvas.segments(at, tails, color_of(0xF4FAFC), 1.3, 0.35)
         canvas.discs(at, 0.5 * size, color_of(0xF8FCFF), 0.8)
@@ -169,7 +134,7 @@ class OceanView:
             high = float(model.sea.at(np.array([[at, 0.0]]))[0, LEVEL])
             canvas.arrow((at, high + 0.4), (0.4 * model.swell_by_law(), 0.0), "green", "c", 1.0)
 
-    def _draw_astern(self, canvas: Canvas, pose: Any, light: Light) -> None:
+    def _draw_astern(self, canvas: Canvas, pose: Any) -> None:
         """The boat in cross section from astern, the wind from the left: water line, weight and lift."""
         seen = canvas.camera.visible()
         tall = seen.top - seen.bottom

@@ -1,4 +1,4 @@
-"""Rain, spray and the foam of the wake: drops in the wind, in places beside the boat."""
+"""Rain and spray: drops in the wind, in places beside the boat."""
 
 from __future__ import annotations
 
@@ -12,13 +12,12 @@ from game.physics.kernels import elementwise, linear
 from game.worlds.world import Member
 
 DX, DY, DZ, DVX, DVY, DVZ, DAGE, DSIZE = range(8)  # columns of a drop: m, m/s, s, m
-MOST_SPRAY, MOST_FOAM, MOST_RAIN = 1200, 160, 700
+MOST_SPRAY, MOST_RAIN = 1200, 700
 PER_JOULE, MOST_OF_ONE, JET = 0.6, 40, 3.4  # drops; times the blow's speed that a jet has (Wagner 1932)
 RAIN_FALLS = 8.0  # m/s, of drops of 3 mm (Gunn and Kinzer 1949)
 SPRAY_FALLS = 5.0  # m/s, of drops of 1.5 mm (the same)
 BOX = np.array(((-22.0, -0.5, -8.0), (22.0, 15.0, 34.0)))  # m in which it rains
 HARD = 50.0  # mm/h of rain in which all drops fall
-WAKE_EVERY, WAKE_LASTS = 0.12, 9.0  # s
 
 
 def blown(velocities: Floats, wind: tuple[float, float], falls: float, gravity: float, dt: float) -> Floats:
@@ -64,13 +63,12 @@ class Rain(Member):
 
 
 class Spray(Member):
-    """``drops`` (n, 8) and ``foam`` (n, 4): x, z m, age s, size m; ``flung``: how many there were."""
+    """``drops`` (n, 8), see DX; ``flung``: how many there were."""
 
-    kept = ("drops", "foam", "flung")
+    kept = ("drops", "flung")
 
     def __init__(self) -> None:
         self.drops: Floats = np.zeros((0, 8))
-        self.foam: Floats = np.zeros((0, 4))
         self.flung: Floats = np.zeros(2)
 
     def fling(self, places: Floats, breadths: Floats, energies: Floats, fast: Floats, random: Any) -> None:
@@ -93,25 +91,13 @@ class Spray(Member):
         self.flung[0] += many
 
     def go(self, wind: tuple[float, float], speed: float, gravity: float, dt: float) -> None:
-        """Fly for dt (s); foam stays behind the boat."""
+        """Fly for dt (s) beside a boat at a speed (m/s)."""
         rows = self.drops
         if len(rows):
             rows[:, DVX : DVZ + 1] = blown(rows[:, DVX : DVZ + 1], wind, SPRAY_FALLS, gravity, dt)
             rows[:, :3] += dt * (rows[:, 3:6] - (speed, 0.0, 0.0))
             rows[:, DAGE] += dt
-        if len(self.foam):
-            self.foam[:, 0] -= speed * dt
-            self.foam[:, 2] += dt
-            self.foam = self.foam[self.foam[:, 2] < WAKE_LASTS]
 
     def land(self, levels: Floats) -> None:
         """Drops under levels (n,) m are water again."""
         self.drops = self.drops[(self.drops[:, DY] > levels) | (self.drops[:, DAGE] < 0.15)]
-
-    def trail(self, x: float, half: float, speed: float, random: Any) -> None:
-        """Foam at the stern of a boat that goes at a speed (m/s)."""
-        share = min(speed / 4.0, 1.0)
-        if share <= 0.05:
-            return
-        new = np.array([(x, side * half * random.random(), 0.0, 0.25 + 0.5 * share) for side in (-1.0, 1.0)])
-        self.foam = np.concatenate([self.foam, new])[-MOST_FOAM:]

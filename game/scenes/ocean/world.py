@@ -16,7 +16,6 @@ from game.physics.waves.effects import RAIN, SEA_WAVES, SPRAY
 from game.physics.waves.sea import LEVEL, Sea, jonswap
 from game.scenes.ocean.boat import (
     HEEL,
-    LENGTH,
     PITCHED,
     PITCHING,
     RISING,
@@ -27,7 +26,7 @@ from game.scenes.ocean.boat import (
     Boat,
 )
 from game.scenes.ocean.parameters import OceanContent, OceanParameters
-from game.scenes.ocean.weather import WAKE_EVERY, Rain, Spray
+from game.scenes.ocean.weather import Rain, Spray
 from game.worlds.hearing import Heard, is_due
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Kept, Whole, World
@@ -35,13 +34,17 @@ from game.worlds.world import Kept, Whole, World
 SLAM, BOOM, CRACK = range(3)  # sounds
 HEARD_BLOW, LEAST_BLOW = 150.0, 25.0  # N s of a blow that sounds as one of 1 m/s does; of the least
 SPRAY_BLOW = 0.25  # m/s of a section into the water, from which drops fly
-NOW, RAINS, GUST, CREST, WAY, SINCE = range(6)  # of the air: m/s, mm/h, m/s; of a crest: m, m, s
+# wind, rain, a gust of the hand: m/s, mm/h, m/s; a crest, its way and since when: m, m, s; a storm's share
+# of the sky
+NOW, RAINS, GUST, CREST, WAY, SINCE, STORM = range(7)
+STORM_WIND, STORM_RAIN, FAIR_WIND = 17.0, 30.0, 8.0  # m/s, mm/h that are a storm; m/s of fair weather
+TURNS = 4.0  # s in which a sky turns
 CRESTS, LOST = 33, -1e9  # places in which it is looked for; m, where there is none
 PULLED, PRESSED = 0.24, 0.12  # rad, m
 
 
 class OceanState(NamedTuple):
-    """air (6,), see NOW; waves, boat, rain, spray and what was heard as their members have them."""
+    """air (7,), see NOW; waves, boat, rain, spray and what was heard as their members have them."""
 
     air: Floats
     sea: Any
@@ -53,7 +56,6 @@ class OceanState(NamedTuple):
     sail: Floats
     rain: Floats
     spray: Floats
-    foam: Floats
     flung: Floats
     heard: Floats
 
@@ -69,9 +71,7 @@ def height_by_law(wind: float, fetch: float, gravity: float) -> float:
 
 
 class OceanWorld(World):
-    """``air`` (6,): wind and rain now, a gust of the hand, the crest that is followed (m from the boat,
-    the way it has made and since when). Places are beside the boat, which stands at x = 0.
-    """
+    """``air`` (7,), see NOW. Places are beside the boat, which stands at x = 0."""
 
     state_type = OceanState
     content: OceanContent
@@ -85,7 +85,8 @@ class OceanWorld(World):
         self.boat = Boat(content, parameters, active, self.sea)
         self.rain, self.spray, self.heard = Rain(seed), Spray(), Heard()
         self.watch, self.seed = Stopwatch(), seed
-        self.air: Floats = np.array((self._wind(0.0), 0.0, 0.0, LOST, 0.0, 0.0))
+        self.air: Floats = np.array((self._wind(0.0), 0.0, 0.0, LOST, 0.0, 0.0, 0.0))
+        self.air[STORM] = self._storm(parameters.wind, parameters.rain)
         self.goals: Floats = self._goals()
         if content.grown:
             self.sea.rows[:, 0] = self.goals
@@ -105,6 +106,12 @@ class OceanWorld(World):
         swing = 0.55 * elementary.sin(0.61 * time + 0.4) + 0.3 * elementary.sin(1.53 * time)
         swing += 0.15 * elementary.sin(3.7 * time + 2.0)
         return float(chosen.wind * (1.0 + chosen.gusts * swing))
+
+    @staticmethod
+    def _storm(wind: float, rain: float) -> float:
+        """0 to 1, by wind (m/s) and rain (mm/h)."""
+        windy = max((wind - FAIR_WIND) / (STORM_WIND - FAIR_WIND), 0.0)
+        return float(min(0.75 * windy + 0.6 * max(rain, 0.0) / STORM_RAIN, 1.0))
 
     def _goals(self) -> Floats:
         """m, amplitudes to which the waves grow."""
@@ -148,6 +155,7 @@ class OceanWorld(World):
         air[NOW] += share * (self._wind(self.time) - air[NOW])
         air[RAINS] += share * ((float(chosen.rain) if RAIN in self.active else 0.0) - air[RAINS])
         air[GUST] /= 1.0 + dt / 1.5
+        air[STORM] += dt / (TURNS + dt) * (self._storm(float(air[NOW]), float(air[RAINS])) - air[STORM])
         wind, speed = self.wind(), float(boat.pose[SPEED])
         self.sea.step(speed, self.goals, dt / (float(chosen.grows) + dt), dt)
         boat.time = self.time
@@ -158,7 +166,7 @@ class OceanWorld(World):
         if SPRAY in self.active:
             self._spray(random, dt)
         elif len(self.spray.drops):
-            self.spray.drops, self.spray.foam = self.spray.drops[:0], self.spray.foam[:0]
+            self.spray.drops = self.spray.drops[:0]
         self.rain.go(float(air[RAINS]), wind, speed, self.gravity(), dt)
         self._follow_crest(speed, dt)
 
@@ -187,8 +195,6 @@ class OceanWorld(World):
         if energies.any():
             places = np.stack([stations, water[:, LEVEL] + 0.05, 0.0 * stations], axis=1)
             spray.fling(places, np.maximum(boat.breadths, 0.0), energies, fast + 0.25 * abs(speed), random)
-        if is_due(WAKE_EVERY, self.time, dt):
-            spray.trail(-0.5 * LENGTH, 0.8, speed, random)
         spray.go((0.6 * wind[0], 0.6 * wind[1]), speed, self.gravity(), dt)
         if len(spray.drops):
             spray.land(self.sea.at(np.ascontiguousarray(spray.drops[:, [0, 2]]))[:, LEVEL])

@@ -6,6 +6,7 @@ from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.scenes.shared.tables import choices
 from game.scenes.shared.tables.eye import choices as eyes
 from game.scenes.shared.tables.furnishing import choices as furnishing
+from game.scenes.shared.tables.minds import hurry
 from game.scenes.shared.tables.seats import hot_seat
 from game.scenes.shared.tables.through import choices as through
 from game.stage import Choice, Parameters
@@ -21,6 +22,7 @@ class SnookerParameters(Parameters):
     first_player = choices.player("First player", "snooker")
     second_player = choices.player("Second player", "snooker")
     hand_over = hot_seat.hand_over()
+    their_strokes = hurry.their_strokes()
     head_start = choices.head_start("frames")
     best_of = Choice(
         "open", ("open", "1", "3", "5", "7", "9"),

@@ -1,6 +1,7 @@
 """What is chosen before a game of snooker begins: parameters of the scene, in few words."""
 
 from game.scenes.shared.tables.furnishing.choices import FELT_LINE, TABLE_LINE
+from game.scenes.shared.tables.minds.hurry import THEIR_STROKES_LINE
 from game.scenes.shared.tables.seats.hot_seat import HAND_OVER_LINE
 from game.scenes.shared.tables.through.choices import START_LINE
 from game.stage.declarations import StartLine
@@ -13,6 +14,7 @@ START = (
         "novice",
     ),
     HAND_OVER_LINE,
+    THEIR_STROKES_LINE,
     StartLine(
         "game", "Game", "how many reds there are",
         (("snooker", "15 reds"), ("six-red", "Six-red")), "snooker",

@@ -12,6 +12,7 @@ from game.arrays import Floats
 from game.stage.declarations import Comparison, Readout
 from game.stage.script.course import Course
 from game.stage.script.lines import Chart, Say, Story
+from game.stage.script.readouts import named_in
 
 if TYPE_CHECKING:
     from game.stage.stage import Stage
@@ -39,6 +40,13 @@ class ChartWatch:
             for i, line in enumerate(story.lines)
             if isinstance(line, Say) and line.chart is not None
         }
+        # marks beside a number of the caption are of the caption's moment, as the number is
+        self._held = {
+            i
+            for i, line in enumerate(story.lines)
+            if isinstance(line, Say) and i in self._charts and not self._charts[i].over
+            and set(named_in(line.say)) & set(readouts_of(line.chart))
+        }  # fmt: skip
         self._notes: dict[int, list[_Note]] = {}
         self._units: dict[str, str] = {}
         self.restart()
@@ -64,6 +72,9 @@ class ChartWatch:
         for number, notes in self._notes.items():
             chart = self._charts[number]
             if chart.since and chart.since not in self._course.reached:
+                continue
+            begun = self._course.begun.get(number) if number in self._held else None
+            if begun is not None and notes and self._stage.step_number > begun.step:
                 continue
             note = self._note(chart, values)
             if all(map(math.isfinite, note[1:])) and (not notes or note[1:] != notes[-1][1:]):

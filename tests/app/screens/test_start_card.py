@@ -11,6 +11,7 @@ from game.app.scene.keeping import kept_path
 from game.app.scene.screen import SceneScreen
 from game.app.scene.tour import TourScreen
 from game.app.screens.level_card import LevelCard, level_picture
+from game.app.screens.name_card import NameCard
 from game.app.screens.start_card import StartCard
 from game.app.stagehand.career_file import keep_career
 from game.app.stagehand.stars import Stars, keep_stars
@@ -275,3 +276,35 @@ def test_what_the_career_has_unlocked_is_played_on(begin: Callable[..., Driver],
     scene = opened(driver)
     assert (scene.parameters.felt, scene.parameters.table) == ("olive", "tight")
     assert (scene.model.frame.table.jaws == Table.pool(tight=True).jaws).all()
+
+
+@pytest.mark.parametrize("name", ["billiards", "carom", "snooker"])
+def test_no_choice_is_cut_off_and_the_card_leads_to_the_career(begin: Callable[..., Driver], name: str):
+    driver = begin()
+    driver.app.open_menu()
+    driver.app.open_scene(name)
+    driver.frames(20)
+    card, fonts = driver.top, driver.app.look.fonts
+    for line in card.rows:
+        places = [card.spots.find(f"{line.parameter}={value}").rect for value, _ in line.options]
+        for (_, words), place, after in zip(line.options, places, [*places[1:], None], strict=True):
+            inner = place.w - 2 * driver.app.look.px(2)
+            assert fonts.fit(words, 13, "semibold", inner) == words
+            assert after is None or after.x == place.right
+        assert card.veil.card.contains(places[0].unionall(places[1:]))
+    press(driver, "career")
+    driver.frames(20)
+    assert isinstance(driver.top, NameCard)
+
+
+def test_what_matters_beside_a_computer_and_between_two_persons_shares_a_line(begin: Callable[..., Driver]):
+    driver = begin()
+    for other, there, gone in (
+        ("person", "hand_over=card", "their_strokes=fast"),
+        ("novice", "their_strokes=fast", "hand_over=card"),
+    ):
+        press(driver, f"second_player={other}")
+        find = driver.top.spots.find
+        assert find(there).enabled and find(gone) is None
+        press(driver, there)
+    assert driver.top.chosen["their_strokes"] == "fast" and driver.top.chosen["hand_over"] == "card"

@@ -84,6 +84,22 @@ def test_after_a_step_back_the_curve_is_as_if_nobody_had_touched_it():
     np.testing.assert_array_equal(shown(runner).measured, shown(alone).measured)
 
 
+def test_marks_beside_a_number_of_the_caption_stay_as_the_number_does():
+    runner = begun('measured = "height", expected = 3')
+    runner.stage.run(1)
+    (caption,) = runner.course.captions()
+    first = shown(runner).measured[0, 1]
+    runner.stage.run(40)
+    assert shown(runner).measured[:, 1].tolist() == [first]
+    assert f"{first:.2g}"[:3] in caption.text
+    live = Runner(
+        told := story(f'{HEAD}[[line]]\nsay = "a"\nchart = {{ measured = "height", expected = 3 }}\n{END}'),
+        stage_of(told, StoryBall),
+    )
+    live.stage.run(41)
+    assert live.charts.comparison(0).measured[0, 1] != first
+
+
 class Weighed(StoryBall):
     """It gives a comparison of its own."""
 

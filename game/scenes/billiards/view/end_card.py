@@ -16,7 +16,7 @@ from game.scenes.billiards.view.beside.record import rating_words
 from game.scenes.billiards.view.cloth import dress_of
 from game.scenes.shared.tables.referee.card import time_words
 from game.scenes.shared.tables.rolling import balls_at
-from game.scenes.shared.tables.seats.cup import after_match
+from game.scenes.shared.tables.seats.cup import after_match, won_with
 from game.scenes.shared.tables.view import draw_balls, draw_table, frame_of
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
@@ -80,7 +80,8 @@ class EndCard:
         assert game.winner is not None
         x, y = rect.x + px(24), rect.y + px(30)
         space = rect.w - px(TABLE_WIDTH + 72)
-        title = look.fonts.fit(f"{game.players[game.winner]} wins the rack", 20, "display", space)
+        won = won_with(play, "match" if play.match_over else "rack")
+        title = look.fonts.fit(f"{game.players[game.winner]} wins the {won}", 20, "display", space)
         look.text(canvas.surface, title, (x, y), 20, "display", "text1")
         _draw_figures(canvas.surface, look, frame, x, y + px(44), space, time_words(play.rack_s))
         following = after_match(play).lower() or ("new match" if play.match_over else "next rack")

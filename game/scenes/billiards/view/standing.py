@@ -21,6 +21,7 @@ from game.billiards.game.rules import Game, listed
 from game.billiards.players.ladder import BY_NAME
 from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
 from game.scenes.billiards.practice.sets import GHOST_TITLES
+from game.scenes.shared.tables.seats.cup import with_round
 from game.scenes.shared.thinker import Thinker
 
 GAME_TITLES = {
@@ -73,7 +74,7 @@ def standing_of(play: Play, thinker: Thinker, title: str = "") -> Standing:
     if isinstance(game, StraightPool):
         score = " : ".join(f"{n}".replace("-", "\u2212") for n in game.points)
         caption = f"points, race to {game.target}"
-    return Standing(game_title, under, cards, score, caption)
+    return Standing(game_title, under, cards, score, with_round(caption, play))
 
 
 def _situation(game: Game) -> str:

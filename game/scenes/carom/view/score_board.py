@@ -18,7 +18,7 @@ from game.scenes.shared.tables.choices import player_words
 from game.scenes.shared.tables.course import PERSON, REPLAY
 from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.referee.card import Counted, time_words
-from game.scenes.shared.tables.seats.cup import after_match
+from game.scenes.shared.tables.seats.cup import after_match, with_round, won_with
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -45,6 +45,7 @@ def draw_board(canvas: Canvas, look: Look, course: Course) -> None:
         ends = f"figure {game.figure + 1} of {len(FIGURES)}"
     if game.most_innings:
         ends = f"{ends}, {game.most_innings} innings" if game.target else f"{game.most_innings} innings"
+    ends = with_round(ends, course)
     if course.coached:
         ends = f"{ends}, coached"
     look.text(canvas.surface, ends, (rect.x + px(30), rect.centery + px(10)), 12, "medium", "text3")
@@ -185,7 +186,8 @@ def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str
 def counted_of(course: Course) -> Counted:
     """What the card at the end of a game says."""
     game, seconds = course.model.frame.game, course.frame_s
-    title = "Drawn" if game.winner is None else f"{game.players[game.winner]} wins"
+    won = won_with(course, "")
+    title = f"{game.players[game.winner]} wins{won and f' the {won}'}" if game.winner is not None else "Drawn"
     first, second = (
         (str(game.points[k]), str(game.innings[k]), f"{game.average(k):.2f}", str(game.high_runs[k]))
         for k in range(2)

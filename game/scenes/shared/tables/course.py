@@ -14,6 +14,7 @@ from game.scenes.shared.tables.choices import PERSON
 from game.scenes.shared.tables.cue import MAX_SPEED, CueControl
 from game.scenes.shared.tables.grip import NOTHING
 from game.scenes.shared.tables.lessons.lesson import Learning
+from game.scenes.shared.tables.minds.hurry import hurried
 from game.scenes.shared.tables.moments import OFF, decider, pace_at, slowed_s
 from game.scenes.shared.tables.seats.cup import goes_on
 from game.scenes.shared.tables.seats.hot_seat import waits
@@ -144,7 +145,8 @@ class CueCourse(Part):
 
     def advance(self, dt: float) -> None:
         """One step of what goes on by itself."""
-        self.clock[0] += dt * self.pace
+        pace = hurried(self, self.pace, self._decides) if self.phase == ROLLING else self.pace
+        self.clock[0] = self.shown_s if math.isinf(pace) else self.clock[0] + dt * pace
         self.push.advance(dt)
         self.called_s += dt
         self.frame_s += 0.0 if self.over else dt

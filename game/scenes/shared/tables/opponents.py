@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Protocol
 
 from game.physics.kernels import elementary
 from game.scenes.shared.tables.course import AIMING
+from game.scenes.shared.tables.minds.hurry import patience
 from game.scenes.shared.tables.minds.thoughts import Told
 from game.scenes.shared.tables.minds.walking import Edge, Walk
 from game.scenes.shared.thinker import Question, Thinker, Thought
@@ -106,7 +107,7 @@ class TableOpponents:
             return []
         self.considered = thought.considered
         self.told = thought.told if thought.told is not None else Told()
-        arrived = self._walk_on(thought) or course.rest_s > LATEST_S
+        arrived = self._walk_on(thought) or course.rest_s > patience(course, LATEST_S)
         if not rested or not (arrived or at_once):
             return []
         return list(thought.decisions) or self.instead()

@@ -14,7 +14,7 @@ from game.scenes.shared.tables.choices import PERSON, player_words
 from game.scenes.shared.tables.course import AIMING, REPLAY, ROLLING, STRIKING
 from game.scenes.shared.tables.lessons.lesson import star_words
 from game.scenes.shared.tables.referee.card import Counted, share_words, time_words
-from game.scenes.shared.tables.seats.cup import after_match
+from game.scenes.shared.tables.seats.cup import after_match, with_round, won_with
 from game.scenes.shared.thinker import Thinker
 from game.scenes.snooker.coach import legality_for
 from game.scenes.snooker.course import Course
@@ -62,7 +62,7 @@ def standing_of(course: Course, thinker: Thinker, title: str) -> Standing:
     return Standing(
         name if two or not game.drill else "Practice", under, cards,
         f"{game.won[0]} : {game.won[1]}" if two else "",
-        (f"best of {game.best_of}" if game.best_of else "frames") if two else "",
+        with_round(f"best of {game.best_of}" if game.best_of else "frames", course) if two else "",
         chip, on, "" if game.over else f"{game.points_left} left",
     )  # fmt: skip
 
@@ -185,7 +185,8 @@ def counted_of(course: Course) -> Counted:
     frame, seconds = course.model.frame, course.frame_s
     game = frame.snooker
     assert game.winner is not None
-    title = f"{game.players[game.winner]} wins the {'match' if game.match_over else 'frame'}"
+    won = won_with(course, "match" if game.match_over else "frame")
+    title = f"{game.players[game.winner]} wins the {won}"
     first, second = (
         (str(points), str(high), share_words(tally.scoring, tally.tries), str(tally.fouls))
         for points, high, tally in zip(game.points, game.high, frame.rack_tallies, strict=True)
