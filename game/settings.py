@@ -89,3 +89,12 @@ def taken(kind: type[Settings], values: Mapping[str, Any]) -> Settings:
     """Settings of values by name that were checked as they came in; the rest as declared."""
     known = declared(kind)
     return kind(**{name: known[name].placed(value) for name, value in values.items() if name in known})
+
+
+def set_one(settings: Settings, name: str, value: Any) -> Settings:
+    """Settings with another value of one name, which was checked as it came in; as they are without it."""
+    setting = declared(type(settings)).get(name)
+    if setting is None:
+        return settings
+    found: Settings = settings._replace(**{name: setting.placed(value)})  # type: ignore[attr-defined]
+    return found

@@ -97,6 +97,7 @@ FOLDERS = {
         "compile film report",
         "screens",
         "menu scene",
+        "cards",
         "application",
         "loop",
         "start fuzz",

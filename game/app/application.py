@@ -2,26 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from game.app.cards import AppCards
 from game.app.compile.canvas_warming import CanvasWarming
 from game.app.menu.liked import note_opened
 from game.app.menu.screen import MenuScreen
-from game.app.menu.welcome_card import WelcomeCard
 from game.app.scene.screen import SceneScreen
-from game.app.screens.choices import ChoiceCard
 from game.app.screens.composition import Composition
-from game.app.screens.keys_card import KeysCard
-from game.app.screens.level_card import LevelCard
-from game.app.screens.name_card import NameCard
-from game.app.screens.paper_card import PaperCard
-from game.app.screens.papers_card import PapersCard
-from game.app.screens.question import Question
+from game.app.screens.host import Cards
 from game.app.screens.screen import Screen
-from game.app.screens.settings_card import SettingsCard
 from game.app.screens.stack import ScreenStack
 from game.app.screens.start_card import Below, StartCard
 from game.app.stagehand.challenge import best_of, today, words_of, write_challenge
@@ -42,20 +35,13 @@ from game.files import FileProblem
 from game.stage import RecordingError
 from game.stage.catalogue import Catalogue
 from game.stage.records.run_text import recording_in
-from game.ui.look.layout import Layout, auto_scale
+from game.ui.look.layout import auto_scale
 from game.ui.look.look import Look
 from game.ui.sound import SoundPlayer
-from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.toasts import Toasts
 
 if TYPE_CHECKING:
-    import pygame
-
-    from game.app.stagehand.teaching_draft import Draft
-    from game.lab import Study
-    from game.stage import Scene, Stage, StageEvent
-    from game.stage.catalogue import Entry
-    from game.ui.widgets.paper import PaperRow
+    pass
 
 
 class App:
@@ -91,6 +77,7 @@ class App:
         self.tour_due = self.story_tour_due = False
         self.welcome_due = False
         self.menu_category = ""
+        self.cards: Cards = AppCards(self)
         self._composition = Composition(self.screens, self.watch)
         self._looks = Looks()
         self.look = self._style()
@@ -155,9 +142,9 @@ class App:
             "full-screen": self.toggle_full_screen,
             "theme": self.toggle_theme,
             "screenshot": self.screenshot,
-            "settings": self.open_settings,
-            "papers": self.open_papers,
-            "career": self.open_career,
+            "settings": self.cards.open_settings,
+            "papers": self.cards.open_papers,
+            "career": self.cards.open_career,
             "challenge": self.open_challenge,
             "paste": self.paste,
             "quit": self.quit,
@@ -213,7 +200,7 @@ class App:
         self._replace(screen)
         if entry.start and level is None and opening is None:
             below = Below(lambda elapsed_s: self._load_below(screen, elapsed_s), lambda: screen.goes_on)
-            self._open_card(StartCard.called, lambda: StartCard(self, entry, below))
+            self.open_card(StartCard.called, lambda: StartCard(self, entry, below))
 
     def _load_below(self, screen: SceneScreen, elapsed_s: float) -> None:
         """Let a scene go on loading under a card, and show it when it is there."""
@@ -239,39 +226,6 @@ class App:
         except KeyError as error:
             self.tell("Not opened.", str(error.args[0]), "warning")
 
-    def open_welcome(self) -> None:
-        """The card of the very first start, over the menu; it is not shown again."""
-        self.welcome_due = False
-        self.save_settings()  # once there is a file it is no first start any more
-        self._open_card(WelcomeCard.called, lambda: WelcomeCard(self, self._show_category))
-
-    def _show_category(self, category: str) -> None:
-        """Where the menu lies below, go to a category."""
-        for screen in self.screens:
-            if isinstance(screen, MenuScreen):
-                screen.show_category(category)
-
-    def open_keys(self) -> None:
-        """The card of all keys."""
-        self._open_card(KeysCard.called, lambda: KeysCard(self))
-
-    def open_settings(self) -> None:
-        """The card of the settings; not over itself."""
-        if not isinstance(self.screens.top, SettingsCard):
-            self._open_card(SettingsCard.called, lambda: SettingsCard(self))
-
-    def open_papers(self) -> None:
-        """The list of the course's papers; not over itself."""
-        if not isinstance(self.screens.top, PapersCard):
-            self._open_card(PapersCard.called, lambda: PapersCard(self))
-
-    def open_career(self) -> None:
-        """The card of the career; not over itself."""
-        from game.app.screens.career_card import CareerCard
-
-        if not isinstance(self.screens.top, CareerCard):
-            self._open_card(CareerCard.called, lambda: CareerCard(self))
-
     def open_next_round(self) -> None:
         """The next match of the tournament at its table; the card of the career once that has ended."""
         from game.app.stagehand.career_file import load_career
@@ -282,7 +236,7 @@ class App:
         career, complaint = load_career()
         match = cup_match(career.player) if career.player is not None else None
         if match is None:
-            self.open_career()
+            self.cards.open_career()
             return
         family = REGISTER[match.game].family
         own = own_choices(self.catalogue, family, self.settings.start, career.player)
@@ -306,59 +260,7 @@ class App:
         if best is not None:
             self.tell("Challenge of the day.", f"Your best: {words_of(best.distance)} from the middle.")
 
-    def open_statistics(self, person: str) -> None:
-        """The card of what was counted of a person's strokes."""
-        from game.app.screens.statistics_card import StatisticsCard
-
-        self._open_card(StatisticsCard.called, lambda: StatisticsCard(self, person))
-
-    def open_paper(self, row: PaperRow) -> None:
-        """The page of a paper, which is measured while it is open."""
-        self._open_card(PaperCard.called, lambda: PaperCard(self, row))
-
-    def open_name(self, question: Question, taken: Callable[[str], object]) -> None:
-        """A card that asks for a name; ``taken`` is called with what was typed."""
-        self._open_card(NameCard.called, lambda: NameCard(self, question, taken))
-
-    def open_choices(
-        self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None
-    ) -> None:
-        """A card with a list; ``chosen`` is called with the value of the row taken."""
-        self._open_card(ChoiceCard.called, lambda: ChoiceCard(self, heading, rows, chosen, present))
-
-    def open_levels(
-        self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
-    ) -> None:
-        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
-        self._open_card(LevelCard.called, lambda: LevelCard(self, entry, chosen, present))
-
-    def open_help(self, scene_type: type[Scene], level: tuple[str, str] = ("", "")) -> None:
-        """A scene's help page; ``level``: title and words of the level in play."""
-        from game.app.scene.help_card import HelpCard
-
-        self._open_card(HelpCard.called, lambda: HelpCard(self, scene_type, level))
-
-    def open_teaching(self, draft: Draft, taken: Callable[[Draft], str]) -> None:
-        """The card on which a teaching level is made; ``taken`` saves it, or says why it cannot."""
-        from game.app.screens.teaching_card import TeachingCard
-
-        self._open_card(TeachingCard.called, lambda: TeachingCard(self, draft, taken))
-
-    def open_tour(
-        self, layout: Callable[[], Layout], bar: Callable[[], Mapping[str, pygame.Rect]] | None
-    ) -> None:
-        """The tour of a window that is laid out so; ``bar``: the parts of a story's bar, if it has one."""
-        from game.app.scene.tour import TourScreen
-
-        self._open_card(TourScreen.called, lambda: TourScreen(self, layout, bar))
-
-    def open_study(self, study: Study, stage: Stage, post: Callable[[StageEvent], object]) -> None:
-        """What accuracy costs in a scene; ``post`` lets an event into it."""
-        from game.app.scene.accuracy_card import AccuracyCard
-
-        self._open_card(AccuracyCard.called, lambda: AccuracyCard(self, study, stage, post))
-
-    def _open_card(self, name: str, make: Callable[[], Screen]) -> None:
+    def open_card(self, name: str, make: Callable[[], Screen]) -> None:
         """A screen over the present one; a message names one that cannot be made."""
         with self.guard.over(name, lambda failure: self.tell_of(failure, "cannot be opened")):
             screen = make()

@@ -7,6 +7,7 @@ imports nothing of the scenes.
 from game.scenes import (
     beat,
     billiards,
+    blend,
     bounds,
     boxes,
     burning_cloth,
@@ -85,6 +86,7 @@ CATALOGUE = Catalogue(
         *honey.ENTRIES,
         *liquid.ENTRIES,
         *floating.ENTRIES,
+        *blend.ENTRIES,
         *smoke.ENTRIES,
         *depth.ENTRIES,
         *deformables.ENTRIES,

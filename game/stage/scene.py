@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import msgspec
 import numpy as np
 
-from game.definition import DefinitionError
 from game.levels import Level
 from game.physics.effects import EffectSet
 from game.stage.declarations import (
@@ -28,17 +27,11 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Decision, Pointer, StageEvent
+from game.stage.opening.definition import check_class, check_whole
 from game.stage.opening.from_level import check_locks, check_teaching, refusal, take_over
-from game.stage.parameters import (
-    STEP_LENGTH,
-    Parameter,
-    Parameters,
-    check_defaults,
-    parameters_of,
-)
+from game.stage.parameters import STEP_LENGTH, Parameters
 from game.stage.part import structures_of
 from game.stage.scene_declaration import SceneDeclaration
-from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
     from game.stage.records.contested import Contested, StrokeMeasured
@@ -53,21 +46,10 @@ class Scene(SceneDeclaration):
     parameters: Parameters
 
     def __init_subclass__(cls) -> None:
-        """Refuse a parameter that would hide something that every scene has, or what is declared twice."""
-        for name, value in vars(cls).items():
-            if isinstance(value, Parameter) and (hasattr(Scene, name) or name in OWN):
-                raise DefinitionError(f"{cls.__name__}.{name}: a parameter cannot have this name")
-        check_defaults(cls)
+        check_class(cls, Scene)
         length = cls.declared_parameters().get(STEP_LENGTH)
         if length is not None:
-            if "dt" in vars(cls):
-                raise DefinitionError(f"{cls.__name__}.dt: the parameter {STEP_LENGTH} says it already")
             cls.dt = length.default
-        twice = parameters_of(cls).keys() & parameters_of(cls.parameters_type).keys()
-        if twice:
-            raise DefinitionError(
-                f"{cls.__name__}.{min(twice)}: {cls.parameters_type.__name__} declares it as well"
-            )
 
     def __init__(
         self,
@@ -84,7 +66,7 @@ class Scene(SceneDeclaration):
         level switches off; ``effects`` are active exactly, whatever the level says. Raises LevelError if the
         level says what the scene refuses, ParameterError if the other arguments do.
         """
-        self._check_definition()
+        check_whole(type(self), Scene)
         self.values: dict[str, Any] = {
             name: parameter.default for name, parameter in self.declared_parameters().items()
         }
@@ -118,26 +100,6 @@ class Scene(SceneDeclaration):
         said = self.level.parameters if self.level is not None else {}
         by_present_name = {self.parameter(key).name: value for key, value in said.items()}
         return parameter.check(by_present_name.get(parameter.name, parameter.default))
-
-    def _check_definition(self) -> None:
-        """DefinitionError, saying what to write, for a class that lacks what each scene must define."""
-        own = type(self)
-        missing = [
-            name for name in ("build", "advance", "state") if getattr(own, name) is getattr(Scene, name)
-        ]
-        if missing:
-            raise DefinitionError(f"{own.__name__}: define {', '.join(missing)} (see the class Scene)")
-
-    def check_strips(self) -> None:
-        """DefinitionError, naming strip and readout, if a chart asks for a value that is never measured."""
-        measured = [readout.name for readout in self.readouts()]
-        for strip in self.strips:
-            for name in strip.series:
-                if name not in measured and name not in strip.sometimes:
-                    raise DefinitionError(
-                        f"{type(self).__name__}.strips: {strip.title!r} charts {name!r}; readouts() gives "
-                        + (", ".join(measured) or "nothing")
-                    )
 
     def content_of(self, level: Level | None) -> Any:
         """What is in a level; ``default_content`` if it says nothing."""

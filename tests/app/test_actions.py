@@ -51,7 +51,9 @@ def test_the_card_of_a_pause_does_what_it_offers(driver: Driver, name: str):
 
 def test_home_and_end_move_in_a_list(driver: Driver):
     driver.open("example")
-    driver.app.open_choices("Numbers", [ListRow(str(i), value=i) for i in range(40)], lambda value: None)
+    driver.app.cards.open_choices(
+        "Numbers", [ListRow(str(i), value=i) for i in range(40)], lambda value: None
+    )
     card = driver.top
     assert isinstance(card, ChoiceCard)
     driver.key(pygame.K_END)

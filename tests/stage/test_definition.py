@@ -9,6 +9,7 @@ import pytest
 
 from game.definition import DefinitionError
 from game.stage import Entry, Param, Parameters, Readout, Scene, Stage, Strip
+from game.stage.opening.definition import check_strips
 
 
 class Angle(NamedTuple):
@@ -37,7 +38,7 @@ class Right(Scene):
 def test_a_scene_without_a_fault_is_opened():
     stage = Stage(Right)
     assert stage.run(3) == 3 and stage.fault is None
-    assert stage.scene.check_strips() is None  # and nothing is raised
+    check_strips(stage.scene)  # nothing is raised
 
 
 def test_what_each_scene_defines_is_named():
@@ -65,7 +66,7 @@ def test_a_strip_of_what_is_not_measured():
         strips = (Strip("Energy", "J", ("enrgy",)),)
 
     with pytest.raises(DefinitionError, match=r"Charted.strips: 'Energy' charts 'enrgy'; readouts\(\) gives"):
-        Stage(Charted).scene.check_strips()
+        check_strips(Stage(Charted).scene)
 
 
 def test_a_default_out_of_range_names_class_parameter_and_range():

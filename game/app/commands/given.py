@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from game.app.window.mistake import MistakeError
 from game.definition import DefinitionError
+from game.stage.opening.definition import check_strips
 
 if TYPE_CHECKING:
     from game.levels import Level
@@ -68,7 +69,7 @@ def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
             seed=read_seed(options.seed),
             **more,
         )
-        stage.scene.check_strips()
+        check_strips(stage.scene)
         return stage
     except (ParameterError, LevelError) as error:
         raise MistakeError(str(error)) from None

@@ -139,7 +139,7 @@ class MenuScreen(Screen):
         """Without ``menu``: it is left by closing the window."""
         return {
             "back": lambda: self._search(""),
-            "help": self.host.open_keys,
+            "help": self.host.cards.open_keys,
             "favourite": lambda: self._star(self.focused),
         }
 
@@ -333,7 +333,7 @@ class MenuScreen(Screen):
             return
         self.offer.prepare(TEXTS)
         if self.host.welcome_due and self.painter.painted:  # over a menu whose cards have their pictures
-            self.host.open_welcome()
+            self.host.cards.open_welcome()
 
     def _update_pictures(self, elapsed_s: float) -> bool:
         """Pictures of what is seen, the chosen one's moving; none while the content moves."""

@@ -33,7 +33,7 @@ class HelpCard(PageScreen):
         self._papers = papers
 
     def fulfil(self, wish: Wish) -> None:
-        self.host.open_paper(self._papers[wish.name])
+        self.host.cards.open_paper(self._papers[wish.name])
 
     @property
     def actions(self) -> Actions:

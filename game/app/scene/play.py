@@ -15,6 +15,7 @@ from game.app.scene.in_play import InPlay
 from game.app.scene.keeping import keep_built
 from game.app.scene.lesson.lesson import Lesson
 from game.app.scene.playing.gate import Gate
+from game.app.scene.playing.leads import Leads
 from game.app.scene.playing.picture import PlayPicture
 from game.app.scene.playing.pointer import ScenePointer
 from game.app.scene.playing.steps import Steps
@@ -33,12 +34,9 @@ from game.app.window.guard import Failure
 from game.app.window.keys import chord_of, parse_chord
 from game.compiler.prebuilt import anything_taken
 from game.stage import Action, Stage, StageEvent
-from game.ui.widgets.line_field import LineField
 from game.ui.widgets.wishes import Wish
 
 SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
-FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
-TYPING_ENDS = (pygame.K_ESCAPE, pygame.K_TAB)
 ROOMY_MARGIN = 6.0  # design px
 
 
@@ -65,8 +63,7 @@ class ScenePlay:
         self._pace = 1.0  # of the level in play
         self._frame = stage.scene.frame()  # that the view was fitted to
         self.story: StoryPlay | None = None
-        self._wanted: Path | None = None  # level that the scene asks for
-        self._rounds = stage.scene.round_wanted
+        self.leads = Leads(host, self.record, self.shelf, self.open_file)
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
@@ -112,21 +109,6 @@ class ScenePlay:
             "charts": self.charts.ask,
             **(self.story.actions if self.story is not None else {}),
         }
-
-    def panel_wants(self, event: pygame.Event) -> bool:
-        """Whether a key is for the control that has the keyboard focus, or moves that focus (Shift+Tab)."""
-        if self.shell.lesson.typing and (event.key in TYPING_ENDS or LineField.wants(event)):
-            return True
-        panel = self.shell.panel
-        if self.shell.card.typing:
-            return True
-        if panel is None or not self.shell.layout.panel.w:
-            return False
-        if event.key == pygame.K_TAB and event.mod & pygame.KMOD_SHIFT:
-            return True
-        if event.key == pygame.K_ESCAPE and panel.has_open_list:
-            return True
-        return panel.typing or (panel.has_keys and event.key in FOCUS_KEYS)
 
     def restyle(self) -> None:
         """Window, scale or theme has changed."""
@@ -328,7 +310,7 @@ class ScenePlay:
             self._stand_still(elapsed_s)
             return
         if not errands.busy:
-            if self._go_where_it_wants():
+            if self.leads.follow():
                 return
             panel = self.shell.panel
             self.steps.go_on(elapsed_s, measuring=panel is not None and panel.shows_effects)
@@ -345,21 +327,6 @@ class ScenePlay:
             self._unseen_s += elapsed_s
             return
         self._follow(elapsed_s, still=self.stage.paused or errands.busy)
-
-    def _go_where_it_wants(self) -> bool:
-        """Open the level, or the next round of a cup, that the scene asks for, once. True if this scene is
-        left.
-        """
-        rounds, before_rounds = self.stage.scene.round_wanted, self._rounds
-        self._rounds = rounds
-        if rounds > before_rounds and not self.record.borrowed:
-            self.host.open_next_round()
-            return True
-        wanted, before = self.shelf.own_level(self.stage.scene.level_wanted), self._wanted
-        self._wanted = wanted
-        if wanted is not None and wanted != before:
-            self.open_file(wanted)
-        return False
 
     def _follow(self, elapsed_s: float, still: bool) -> None:
         """Sounds, camera, messages and shell as the scene is now."""

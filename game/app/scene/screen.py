@@ -92,7 +92,7 @@ class SceneScreen(Screen):
             **play.actions,
             "levels": lambda: self._choose_level(play),
             "open": lambda: self._choose("Saved levels and recordings", play.shelf.saved(), None),
-            "help": lambda: self.host.open_help(play.stage.scene_type, play.level_words),
+            "help": lambda: self.host.cards.open_help(play.stage.scene_type, play.level_words),
             "tour": self._open_tour,
             "accuracy": self._open_study,
             "pause-menu": self._open_pause_menu,
@@ -135,7 +135,7 @@ class SceneScreen(Screen):
         else:
             self.host.story_tour_due, self.host.settings.story_toured = False, True
         self.host.save_settings()
-        self.host.open_tour(lambda: self.shell.layout, story.tour_places if story is not None else None)
+        self.host.cards.open_tour(lambda: self.shell.layout, story.tour_places if story is not None else None)
 
     @property
     def _tour_due(self) -> bool:
@@ -149,19 +149,19 @@ class SceneScreen(Screen):
         if self.entry.start:
             rows.append(ListRow("Choose another game", value=ANOTHER_GAME))
         rows += [ListRow(c.heading, chip=label(c.name), value=c.name) for c in COMMANDS if c.choice]
-        self.host.open_choices("Pause", rows, self._do_later)
+        self.host.cards.open_choices("Pause", rows, self._do_later)
 
     def _do_later(self, name: str) -> None:
         self._waiting = name
 
     def _choose(self, heading: str, rows: list[ListRow], present: Any) -> None:
         assert self.play is not None
-        self.host.open_choices(heading, rows, self.play.open_file, present)
+        self.host.cards.open_choices(heading, rows, self.play.open_file, present)
 
     def _choose_level(self, play: ScenePlay) -> None:
         """The list of levels, with pictures where the scene draws them."""
         if self.entry.level_card:
-            self.host.open_levels(self.entry, play.open_file, play.shelf.present)
+            self.host.cards.open_levels(self.entry, play.open_file, play.shelf.present)
         else:
             self._choose("Levels and hard cases", play.shelf.levels(), play.shelf.present)
 
@@ -172,7 +172,7 @@ class SceneScreen(Screen):
             self.host.tell("No study.", "This scene has none yet.")
             return
         self.play.record.errands.wait()  # it looks into the scene
-        self.host.open_study(study, self.play.stage, self.play.post)
+        self.host.cards.open_study(study, self.play.stage, self.play.post)
 
     # -- life ---------------------------------------------------------------------------------------
 
@@ -251,7 +251,7 @@ class SceneScreen(Screen):
     def wants_key(self, event: pygame.Event) -> bool:
         if self.play is None:
             return False
-        return self.play.panel_wants(event) or self.play.action_of(event) is not None
+        return self.shell.wants_key(event) or self.play.action_of(event) is not None
 
     def handle(self, event: pygame.Event) -> None:
         play = self.play
@@ -261,7 +261,7 @@ class SceneScreen(Screen):
                     perform(wish.name, self.actions)
             return
         name = None
-        if event.type == pygame.KEYDOWN and not play.panel_wants(event):
+        if event.type == pygame.KEYDOWN and not self.shell.wants_key(event):
             name = play.action_of(event)
         if name is not None:
             play.act(name)

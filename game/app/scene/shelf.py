@@ -115,7 +115,7 @@ class Shelf:
         """Ask for a title, and save under it."""
         about = f"As a level and a recording; {self._host.keys.label('open')} opens them again"
         question = Question("Save", about, "Save", "", files.date_title(), MOST_LETTERS)
-        self._host.open_name(question, self.save)
+        self._host.cards.open_name(question, self.save)
 
     def save(self, title: str = "") -> None:
         """Keep the present content as a level, and the session as a recording; "": titled by the date."""

@@ -18,6 +18,7 @@ from game.ui.panel.toolbar import ToolBar
 from game.ui.widgets.hintbar import HintBar
 from game.ui.widgets.legend import Legend
 from game.ui.widgets.lesson import LessonSheet
+from game.ui.widgets.line_field import LineField
 from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.loading import LoadingCard, draw_shell
 from game.ui.widgets.tooltips import ToolTip
@@ -44,6 +45,8 @@ def _without(strips: Iterable[Strip], hidden: Sequence[str]) -> list[Strip]:
     return left
 
 
+FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
+TYPING_ENDS = (pygame.K_ESCAPE, pygame.K_TAB)
 TRANSPORT = ("pause", "step", "step-back")  # their hints come before those of the scene's own
 
 
@@ -149,6 +152,20 @@ class Shell:
         self.place()
 
     # -- events -------------------------------------------------------------------------------------
+
+    def wants_key(self, event: pygame.Event) -> bool:
+        """Whether a key is for the control that has the keyboard focus, or moves that focus (Shift+Tab)."""
+        typed = event.key in TYPING_ENDS or LineField.wants(event)
+        if self.card.typing or (self.lesson.typing and typed):
+            return True
+        panel = self.panel
+        if panel is None or not self.layout.panel.w:
+            return False
+        if event.key == pygame.K_TAB and event.mod & pygame.KMOD_SHIFT:
+            return True
+        if event.key == pygame.K_ESCAPE and panel.has_open_list:
+            return True
+        return panel.typing or (panel.has_keys and event.key in FOCUS_KEYS)
 
     def handle(self, event: pygame.Event) -> tuple[bool, list[Any]]:
         """Whether a widget took the event, and what it asks for: commands and stage events."""

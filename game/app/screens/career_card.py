@@ -132,7 +132,7 @@ class CareerCard(CardScreen):
             self.start = LEVEL if self.start == FAIR else FAIR
             self.refresh()
         elif kind == "statistics":
-            self.host.open_statistics(self.player.name if self.player else "")
+            self.host.cards.open_statistics(self.player.name if self.player else "")
         elif kind == "cup":
             self._begin_cup()
 
@@ -164,7 +164,7 @@ class CareerCard(CardScreen):
             self.refresh()
         else:
             first = NEWCOMERS if is_newcomer(player) else EIGHT_PLAYERS
-            self.host.open_choices("Tournament", CUPS, self._take_cup, first)
+            self.host.cards.open_choices("Tournament", CUPS, self._take_cup, first)
 
     def _take_cup(self, kind: str) -> None:
         """A tournament of a kind begins; who plays is in it."""
@@ -178,7 +178,7 @@ class CareerCard(CardScreen):
     def _open_games(self) -> None:
         """The list of all games that are registered."""
         rows = [ListRow(one.title, f"won by {one.won}", value=one.name) for one in REGISTER.values()]
-        self.host.open_choices("Game", rows, self._take_game, self.game)
+        self.host.cards.open_choices("Game", rows, self._take_game, self.game)
 
     def _take_game(self, game: str) -> None:
         self.game, self.in_cup = game, False
@@ -192,7 +192,7 @@ class CareerCard(CardScreen):
         ]
         rows.append(ListRow("Somebody else", "a new name", value=""))
         present = self.player.name if self.player else ""
-        self.host.open_choices("Who plays?", rows, self._take_player, present)
+        self.host.cards.open_choices("Who plays?", rows, self._take_player, present)
 
     def _take_player(self, name: str) -> None:
         if name:
@@ -201,7 +201,7 @@ class CareerCard(CardScreen):
             self._ask_name()
 
     def _ask_name(self) -> None:
-        self.host.open_name(NAME, self._named)
+        self.host.cards.open_name(NAME, self._named)
 
     def handle(self, event: pygame.Event) -> None:
         enter = event.type == pygame.KEYDOWN and event.key in (pygame.K_RETURN, pygame.K_KP_ENTER)

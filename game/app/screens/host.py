@@ -31,6 +31,72 @@ if TYPE_CHECKING:
     from game.ui.widgets.paper import PaperRow
 
 
+class Cards(Protocol):
+    """Opens cards over the present screen; what is answered there goes to the function that is given."""
+
+    def open_welcome(self) -> None:
+        """The card of the very first start, over the menu."""
+        ...
+
+    def open_keys(self) -> None:
+        """The card of all keys."""
+        ...
+
+    def open_settings(self) -> None:
+        """The card of the settings."""
+        ...
+
+    def open_papers(self) -> None:
+        """The list of the course's papers."""
+        ...
+
+    def open_career(self) -> None:
+        """The card of the career."""
+        ...
+
+    def open_statistics(self, person: str) -> None:
+        """The card of what was counted of a person's strokes."""
+        ...
+
+    def open_paper(self, row: PaperRow) -> None:
+        """The page of a paper."""
+        ...
+
+    def open_name(self, question: Question, taken: Callable[[str], object]) -> None:
+        """A card that asks for a name; ``taken`` is called with what was typed."""
+        ...
+
+    def open_choices(
+        self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None
+    ) -> None:
+        """A card with a list; ``chosen`` is called with the value of the row taken."""
+        ...
+
+    def open_levels(
+        self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
+    ) -> None:
+        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
+        ...
+
+    def open_help(self, scene_type: type[Scene], level: tuple[str, str] = ("", "")) -> None:
+        """A scene's help page; ``level``: title and words of the level in play."""
+        ...
+
+    def open_teaching(self, draft: Draft, taken: Callable[[Draft], str]) -> None:
+        """The card on which a teaching level is made; ``taken`` saves it, or says why it cannot."""
+        ...
+
+    def open_tour(
+        self, layout: Callable[[], Layout], bar: Callable[[], Mapping[str, pygame.Rect]] | None
+    ) -> None:
+        """The tour of a window that is laid out so; ``bar``: the parts of a story's bar, if it has one."""
+        ...
+
+    def open_study(self, study: Study, stage: Stage, post: Callable[[StageEvent], object]) -> None:
+        """What accuracy costs in a scene; ``post`` lets an event into it."""
+        ...
+
+
 class Host(Protocol):
     """Lends appearance, keys, settings and services; opens screens, of which a screen knows no other."""
 
@@ -45,6 +111,7 @@ class Host(Protocol):
     pictures: PictureSaver
     toasts: Toasts
     canvas_warming: CanvasWarming
+    cards: Cards
     background: bool  # whether work may be done in the background
     tour_due: bool  # the next scene opened begins with the tour
     story_tour_due: bool  # the next story opened begins with that of stories
@@ -113,68 +180,6 @@ class Host(Protocol):
         """Watch the run whose text lies in the clipboard."""
         ...
 
-    def open_welcome(self) -> None:
-        """The card of the very first start, over the menu."""
-        ...
-
-    def open_keys(self) -> None:
-        """The card of all keys."""
-        ...
-
-    def open_settings(self) -> None:
-        """The card of the settings."""
-        ...
-
-    def open_papers(self) -> None:
-        """The list of the course's papers."""
-        ...
-
-    def open_career(self) -> None:
-        """The card of the career."""
-        ...
-
     def open_next_round(self) -> None:
         """The next match of the tournament at its table; the card of the career once that has ended."""
-        ...
-
-    def open_statistics(self, person: str) -> None:
-        """The card of what was counted of a person's strokes."""
-        ...
-
-    def open_paper(self, row: PaperRow) -> None:
-        """The page of a paper."""
-        ...
-
-    def open_name(self, question: Question, taken: Callable[[str], object]) -> None:
-        """A card that asks for a name; ``taken`` is called with what was typed."""
-        ...
-
-    def open_choices(
-        self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None
-    ) -> None:
-        """A card with a list; ``chosen`` is called with the value of the row taken."""
-        ...
-
-    def open_levels(
-        self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
-    ) -> None:
-        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
-        ...
-
-    def open_help(self, scene_type: type[Scene], level: tuple[str, str] = ("", "")) -> None:
-        """A scene's help page; ``level``: title and words of the level in play."""
-        ...
-
-    def open_teaching(self, draft: Draft, taken: Callable[[Draft], str]) -> None:
-        """The card on which a teaching level is made; ``taken`` saves it, or says why it cannot."""
-        ...
-
-    def open_tour(
-        self, layout: Callable[[], Layout], bar: Callable[[], Mapping[str, pygame.Rect]] | None
-    ) -> None:
-        """The tour of a window that is laid out so; ``bar``: the parts of a story's bar, if it has one."""
-        ...
-
-    def open_study(self, study: Study, stage: Stage, post: Callable[[StageEvent], object]) -> None:
-        """What accuracy costs in a scene; ``post`` lets an event into it."""
         ...

@@ -28,7 +28,7 @@ class PapersCard(ChoiceCard):
 
     def _take(self, row: PaperRow) -> None:
         if row.number in self._done:
-            self.host.open_paper(row)
+            self.host.cards.open_paper(row)
         else:
             self.host.tell(f"{row.number} is not done yet", "Those above can be opened.")
 

@@ -97,7 +97,7 @@ class SettingsCard(CardScreen):
         kind, _, value = name.partition("-")
         settings = self.host.settings
         if kind == "keys":
-            self.host.open_keys()
+            self.host.cards.open_keys()
             return
         if kind == "name":
             self._ask_name()
@@ -119,7 +119,7 @@ class SettingsCard(CardScreen):
     def _ask_name(self) -> None:
         about = "Titles of stories and films name it; it stays on this machine"
         question = Question("Your name", about, "Keep", self.host.settings.name, NOBODY, LONGEST_NAME)
-        self.host.open_name(question, self._take_name)
+        self.host.cards.open_name(question, self._take_name)
 
     def _take_name(self, name: str) -> None:
         self.host.settings.name = name

@@ -87,7 +87,7 @@ class StartCard(CardScreen):
     def _open_career(self) -> None:
         """The career, whose matches keep to what was chosen here."""
         self._remember()
-        self.host.open_career()
+        self.host.cards.open_career()
 
     def _go_on(self) -> None:
         self.host.tell("Your game goes on.", "N begins a new one.")
@@ -97,7 +97,9 @@ class StartCard(CardScreen):
         self.host.open_scene(self.entry.name, level=next_lesson(self.lessons).path)
 
     def _open_levels(self) -> None:
-        self.host.open_levels(self.entry, lambda path: self.host.open_scene(self.entry.name, level=path))
+        self.host.cards.open_levels(
+            self.entry, lambda path: self.host.open_scene(self.entry.name, level=path)
+        )
 
     def pressed(self, name: str) -> None:
         if name == "play":

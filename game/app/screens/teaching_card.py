@@ -158,14 +158,14 @@ class TeachingCard(CardScreen):
         rows = [
             ListRow(one.name[:1].upper() + one.name[1:], one.unit, value=one) for one in self.draft.readouts
         ]
-        self.host.open_choices(
+        self.host.cards.open_choices(
             "Of which readout", rows, lambda one: self._later.append(lambda: self._ask_words(kind, one))
         )
 
     def _ask_words(self, kind: str, readout: Readout | None) -> None:
         heading, about = KINDS[kind]
         question = Question(heading, about, "Add", suggestion(kind, readout), "", LONGEST_QUESTION)
-        self.host.open_name(question, lambda words: self._add(kind, readout, words))
+        self.host.cards.open_name(question, lambda words: self._add(kind, readout, words))
 
     def _add(self, kind: str, readout: Readout | None, words: str) -> None:
         try:

@@ -8,6 +8,7 @@ from game.definition import DefinitionError
 from game.lab.study import PRESENT
 from game.scenes import CATALOGUE
 from game.stage import Scene, Stage
+from game.stage.opening.definition import check_strips
 from game.ui.canvas.pen import FIGURE, Pen
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
@@ -42,7 +43,7 @@ def check_definition(scene_type: type[Scene]) -> None:
         scene_type.figure(Pen((round(2 * FIGURE[0]), round(2 * FIGURE[1])), look, FIGURE))
     stage = Stage(scene_type)
     stage.run(1)
-    stage.scene.check_strips()
+    check_strips(stage.scene)
     check_studies(stage.scene)
     picture_of_stage(stage, PICTURE)
 

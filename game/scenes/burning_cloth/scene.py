@@ -15,8 +15,7 @@ from game.scenes.burning_cloth.model import BurningClothModel
 from game.scenes.burning_cloth.parameters import OF_PICTURE, BurningClothParameters
 from game.scenes.burning_cloth.picture.sheet_painter import warm_up_sheet
 from game.scenes.burning_cloth.picture.yard import warm_up_yard
-from game.scenes.burning_cloth.readouts import readouts_of
-from game.scenes.burning_cloth.told import hearing, names, saved, targets
+from game.scenes.burning_cloth.told import hearing, names, readouts_of, saved, targets
 from game.scenes.burning_cloth.view import BurningClothView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop

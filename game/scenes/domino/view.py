@@ -1,11 +1,14 @@
-"""How the world of dominoes is drawn: landscape, boards, shadows, dominoes, balls, sliding blocks."""
+"""How the world of dominoes is drawn: landscape, boards, dominoes, balls, blocks; and what teaches."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
 from game.arrays import Flags, Floats, Longs
-from game.scenes.domino.marks import draw_marks
+from game.physics.solids.arrays.state import ASLEEP, DYNAMIC
+from game.scenes.domino.course import height_at
 from game.scenes.domino.shapes import (
     BAND,
     BOARD,
@@ -19,7 +22,7 @@ from game.scenes.domino.shapes import (
     spans_of,
 )
 from game.scenes.domino.world import DominoState, DominoWorld
-from game.ui.canvas.canvas import Canvas
+from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.painters.wall import is_dark
 from game.worlds.hands.hand import NOBODY, Hand
 from game.worlds.members.solids import bodies_between
@@ -34,6 +37,7 @@ from game.worlds.painting.boards import (
 )
 from game.worlds.painting.inks import color_of, lighter, scaled
 from game.worlds.painting.landscape import Landscape
+from game.worlds.painting.marks import draw_contacts, draw_velocities
 from game.worlds.painting.spheres import draw_spheres
 
 GROUND = -2.0  # m, of the meadow that all stands on
@@ -222,3 +226,31 @@ def _beam(a: Floats, b: Floats, breadth: float) -> Floats:
     """Corners (4, 2) m of an upright beam between two points."""
     side = np.array([0.5 * breadth, 0.0])
     return np.array([a - side, a + side, b + side, b - side])
+
+
+SECONDS = 0.15  # s: a velocity is drawn as the way of this time
+SLOW = 0.15  # m/s, no mark
+
+
+def draw_marks(canvas: Canvas, model: DominoWorld, places: Floats) -> None:
+    """All of them."""
+    world = model.world
+    draw_contacts(canvas, world, 2.2)
+    rows = world.bodies
+    awake = np.flatnonzero(rows.flags & (DYNAMIC | ASLEEP) == DYNAMIC)
+    moving = awake[np.hypot(*rows.velocities[awake].T) > SLOW]
+    draw_velocities(canvas, places[moving], rows.velocities[moving], SECONDS, 1.8)
+    wave = model.dominoes.wave.speed
+    if model.dominoes.last >= 0:
+        x, y = model.front()
+        canvas.line((x, y - 0.9), (x, y + 1.1), "vermilion", 1.4, dash=EXACT_DASH)
+        if wave > 0.0:
+            words = canvas.figure("wave", f"{wave:.2f} m/s, theory {model.theory():.2f}")
+            canvas.label((x, y + 1.2), words, "vermilion", 13, "semibold", "bottom", (0.0, -4.0), clear=True)
+    for k, entry in enumerate(model.content.sliders):
+        stop = model.blocks.stop_by_law(k, model.gravity())
+        if math.isfinite(stop):
+            shift_x, shift_y = 0.12 * k, 0.17 * k
+            y, _ = height_at(model.floors[entry.floor], stop)
+            foot = stop + shift_x, y + shift_y
+            canvas.line(foot, (foot[0], foot[1] + 0.8), "text1", 1.4, dash=EXACT_DASH)

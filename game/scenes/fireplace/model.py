@@ -194,9 +194,9 @@ class FireplaceModel(World):
         """Match, wood, then gas."""
         self.match.lead(self.time, dt)
         self._pull()
-        head = self.match.place(self.time)
-        if head is not None and self.match.lit(self.time):
-            self.air.heat_match(head[0], self.match.power(self.time), dt)
+        if self.match.lit(self.time):
+            head, _ = self.match.place(self.time)
+            self.air.heat_match(head, self.match.power(self.time), dt)
         if self.wood.count:
             self._burn_wood(dt)
         else:
@@ -210,9 +210,8 @@ class FireplaceModel(World):
     def _burn_wood(self, dt: float) -> None:
         wood, points = self.wood, self._surfaces()
         gas, oxygen, speed = self.air.around(points)
-        head = self.match.place(self.time)
-        if head is not None and self.match.lit(self.time):  # its flame is smaller than a cell
-            away = wood.places() - head[0]
+        if self.match.lit(self.time):  # its flame is smaller than a cell
+            away = wood.places() - self.match.place(self.time)[0]
             touched = away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1] < TOUCH * TOUCH
             gas[touched], speed[touched] = np.maximum(gas[touched], TOUCH_HOT), 4.0
         places = wood.places()

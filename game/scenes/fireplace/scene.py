@@ -13,9 +13,8 @@ from game.scenes.fireplace.hand import fire_hand
 from game.scenes.fireplace.level import DEFAULT, FireplaceContent
 from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.parameters import OF_PICTURE, FireplaceParameters
-from game.scenes.fireplace.readouts import readouts_of
 from game.scenes.fireplace.room import warm_up_room
-from game.scenes.fireplace.told import hearing, names, saved, sizes, targets
+from game.scenes.fireplace.told import hearing, names, readouts_of, saved, sizes, targets
 from game.scenes.fireplace.view import FireplaceView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
 from game.worlds.painting.backdrops import warm_up_backdrop

@@ -1,4 +1,4 @@
-"""What a story says of the fireplace beside readouts: places for stories, sounds, and the fire as a level."""
+"""What the fireplace says of itself: readouts, places for stories, sounds, and the fire as a level."""
 
 from __future__ import annotations
 
@@ -8,13 +8,64 @@ import msgspec
 import numpy as np
 
 from game.arrays import Point
-from game.physics.heat.nodes import TEMPERATURE, WATER
+from game.physics.heat.nodes import FUEL, TEMPERATURE, WATER
 from game.scenes.fireplace import tables
 from game.scenes.fireplace.level import FireplaceContent, WoodEntry
-from game.scenes.fireplace.match import KEYS
 from game.scenes.fireplace.model import BREAK, FALL, POP, TICK, FireplaceModel
-from game.stage import Hearing
+from game.stage import Hearing, Readout
 from game.worlds.hearing import ROOM, fire
+
+
+def readouts_of(model: FireplaceModel) -> list[Readout]:
+    """The fire first, then the wood, the ember and its law, the books of heat."""
+    wood, air, books, vapour = model.wood, model.air, model.books(), model.vapour()
+    hot = wood.nodes.nodes[TEMPERATURE, : wood.count]
+    burning = int(np.count_nonzero(wood.nodes.burning()[: wood.count]))
+    logs = wood.is_log()
+    made, given = max(books["made"], 1.0), max(vapour["given"], 1e-6)
+    law, piece = float(model.ember[1]), int(model.ember[0])
+    ember = float(hot[piece]) if 0 <= piece < len(hot) else math.nan
+    rows = [
+        Readout("power", max(model.shine, 0.0), "W/m"),
+        Readout("flame height", model.flame_height(), "m"),
+        Readout("puffs", model.beat(), "Hz"),
+        Readout("burning pieces", burning),
+        Readout("burning logs", int(np.count_nonzero(wood.nodes.burning()[: wood.count] & logs))),
+        Readout("burnt", 100.0 * model.burnt_share(), "%"),
+        Readout("broken welds", int(wood.nodes.torn.sum())),
+        Readout("hottest wood", float(np.max(hot, initial=0.0)), "K"),
+        Readout("hottest gas", float(np.max(air.temperature)), "K"),
+        Readout("hottest gas so far", model.most_hot, "K"),
+        Readout("most power", model.most_power, "W/m"),
+        Readout("highest flame", model.most_height, "m"),
+        Readout("ember", ember, "K"),
+        Readout("ember by T⁴", law if piece >= 0 else math.nan, "K"),
+        Readout("off the law", 100.0 * abs(ember / law - 1.0) if piece >= 0 and law > 0.0 else math.nan, "%"),
+        Readout("ember at first", float(model.ember[2]) if piece >= 0 else math.nan, "K"),
+        Readout("water left", 1e3 * float(np.sum(wood.nodes.water[: wood.count])), "g/m"),
+        Readout("fuel left", 1e3 * float(np.sum(wood.nodes.nodes[FUEL, : wood.count])), "g/m"),
+        Readout("match", 1.0 if model.match.lit(model.time) else 0.0),
+    ]
+    rows += [
+        Readout("heat made", books["made"], "J/m"),
+        Readout("radiated", 100.0 * books["radiated"] / made, "%"),
+        Readout("up the flue", 100.0 * books["flue"] / made, "%"),
+        Readout("heat in the wood", 100.0 * books["wood"] / made, "%"),
+        Readout("lost in carrying", 100.0 * books["carrying"] / made, "%"),
+        Readout("covered by logs", 100.0 * books["covered"] / made, "%"),
+        Readout("open share", 100.0 * books["open"] / made, "%"),
+        Readout("left as coal", 100.0 * model.coal_share(), "%"),
+        Readout("vapour given off", 1e3 * vapour["given"], "g/m"),
+        Readout("vapour burnt", 100.0 * vapour["burnt"] / given, "%"),
+        Readout("vapour up the flue", 100.0 * vapour["flue"] / given, "%"),
+        Readout("vapour covered", 100.0 * vapour["covered"] / given, "%"),
+        Readout("vapour lost", 100.0 * vapour["carrying"] / given, "%"),
+        Readout("vapour open", 100.0 * vapour["open"] / given, "%"),
+        Readout("divergence left", air.gas.report.after, ""),
+        Readout("puffs of a round pool", 1.5 / math.sqrt(0.6), "Hz"),
+    ]
+    return rows
+
 
 LOUD_FIRE, LOUD_COAL = 120e3, 6e3  # W/m: of flames, and of those that are as loud as a bed of coal
 NAMES = {POP: "wood", BREAK: "thud", TICK: "stone", FALL: "wood"}
@@ -55,9 +106,9 @@ def saved(model: FireplaceModel) -> FireplaceContent:
 
 def targets(model: FireplaceModel) -> dict[str, Point]:
     """The match's head, the kindling, the logs' middle, the hottest piece, the flames, the flue; m."""
-    head = model.match.place(model.time)
+    match = model.match
     found = {
-        "match": head[0] if head is not None else KEYS[0][:2],
+        "match": match.rest[:2] if match.hidden(model.time) else match.place(model.time)[0],
         "kindling": (0.0, 0.09),
         "hearth": (0.0, 0.32),
         "flue": (0.0, 1.2),

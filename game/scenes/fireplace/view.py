@@ -115,10 +115,9 @@ class FireplaceView:
             canvas.polygon(plate, fill=IRON, outline=IRON_LIT, width=1.0)
 
     def _draw_match(self, canvas: Canvas) -> None:
-        head = self.model.match.place(self.model.time)
-        if head is None:
+        if self.model.match.hidden(self.model.time):
             return
-        (x, y), (tx, ty) = head
+        (x, y), (tx, ty) = self.model.match.place(self.model.time)
         canvas.line((x, y), (tx, ty), pygame.Color(206, 170, 118), 0.011 * canvas.pixels_per_unit / canvas.k)
         canvas.circle((x, y), 0.009, pygame.Color(120, 30, 20) if not self.model.match.lit(self.model.time)
                       else pygame.Color(255, 220, 140))  # fmt: skip

@@ -19,8 +19,7 @@ from game.physics.kernels import elementary
 from game.scenes.fireworks.aiming import LEAST_RISE, aim
 from game.scenes.fireworks.level import FARTHEST, FireworksContent, Point
 from game.scenes.fireworks.parameters import FireworksParameters
-from game.scenes.fireworks.shells import BURSTS, HEADS, SHELL_DRAG, SHELLS, all_kinds
-from game.scenes.fireworks.stars import Amounts
+from game.scenes.fireworks.shells import BURSTS, HEADS, SHELL_DRAG, SHELLS, Amounts, all_kinds
 from game.scenes.fireworks.thunder import Thunder
 from game.worlds.world import Kept, Member, World
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from game.physics.kernels import elementary
 from game.scenes.floating.world import FloatingWorld
+from game.worlds.hands.curves import simplified
 from game.worlds.hands.grab import GRAB, let_loose
 from game.worlds.hands.hand import Hand, Use
-from game.worlds.hands.simplify import simplified
 
 SMOOTH = 0.006  # of the tank's width: how far a drawn outline may be from the line
 BALLAST = 0.5  # mass of lead beside the body's own, where there was none

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from game.billiards.lecture.settings import CONSERVING, ORDERS, PAIRWISE, RULES, LectureSettings
-from game.settings import taken
+from game.settings import set_one, taken
 from game.stage import Param, Parameters, Toggle, control_of
 
 
@@ -43,3 +43,7 @@ class LectureTableParameters(Parameters):
         """
         joint = self.values["rule"] == RULES[CONSERVING]
         return taken(LectureSettings, self.values if joint else {**self.values, "order": ORDERS[PAIRWISE]})
+
+    def settings_after(self, name: str, before: LectureSettings) -> LectureSettings:
+        """These settings with the present value of one parameter; rule and order depend on one another."""
+        return self.settings if name in ("rule", "order") else set_one(before, name, self.values[name])

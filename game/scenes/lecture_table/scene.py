@@ -94,7 +94,8 @@ class LectureTable(ModelScene):
         self.said = self.turns.messages
 
     def parameter_changed(self, name: str) -> None:
-        self.model.table.settings = self.parameters.settings
+        table = self.model.table
+        table.settings = self.parameters.settings_after(name, table.settings)
 
     def effects_changed(self) -> None:
         self.model.table.effects = self.active

@@ -9,9 +9,8 @@ import numpy as np
 from game.physics.kernels import elementary
 from game.scenes.liquid.world import LiquidWorld
 from game.stage import Hearing, Readout, Steady
-from game.worlds.hands.grab import GRAB, let_loose
+from game.worlds.hands.grab import GRAB, body_at, let_loose
 from game.worlds.hands.hand import NOBODY, Hand, Use
-from game.worlds.hands.picking import body_at
 
 HAND_RATE = 30.0  # 1/s: speed for a move of the hand
 TAP_RATE = 8.0  # 1/s: speed of a tap for the length of the stroke that makes it

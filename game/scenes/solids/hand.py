@@ -18,10 +18,9 @@ from game.scenes.solids.level import MOST_BODIES, BodyEntry, JointEntry, Point, 
 from game.scenes.solids.model import ANCHOR, SolidModel
 from game.scenes.solids.picking import bodies_at, joint_at, joints_across
 from game.stage import Part, Pointer
-from game.worlds.hands.grab import grip
+from game.worlds.hands.curves import simplified
+from game.worlds.hands.grab import body_at, grip
 from game.worlds.hands.hand import NOBODY
-from game.worlds.hands.picking import body_at
-from game.worlds.hands.simplify import simplified
 
 REACH = 0.02  # of the height in view: how near to something the pointer takes it
 FARTHEST = 1e5  # m

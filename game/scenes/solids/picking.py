@@ -9,8 +9,8 @@ from game.physics.kernels import elementary, elementwise
 from game.physics.solids import SolidWorld
 from game.scenes.solids.bodies import place_of, whole_joints
 from game.scenes.solids.level import Point
+from game.worlds.hands.grab import distance_to
 from game.worlds.hands.hand import NOBODY
-from game.worlds.hands.picking import distance_to
 
 
 def bodies_at(world: SolidWorld, bodies: NDArray[np.int64], point: Point) -> list[int]:

@@ -12,11 +12,11 @@ from game.arrays import Floats, Longs
 from game.physics.solids.arrays.layout import HERTZ, JOINT_NAMES, LENGTH
 from game.physics.solids.arrays.state import ASLEEP, DYNAMIC
 from game.scenes.solids.bodies import COLOURS, place_of, whole_joints
+from game.scenes.solids.cutting import Outlines, outlines_of
 from game.scenes.solids.hand import LINKERS, NOBODY, SolidHand
 from game.scenes.solids.level import Point
 from game.scenes.solids.measures import contact_points, islands
 from game.scenes.solids.model import ModelState, SolidModel
-from game.scenes.solids.outlines import Outlines, outlines_of
 from game.scenes.solids.parameters import TOOLS
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.worlds.hands.hand import legend_of

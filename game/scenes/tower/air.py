@@ -15,18 +15,20 @@ import numpy as np
 
 from game.arrays import Floats, Point, Singles
 from game.compiler.decorator import lean_kernel
-from game.physics.effects import EffectSet
+from game.physics.effects import EffectSet, declare_effect
 from game.physics.gas import Gas, GasSettings, GasState
 from game.physics.gas.effects import ADVECTION, PRESSURE
 from game.physics.grid import Border, Borders, Grid
 from game.physics.kernels import elementary, elementwise
 from game.physics.surfaces.surface import Sample, empty_sample
-from game.scenes.tower.effects import AIR
+from game.scenes.tower.building import RUBBLE, SHARD, SLAB
 from game.scenes.tower.frame import Frame
 from game.scenes.tower.level import TowerContent
-from game.scenes.tower.tables import RUBBLE, SHARD, SLAB
 from game.worlds.members import boxes
 from game.worlds.world import Member
+
+AIR = declare_effect("air", "Air", "What falls drives the air out from under it, and the air carries dust.")
+
 
 DENSITY = 1.2  # kg/m³, of air
 DRAG = 1.2  # of a piece, by its breadth (a plate across: 2; an edge-on one: less)

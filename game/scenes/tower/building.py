@@ -1,11 +1,39 @@
-"""Builds the tower: floors of welded bays, upon columns that are welded to them."""
+"""Builds the tower: tables of its parts and storeys, floors of welded bays upon columns welded to them."""
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+from game.arrays import Floats, Longs
 from game.physics.solids import Material, SolidWorld, box
 from game.scenes.tower.level import TowerContent
-from game.scenes.tower.tables import COLUMN, SLAB, PartTable
-from game.worlds.tables import extended
+from game.worlds.tables import NO_FLOATS, NO_LONGS, extended
+
+SLAB, COLUMN, RUBBLE, SHARD = range(4)  # rubble is of columns, shards are of floors
+GONE, NOT_YET = -1, -1.0
+
+
+class PartTable(NamedTuple):
+    """body: GONE once it has become others; storey: from 1; place: of its bay or column; wide, tall: m;
+    mass: kg; shock: m/s that contacts and joints have taken from its speed lately.
+    """
+
+    body: Longs = NO_LONGS
+    kind: Longs = NO_LONGS
+    storey: Longs = NO_LONGS
+    place: Longs = NO_LONGS
+    wide: Floats = NO_FLOATS
+    tall: Floats = NO_FLOATS
+    mass: Floats = NO_FLOATS
+    shock: Floats = NO_FLOATS
+
+
+class StoreyTable(NamedTuple):
+    """s at which a storey's first column was cut, and at which its floor was struck; NOT_YET."""
+
+    cut: Floats = NO_FLOATS
+    struck: Floats = NO_FLOATS
+
 
 DENSITY = 2400.0  # kg/m², of concrete, a metre of depth
 FLOOR_FRICTION = 0.8

@@ -9,10 +9,20 @@ import numpy as np
 
 from game.arrays import Floats, Longs, Point
 from game.scenes.tower.breaking import break_up, grind, middle_of, shocks_of
-from game.scenes.tower.building import build, frame_stuff, rubble_stuff
+from game.scenes.tower.building import (
+    COLUMN,
+    GONE,
+    NOT_YET,
+    RUBBLE,
+    SHARD,
+    SLAB,
+    StoreyTable,
+    build,
+    frame_stuff,
+    rubble_stuff,
+)
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
-from game.scenes.tower.tables import COLUMN, GONE, NOT_YET, RUBBLE, SHARD, SLAB, StoreyTable
 from game.worlds.members.solids import Solids, nearest_box
 from game.worlds.tables import extended
 from game.worlds.world import Member

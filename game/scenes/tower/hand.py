@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from game.scenes.tower.building import COLUMN
 from game.scenes.tower.frame import FLOORS
-from game.scenes.tower.tables import COLUMN
 from game.scenes.tower.world import TowerWorld
 from game.worlds.hands.hand import NOBODY, Hand, Use
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from game.arrays import Floats
 from game.physics.accretion import strike_times
-from game.scenes.tower.building import columns_mass, floor_height, slab_mass
-from game.scenes.tower.tables import COLUMN, NOT_YET
+from game.scenes.tower.building import COLUMN, NOT_YET, columns_mass, floor_height, slab_mass
 from game.scenes.tower.world import TowerWorld
 
 

@@ -8,7 +8,7 @@ from game.lab.studies.collapse import collapse_study
 from game.physics.fields import GRAVITY
 from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
 from game.scenes.tower import A08
-from game.scenes.tower.effects import AIR
+from game.scenes.tower.air import AIR
 from game.scenes.tower.figure import draw_front
 from game.scenes.tower.hand import tower_hand
 from game.scenes.tower.level import TowerContent

@@ -9,7 +9,7 @@ import numpy as np
 
 from game.arrays import Point
 from game.physics.accretion import LIMIT
-from game.scenes.tower.building import floor_height
+from game.scenes.tower.building import COLUMN, NOT_YET, floor_height
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.measures import (
     fall_of,
@@ -22,7 +22,6 @@ from game.scenes.tower.measures import (
     struck,
 )
 from game.scenes.tower.sounds import HALF, NAMES
-from game.scenes.tower.tables import COLUMN, NOT_YET
 from game.scenes.tower.world import TowerWorld
 from game.stage import Hearing, Readout
 from game.worlds.hearing import ROOM, wind

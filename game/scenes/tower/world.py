@@ -13,12 +13,11 @@ from game.physics.kernels import linear
 from game.physics.solids import SolidState
 from game.scenes.tower.air import AirState, TowerAir, loose_of, solids_of
 from game.scenes.tower.breaking import apart, cuts_of, halves_of
-from game.scenes.tower.building import floor_height, half_width
+from game.scenes.tower.building import COLUMN, NOT_YET, RUBBLE, SHARD, SLAB, floor_height, half_width
 from game.scenes.tower.frame import FLOORS, Frame
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.parameters import TowerParameters
 from game.scenes.tower.sounds import MOST, air_heard, charges, impacts_heard
-from game.scenes.tower.tables import COLUMN, NOT_YET, RUBBLE, SHARD, SLAB
 from game.worlds.hearing import Heard
 from game.worlds.members.dust import Dust, advance_dust
 from game.worlds.members.solids import Solids

@@ -10,7 +10,7 @@ from game.arrays import Floats
 from game.physics.kernels import elementary
 from game.scenes.wind_tunnel.model import WindTunnelModel
 from game.stage import Part, Pointer
-from game.worlds.hands.simplify import simplified
+from game.worlds.hands.curves import simplified
 
 FINE = 0.0015  # of the tunnel's height: a drawn line keeps what is farther off than that
 MOST_POINTS = 2_000

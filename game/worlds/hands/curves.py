@@ -1,4 +1,4 @@
-"""What a hand does to tracks: finds the one that is meant, bends it, draws another."""
+"""What a hand does to tracks: finds the one that is meant, bends it, draws another with few points."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from game.physics.kernels import elementwise
+from game.arrays import Floats
+from game.physics.kernels import elementwise, linear
 from game.physics.solids.tracks import Curve
 from game.worlds.entries.entry import Point
-from game.worlds.hands.simplify import simplified
 
 CORNER = 50.0  # degrees: a drawn track has a corner where it turns by more
 EXACT = 0.12  # of the hand's reach: so far may a drawn track be from the hand's path
@@ -49,3 +49,28 @@ def drawn(path: Sequence[Point], reach: float, most: int | None = None) -> Curve
     if len(points) < 2 or float(elementwise.hypot(*np.diff(points, axis=0).T).sum()) < SHORTEST * reach:
         return None
     return Curve(points, corner=CORNER)
+
+
+def simplified(points: Floats, tolerance: float) -> Floats:
+    """Points (n, 2) m of a line, of which none that is left out lies farther than ``tolerance`` from it."""
+    keep = np.zeros(len(points), dtype=bool)
+    keep[0] = keep[-1] = True
+    parts = [(0, len(points) - 1)]
+    while parts:
+        first, last = parts.pop()
+        if last - first < 2:
+            continue
+        a, way = points[first], points[last] - points[first]
+        between = points[first + 1 : last] - a
+        length = float(elementwise.hypot(*way))
+        if length > 0.0:
+            along = np.clip(linear.product(between, way) / (length * length), 0.0, 1.0)
+            away = elementwise.hypot(*(between - along[:, None] * way).T)
+        else:
+            away = elementwise.hypot(*between.T)
+        k = int(away.argmax())
+        if away[k] > tolerance:
+            middle = first + 1 + k
+            keep[middle] = True
+            parts += [(first, middle), (middle, last)]
+    return points[keep]

@@ -1,4 +1,4 @@
-"""Tools that take a solid by a point of it and pull, as a spring of the hand's strength does, or push it.
+"""Which solid lies under a point; tools that take it there and pull, as a spring does, or push it.
 
 The world of such a hand has ``solids``, an ``anchor`` (a body that touches nothing and never moves) and
 ``loose()``: the bodies (n,) that a hand may take.
@@ -6,10 +6,45 @@ The world of such a hand has ``solids``, an ``anchor`` (a body that touches noth
 
 from __future__ import annotations
 
-from game.arrays import Point
+import numpy as np
+
+from game.arrays import Longs, Point
+from game.physics.kernels import elementary, elementwise
 from game.physics.solids import SolidWorld
+from game.physics.solids.arrays.state import DISC, SEGMENT
 from game.worlds.hands.hand import NOBODY, Hand, Use
-from game.worlds.hands.picking import body_at
+
+
+def distance_to(world: SolidWorld, shape: int, point: Point) -> float:
+    """From a point to a shape, m; negative within."""
+    corners, radius = world.corners(shape), float(world.shapes.radii[shape])
+    if world.shapes.kinds[shape] == DISC:
+        return elementary.dist(point, corners[0]) - radius
+    ends = np.roll(corners, -1, axis=0)
+    along = ends - corners
+    lengths = (along * along).sum(axis=1)
+    at = np.clip(
+        ((np.array(point) - corners) * along).sum(axis=1) / np.where(lengths > 0.0, lengths, 1.0), 0, 1
+    )
+    nearest = float(elementwise.hypot(*(corners + at[:, None] * along - point).T).min())
+    if world.shapes.kinds[shape] == SEGMENT or len(corners) == 2:
+        return nearest - radius
+    sides = along[:, 0] * (point[1] - corners[:, 1]) - along[:, 1] * (point[0] - corners[:, 0])
+    return (-nearest if (sides >= 0.0).all() else nearest) - radius
+
+
+def body_at(world: SolidWorld, bodies: Longs, point: Point, reach: float) -> int:
+    """The body of these that a point is in, else the nearest within reach (m); NOBODY if there is none."""
+    rows = world.bodies
+    near = elementwise.hypot(*(rows.positions[bodies] - point).T) <= rows.reaches[bodies] + reach
+    best, found = reach, NOBODY
+    for body in bodies[near].tolist():
+        for shape in world.shapes_of(body).tolist():
+            away = distance_to(world, shape, point)
+            if away < best:
+                best, found = away, body
+    return found
+
 
 HERTZ, DAMPING = 4.0, 0.9  # of the spring, of critical
 STRENGTH = 600.0  # N for each kg of what is pulled

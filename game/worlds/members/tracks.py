@@ -14,8 +14,7 @@ from game.physics.fields import GRAVITY
 from game.physics.solids.tracks import Curve, TrackSettings, TrackWorld
 from game.physics.solids.tracks import motion as m
 from game.stage import Parameters
-from game.worlds.entries.track_forms import curve_of
-from game.worlds.entries.tracks import TrackEntry
+from game.worlds.entries.tracks import TrackEntry, curve_of
 from game.worlds.members.solids import substeps_of
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Member

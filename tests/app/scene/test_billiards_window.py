@@ -230,7 +230,7 @@ def test_the_arrow_of_the_bar_leaves_for_the_menu_at_once(driver):
 def test_the_volume_is_a_setting(driver, tmp_path):
     from game.app.window.settings import load_settings
 
-    driver.app.open_settings()
+    driver.app.cards.open_settings()
     driver.frames(20)
     spot = driver.top.spots.find("volume-0.25")
     driver.click(*spot.rect.center)

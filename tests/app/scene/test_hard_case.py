@@ -87,7 +87,7 @@ def test_help_begins_with_the_level_and_its_box_says_all_of_it(hard: Driver):
 
 def test_a_row_of_a_list_says_all_its_words_in_two_lines(driver: Driver):
     rows = [ListRow("Hard: a level", LONG, "E.H1", True, 1), ListRow("Short", "Few words.", "", False, 2)]
-    driver.app.open_choices("Levels", rows, lambda value: None)
+    driver.app.cards.open_choices("Levels", rows, lambda value: None)
     driver.frames(3)
     card = driver.top
     assert isinstance(card, ChoiceCard)

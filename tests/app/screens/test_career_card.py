@@ -57,7 +57,7 @@ def test_a_name_is_asked_for_once_and_kept(driver):
     assert read_career().player.name == "Mia"
     driver.key(pygame.K_ESCAPE)
     driver.frames(30)
-    driver.app.open_career()
+    driver.app.cards.open_career()
     driver.frames(30)
     assert isinstance(driver.top, CareerCard)
 
@@ -86,7 +86,7 @@ def test_the_header_of_the_menu_opens_it_and_all_games_are_there(driver):
 
 def test_a_match_begins_at_its_table_and_its_result_comes_back(driver):
     keep_career(Career((Player("Mia"),)))
-    driver.app.open_career()
+    driver.app.cards.open_career()
     driver.frames(30)
     driver.top._take_game("nine-ball")
     press(driver, "opponent=greta")
@@ -111,7 +111,7 @@ def test_a_match_begins_at_its_table_and_its_result_comes_back(driver):
 
 def test_a_tournament_is_begun_and_won_in_the_window(driver):
     keep_career(Career((Player("Mia"),)))
-    driver.app.open_career()
+    driver.app.cards.open_career()
     driver.frames(30)
     driver.top._take_game("three-cushion")
     press(driver, "cup")
@@ -123,7 +123,7 @@ def test_a_tournament_is_begun_and_won_in_the_window(driver):
         if not isinstance(driver.top, CareerCard):
             driver.app.open_menu()
             driver.frames(5)
-            driver.app.open_career()
+            driver.app.cards.open_career()
             driver.frames(30)
         match = cup_match(read_career().player)
         assert driver.top.match == match
@@ -171,7 +171,7 @@ def test_matches_that_do_not_count_are_not_called_none(start: int):
 def test_a_tournament_may_be_played_with_fair_head_starts(driver):
     """The choice stays with the tournament: its match is begun with the start, and counts for it."""
     keep_career(Career((Player("Mia"),)))
-    driver.app.open_career()
+    driver.app.cards.open_career()
     driver.frames(15)
     card = driver.top
     card._take_game("straight-rail")
@@ -192,7 +192,7 @@ def test_a_tournament_may_be_played_with_fair_head_starts(driver):
 def test_the_first_tournament_of_a_career_is_that_of_newcomers(driver):
     """It is what Enter takes; two short matches win it, and then the tournament of eight comes first."""
     keep_career(Career((Player("Mia"),)))
-    driver.app.open_career()
+    driver.app.cards.open_career()
     driver.frames(30)
     assert driver.top.game == "eight-ball"
     press(driver, "cup")
@@ -216,7 +216,7 @@ def test_the_first_tournament_of_a_career_is_that_of_newcomers(driver):
     player = read_career().player
     assert [(cup.reached, cup.newcomers) for cup in player.cups] == [(3, True)]
     assert "slate cloth" not in player.unlocked and "olive cloth" not in player.unlocked
-    driver.app.open_career()
+    driver.app.cards.open_career()
     driver.frames(30)
     press(driver, "cup")
     assert driver.top.rows[driver.top.focus].value == "eight"

@@ -75,7 +75,7 @@ def test_a_title_with_signs_is_read_back(scene: Driver):
 
 
 def test_the_settings_ask_for_the_players_name_and_keep_it(driver: Driver):
-    driver.app.open_settings()
+    driver.app.cards.open_settings()
     driver.frames(20)
     driver.click(*driver.top.spots.find("name-asked").rect.center)
     driver.frames(20)
@@ -94,7 +94,7 @@ def test_the_settings_ask_for_the_players_name_and_keep_it(driver: Driver):
 
 
 def test_a_name_has_at_most_forty_letters(driver: Driver):
-    driver.app.open_settings()
+    driver.app.cards.open_settings()
     driver.top.pressed("name-asked")
     driver.frames(20)
     driver.type(50 * "x" + "\n")

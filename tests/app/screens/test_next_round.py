@@ -145,7 +145,7 @@ def test_a_cup_with_fair_starts_goes_on_with_them(driver):
 
 def test_a_match_outside_of_a_cup_is_followed_by_another_one(driver):
     keep_career(Career((Player("Mia"),)))
-    driver.app.open_career()
+    driver.app.cards.open_career()
     driver.frames(30)
     driver.top._take_game("straight-rail")
     driver.top.begin()

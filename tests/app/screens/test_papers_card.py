@@ -63,7 +63,7 @@ def test_the_list_opens_by_key_and_button_and_names_what_is_to_come(program: Dri
 
 def test_a_page_leads_to_its_scene_and_the_scene_s_help_to_the_page(program: Driver, quick):
     program.frames(5)
-    program.app.open_paper(P48)
+    program.app.cards.open_paper(P48)
     program.frames(30)
     page = program.top
     assert isinstance(page, PaperCard)
@@ -92,7 +92,7 @@ def test_a_measurement_that_fails_is_told_on_the_page(program: Driver, monkeypat
 
     monkeypatch.setattr(PaperRow, "load", lambda row: load(row)._replace(measure=fails))
     program.frames(5)
-    program.app.open_paper(P48)
+    program.app.cards.open_paper(P48)
     program.top.measuring.wait()
     program.frames(3)
     assert program.top.page.note == "Not measured: no room" and len(program.top.page.compared) == 1

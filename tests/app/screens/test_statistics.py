@@ -58,7 +58,7 @@ def test_a_stroke_in_a_match_is_kept(driver):
 def test_the_card_shows_them_and_its_button_writes_them(driver, tmp_path):
     for k in range(6):
         keep_stroke("Mia", FACT if k % 2 else FACT.__class__(**{**_fields(), "made": False, "distance": 1.0}))
-    driver.app.open_statistics("Mia")
+    driver.app.cards.open_statistics("Mia")
     driver.frames(30)
     assert isinstance(driver.top, StatisticsCard)
     assert len(driver.top.facts) == 6

@@ -109,8 +109,8 @@ def test_the_match_is_struck_and_lights_the_letters_in_turn():
 def test_the_curve_of_the_match_goes_through_what_it_is_held_to():
     match = Match()
     match.take_up(3.0, [(-0.5, 0.9), (0.2, 1.0)])
-    assert not match.lit(3.0) and match.strength(3.0 + match.struck() + 0.01) > 1.5
-    times = 3.0 + np.arange(0.0, match.lasts(), 0.02)
+    assert not match.lit(3.0) and match.strength(3.0 + match.way().struck + 0.01) > 1.5
+    times = 3.0 + np.arange(0.0, match.way().ends, 0.02)
     heads = np.array([match.place(float(t))[0] for t in times])
     for x, y in match.feet:
         assert np.min(np.hypot(*(heads - (x, y - 0.02)).T)) < 0.004

@@ -14,8 +14,7 @@ from game.scenes.fireworks.eye import AWAY, EYE
 from game.scenes.fireworks.level import FireworksContent
 from game.scenes.fireworks.measures import NAMED_S, BurstNow
 from game.scenes.fireworks.scene import Fireworks
-from game.scenes.fireworks.shells import BURSTS, SHELLS, all_kinds, heart, spiral_arms
-from game.scenes.fireworks.stars import Amounts
+from game.scenes.fireworks.shells import BURSTS, SHELLS, Amounts, all_kinds, heart, spiral_arms
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from tests.scenes.particle_stages import click, drag, open_level, readouts
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from game.scenes.fireworks.stars import Amounts, spark_kinds
+from game.scenes.fireworks.shells import Amounts, spark_kinds
 from game.scenes.fireworks.thunder import EAR, NEAR, SPEED_OF_SOUND, WALKING, Thunder
 
 

@@ -12,11 +12,10 @@ from game.levels import level_files, load_level, parse_level
 from game.physics.accretion import strike_times
 from game.physics.solids import Material, SolidWorld, box
 from game.scenes.tower.breaking import apart, break_up, cuts_of, middle_of, shocks_of
-from game.scenes.tower.building import floor_height
+from game.scenes.tower.building import COLUMN, RUBBLE, SHARD, SLAB, floor_height
 from game.scenes.tower.hand import REACH
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import COLUMN, RUBBLE, SHARD, SLAB
 from game.stage import Action, Pointer, Stage
 from game.worlds.members.dust import DVX, DX, advance_dust, puffs
 from tests.scenes.listening import heard_in

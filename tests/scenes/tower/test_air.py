@@ -8,11 +8,10 @@ import pytest
 from game.levels import parse_level
 from game.physics.fields import GRAVITY
 from game.physics.gas.ledger import CARRIED_THROUGH
-from game.scenes.tower.air import FLOOR_WIDTH, QUICKEST, Floors, TowerAir, drag_along, weigh
-from game.scenes.tower.effects import AIR
+from game.scenes.tower.air import AIR, FLOOR_WIDTH, QUICKEST, Floors, TowerAir, drag_along, weigh
+from game.scenes.tower.building import SHARD
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import SHARD
 from game.stage import Action, Pointer, SetEffect, Stage
 from game.worlds.members.dust import DVX, DX, advance_dust, puffs
 

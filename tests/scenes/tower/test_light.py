@@ -8,15 +8,12 @@ import numpy as np
 import pytest
 
 from game.physics.fields import GRAVITY
-from game.scenes.tower.air import DIMS, LAMP_RISES, LAMPS_AT, TowerAir
-from game.scenes.tower.building import column_place, floor_height
-from game.scenes.tower.charges import FLASH_S, flashes_of, packs_of
-from game.scenes.tower.effects import AIR
-from game.scenes.tower.hours import DAY, NIGHT, lamplight, lit
+from game.scenes.tower.air import AIR, DIMS, LAMP_RISES, LAMPS_AT, TowerAir
+from game.scenes.tower.building import RUBBLE, SLAB, column_place, floor_height
 from game.scenes.tower.level import TowerContent
 from game.scenes.tower.scene import Tower
-from game.scenes.tower.tables import RUBBLE, SLAB
-from game.scenes.tower.view import DARKEST, _in_the_heap
+from game.scenes.tower.site import DAY, NIGHT, lamplight, lit
+from game.scenes.tower.view import DARKEST, FLASH_S, _in_the_heap, flashes_of, packs_of
 from game.stage import Stage
 
 SMALL = TowerContent(storeys=6, bays=2, first=3)

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from game.worlds.entries.track_forms import curve_of
-from game.worlds.entries.tracks import TrackEntry
+from game.worlds.entries.tracks import TrackEntry, curve_of
 
 WIDTH, DEPTH = 2.0, 1.5
 

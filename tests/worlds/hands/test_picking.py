@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from game.physics.solids import Disc, SolidSettings, SolidWorld, box
+from game.worlds.hands.grab import body_at, distance_to
 from game.worlds.hands.hand import NOBODY
-from game.worlds.hands.picking import body_at, distance_to
 
 PLACE, TURN, HALF = (7.0, -3.0), 0.6, (0.8, 0.3)  # m, rad, m: of the box
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from game.worlds.hands.simplify import simplified
+from game.worlds.hands.curves import simplified
 
 TOLERANCE = 0.05
 

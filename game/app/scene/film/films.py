@@ -57,7 +57,7 @@ class Films:
         elif self.busy:
             self._host.tell("One film at a time.", self.words)
         else:
-            self._host.open_choices("Film", self._rows(), lambda value: self.begin(*value))
+            self._host.cards.open_choices("Film", self._rows(), lambda value: self.begin(*value))
 
     def _rows(self) -> list[ListRow]:
         return [*self._scene_rows(), *self._any_rows()]

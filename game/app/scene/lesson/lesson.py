@@ -43,7 +43,9 @@ class Lesson:
 
     def ask_and_save(self) -> None:
         """Make a teaching level of what is in play."""
-        self._record.errands.act(lambda: self._host.open_teaching(Draft(self._record.stage), self._save))
+        self._record.errands.act(
+            lambda: self._host.cards.open_teaching(Draft(self._record.stage), self._save)
+        )
 
     def _save(self, draft: Draft) -> str:
         """Save it and say where; why it cannot be, in a line."""

@@ -38,7 +38,7 @@ class Filming:
             ListRow("The last ten seconds", "as the story has them", "mp4", value=("mp4", part)),
             ListRow("The last ten seconds, small", "without sound", "gif", value=("gif", part)),
         ]
-        self._host.open_choices("Film", rows, lambda value: self.begin(*value))
+        self._host.cards.open_choices("Film", rows, lambda value: self.begin(*value))
 
     def begin(self, kind: str, part: tuple[str, ...] = ()) -> None:
         """Begin a film; ``kind``: mp4 or gif, ``part``: options of the command ``record``."""

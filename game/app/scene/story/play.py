@@ -171,14 +171,14 @@ class StoryPlay:
         """Those that are known, by name; one is gone to."""
         rows = [ListRow(title, clock(begins), value=begins) for title, begins in self.bar.state.chapters]
         before = [begins for _, begins in self.bar.state.chapters if begins <= self.bar.state.now_s]
-        self.host.open_choices("Chapters", rows, self._seek, before[-1] if before else None)
+        self.host.cards.open_choices("Chapters", rows, self._seek, before[-1] if before else None)
 
     def _seek(self, film_s: float) -> None:
         self.journey.to_film(film_s, self.rehearsal.found)
 
     def _offer_speeds(self) -> None:
         rows = [ListRow(speed_text(speed), value=speed) for speed in SPEEDS]
-        self.host.open_choices("Speed", rows, self._set_speed, self._speed)
+        self.host.cards.open_choices("Speed", rows, self._set_speed, self._speed)
 
     @property
     def _speed(self) -> float:

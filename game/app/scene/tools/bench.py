@@ -157,7 +157,7 @@ class ToolsCard:
             ListRow(title, about, chip, value=("more", i))
             for i, (title, about, chip, _) in enumerate(self._more)
         ]
-        self._host.open_choices("Tools", rows, lambda value: self._do(*value))
+        self._host.cards.open_choices("Tools", rows, lambda value: self._do(*value))
 
     def _do(self, kind: str, value: str | int) -> None:
         if kind == "instrument":

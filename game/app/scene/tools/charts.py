@@ -48,7 +48,7 @@ class Charts:
             ListRow("Save the numbers", "All readouts of the last ten seconds", "csv", value=("csv", None))
         )
         title = "One more chart" if chart == NEW else f"Chart {chart + 1}"
-        self._host.open_choices(title, rows, lambda value: self._take(chart, *value))
+        self._host.cards.open_choices(title, rows, lambda value: self._take(chart, *value))
 
     def _take(self, chart: int, kind: str, readout: Readout | None = None) -> None:
         strips = self._shell.strips
@@ -74,13 +74,13 @@ class Charts:
 
     def _ask_to_the_right(self, chart: int) -> None:
         rows = self._rows()
-        self._host.open_choices(
+        self._host.cards.open_choices(
             "To the right", rows, lambda x: self._then(lambda: self._ask_upwards(chart, x))
         )
 
     def _ask_upwards(self, chart: int, x: Readout) -> None:
         rows = [row for row in self._rows() if row.value.name != x.name]
-        self._host.open_choices(
+        self._host.cards.open_choices(
             f"Upwards, against {x.name}", rows, lambda y: self.put(chart, Phase(x.name, y.name))
         )
 
