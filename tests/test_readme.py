@@ -54,6 +54,12 @@ def test_links_of_pages_lead_somewhere(page):
     ] == []
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_modules_that_pages_name_are_there(page):
+    named = re.findall(r"`((?:game|tests)/[\w/]+\.(?:py|json))`", page.read_text(encoding="utf-8"))
+    assert [name for name in named if not (ROOT / name).exists()] == []
+
+
 def test_the_architecture_names_every_floor_and_every_room_of_physics():
     from tests.test_floors import FLOORS
 

@@ -29,6 +29,7 @@ ELSEWHERE = {
     "carom-chances": {"stepped", "lecture"},
     "snooker-long-pot": {"geometry"},
     "dam": {"shallow"},
+    "splash-blend": {"plain"},
     "conduction": {"explicit", "crank-nicolson", "alternating"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points

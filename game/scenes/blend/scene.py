@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.lab.studies.water.blending import blending_study
 from game.physics.effects import EffectSet
 from game.scenes.blend import BLEND
 from game.scenes.blend.figure import draw_sheets
@@ -42,6 +43,7 @@ class SplashBlend(WorldScene):
     effects = EffectSet()
     content_type, default_content = BlendContent, DEFAULT
     not_of_model = OF_PICTURE
+    study = blending_study
     figure = staticmethod(draw_sheets)
     tools = TOOLS
     tool_prefix = "tool-"
