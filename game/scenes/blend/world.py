@@ -13,12 +13,10 @@ from game.arrays import Floats
 from game.physics.effects import EffectSet
 from game.physics.liquid.blending import Blend
 from game.physics.liquid.distances import Run, area_of, lasting
-from game.scenes.blend.level import GAP, BlendContent, RunEntry
+from game.scenes.blend.level import GAP, MOST_LINKS, BlendContent, RunEntry
 from game.scenes.blend.parameters import BlendParameters
 from game.scenes.blend.recording import FRAME, between, recorded, speed_of_time
 from game.worlds.world import Kept, World
-
-MOST_LINKS = 32
 
 
 class BlendState(NamedTuple):
@@ -43,6 +41,26 @@ class Shown(NamedTuple):
     misplaced: float
 
 
+def _links(content: BlendContent) -> Floats:
+    """(n, 7) as in the state. ValueError for a link to a run that is not there."""
+    if any(one.run > len(content.runs) for one in content.links):
+        raise ValueError(f"links.run: expected at most {len(content.runs)}, the number of runs")
+    speed = speed_of_time(content.tank)
+    rows = [
+        (
+            one.run - 1,
+            speed * one.first[0],
+            one.first[2],
+            one.first[1],
+            speed * one.other[0],
+            one.other[2],
+            one.other[1],
+        )
+        for one in content.links
+    ]
+    return np.array(rows, dtype=np.float64).reshape(-1, 7)
+
+
 class BlendWorld(World):
     """The runs of a level. blend: what lies between; squares: compared with true runs; prepared: s."""
 
@@ -52,7 +70,7 @@ class BlendWorld(World):
         if len(content.runs) not in (2, 4):
             raise ValueError(f"runs: expected two or four, not {len(content.runs)}")
         self.clock: Floats = np.zeros(1)
-        self.links: Floats = np.zeros((0, 7))
+        self.links: Floats = _links(content)
         super().__init__(content, parameters, active, Kept(self, "clock", "links"))
         began = perf_counter()
         self.runs = [recorded(entry, content.tank, content.cells) for entry in content.runs]

@@ -97,6 +97,29 @@ def test_a_link_is_drawn_from_the_first_tank_and_forgotten():
     assert len(model.links) == 1 and not np.array_equal(before, model.blend.shifts)
 
 
+def test_a_drop_that_is_linked_to_a_drop_is_one_drop_between():
+    """Two links of the default level: halfway lies one disc, at the mean place, with the mean radius."""
+    model: Any = opened().scene.model
+    inside = model.blend.at(0, (0.5, 0.5)) < 0.0
+    rows, columns = np.nonzero(inside)
+    falling = rows * model.cell > 0.3
+    x, y = columns[falling] * model.cell, rows[falling] * model.cell
+    assert (x.mean(), y.mean()) == pytest.approx((0.5 * (0.45 + 1.1), 0.5 * (0.55 + 0.62)), abs=model.cell)
+    area = np.count_nonzero(falling) * model.cell**2
+    assert area == pytest.approx(np.pi * 0.12**2, rel=0.15)
+    still = model.blend.at(0, (0.5, 0.5), False)
+    assert not np.any(still[round(0.3 / model.cell) :] < 0.0)
+
+
+def test_a_link_names_a_run_that_is_there(tmp_path):
+    file = tmp_path / "third.toml"
+    file.write_text(
+        LEVELS["default"].read_text().replace("[[content.links]]", "[[content.links]]\nrun = 3", 1)
+    )
+    with pytest.raises((LevelError, ValueError), match="number of runs"):
+        Stage(SplashBlend, level=load_level(file, "splash-blend", BlendContent))
+
+
 @pytest.mark.parametrize("theme", ["dark", "light"])
 def test_water_is_seen_in_each_tank_and_nowhere_else(theme):
     stage = opened()
