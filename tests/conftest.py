@@ -7,13 +7,14 @@ import gc
 import os
 import sys
 import tempfile
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import Any
 
 import hypothesis
 import pytest
 
+from game.app.compile import precompile
 from game.app.fuzz.memory import peak_bytes, resident_bytes
 from game.trust import make_private_folder, reason_to_distrust  # it knows nothing of the variables below
 from tests.shares import in_order, scheduler, share_of
@@ -92,6 +93,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     """Shares of tests that use the same kernels, where files would be handed out."""
     return scheduler(config, log) if config.getvalue("dist") == "loadfile" else None
+
+
+@pytest.fixture(scope="session", autouse=True)
+def one_process_compiles() -> Iterator[None]:
+    """No second process compiles beside a scene that is opened, half of which is thrown away at its end.
+
+    It halves the time that a person waits, and takes a core that another worker of the tests has.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(precompile, "start_quietly", lambda command: None)
+        yield
 
 
 @pytest.hookimpl(tryfirst=True)

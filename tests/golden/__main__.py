@@ -1,6 +1,7 @@
 """Write the accounts of scenes, of those named or of all: `python -m tests.golden [SCENE ...]`.
 
-Digests are written by `python -m game selftest --update-golden`.
+Digests are written by `python -m game selftest --update-golden`, what the window shows on a tour by
+`python -m tests.golden.window`.
 """
 
 from __future__ import annotations

@@ -34,6 +34,7 @@ from game.scenes.shared.thinker import Thinker
 from game.stage import Action, Choice, Param, Parameter, ParameterError, Pointer, SetParameter, Stage
 from game.ui.canvas.pen import CARD
 from tests.golden.drawn import FINE_PARTS, Tally, drawing_of, figure_of, in_one, lines, painted
+from tests.golden.pictures import picture_of
 
 Account = dict[str, Any]
 
@@ -244,6 +245,7 @@ def moment(stage: Stage) -> Account:
         "words": _words(stage),
         "drawn": lines(tallies),
         "painted": painted(surface, FINE_PARTS),
+        "picture": picture_of(stage),
     }
 
 

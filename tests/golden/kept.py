@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from tests.golden.pictures import other_parts
+
 FOLDER = Path(__file__).with_name("accounts")
 SUM = 2e-7  # of the sizes that were added, by which a weighted sum may differ: it is kept to nine digits
 NUMBER = 2e-5  # of itself, and
@@ -46,6 +48,8 @@ def differences(kept: Any, now: Any, place: str = "") -> Iterator[str]:
         )
         for number, (one, other) in enumerate(pairs):
             yield from differences(one, other, f"{place} {number}")
+    elif kept is not None and now is not None and place.endswith("picture"):
+        yield from (f"{place}: {part}" for part in other_parts(kept, now))
     elif kept is None or now is None or not same(kept, now, place.endswith("painted")):
         yield f"{place}: kept {kept!r}, now {now!r}"
 

@@ -25,9 +25,9 @@ from tests.paths import ROOT, TESTS
 from tests.stage.example_scene import BouncingBall, step_ball
 from tests.stage.odd_scenes import Cloud
 
-STEPS, HALF, BACK = 480, 240, 50
+STEPS, HALF, BACK = 480, 240, 48
 AFTER = 2 * BACK  # steps past the half, to which a stage that went back goes on
-SOON = BACK  # steps from the beginning, and on both sides of the half, of which each is looked at
+SOON, FIRST = BACK, 8  # steps from the beginning and on both sides of the half: many of them, and each one
 ELSEWHERE = 2 * HALF_STEPS  # steps made in another process
 GOLDEN = TESTS / "golden" / "example.json"
 KEPT = TESTS / "golden" / GOLDEN_FILE  # of each level after as many steps, made by some process before
@@ -44,8 +44,9 @@ def scene_named(name: str) -> type[Scene]:
 def play(stage: Stage, until: int, events: tuple[Stamped, ...]) -> dict[int, str]:
     """Digests of some of the steps to come, the scene's own demo being played.
 
-    Of every third, and of each from the beginning on and around the half, where a state that was not kept
-    whole would tell: a digest of the fireworks takes ten times as long as a step of them.
+    Of each just after the beginning and the half, of many around, where a state that was not kept whole would
+    tell, and of every twelfth: a digest of the fireworks takes ten times as long as a step of them. What has
+    gone another way goes on so.
     """
     digests = {}
     waiting = [stamped for stamped in events if stamped.step >= stage.step_number]
@@ -54,7 +55,8 @@ def play(stage: Stage, until: int, events: tuple[Stamped, ...]) -> dict[int, str
             stage.post(waiting.pop(0).event)
         stage.run(1)
         step = stage.step_number
-        if step % 3 == 0 or step <= SOON or abs(step - HALF) <= SOON:
+        near = step <= SOON or abs(step - HALF) <= SOON
+        if step % (4 if near else 12) == 0 or step <= FIRST or 0 < step - HALF <= FIRST:
             digests[step] = stage.digest()
         assert stage.fault is None
     return digests
@@ -100,7 +102,7 @@ class TestEveryScene:
     def test_run_twice(self, played: Played) -> None:
         """From the same beginning; what the stage remembers takes no part in what happens."""
         assert played.half == {step: played.whole[step] for step in played.half}
-        assert len(played.half) > HALF / 3
+        assert len(played.half) > HALF / 6
         begun, done = Stage(played.scene).scene.state(), played.stage.scene.state()
         assert (digest_of(begun, 0) == digest_of(done, 0)) == (played.scene.name in STILL)
 

@@ -30,7 +30,6 @@ ELSEWHERE = {
     "snooker-long-pot": {"geometry"},
     "dam": {"shallow"},
     "splash-blend": {"plain"},
-    "conduction": {"explicit", "crank-nicolson", "alternating"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points
 NO_PLACE = {"c02-joints", "c01", "c01-uneven", "bounds-gap", "solver-race"}

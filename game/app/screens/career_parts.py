@@ -159,8 +159,10 @@ def paint_cups(picture: pygame.Surface, look: Look, area: pygame.Rect, player: P
         entry = REGISTER.get(cup.game)
         played = entry.title if entry else cup.game
         title = f"{NEWCOMERS_CUP}, {played}" if cup.newcomers else played
-        words = f"{title}: {'won' if won else REACHED[cup.reached]}, {cup.when[:10]}"
-        fitted = look.fonts.fit(words, 12, "medium", area.w - px(26))
+        came = title if won else f"{title}: {REACHED[cup.reached]}"  # the sign says that it was won
+        dated, room = f"{came}, {cup.when[:10]}", area.w - px(26)
+        fits = look.fonts.size(dated, 12, "medium")[0] <= room
+        fitted = look.fonts.fit(dated if fits else came, 12, "medium", room)
         look.text(picture, fitted, (area.x + px(26), y), 12, "medium", "text1" if won else "text2")
         y += px(24)
     if not player.cups and player.cup is None:

@@ -77,9 +77,17 @@ class StartCard(CardScreen):
 
     def begin(self) -> None:
         """Begin, and remember what was chosen."""
+        self._remember()
+        self.host.open_scene(self.entry.name, opening=Opening(parameters=dict(self.chosen)))
+
+    def _remember(self) -> None:
         self.host.settings.start = {**self.host.settings.start, self.entry.name: dict(self.chosen)}
         self.host.save_settings()
-        self.host.open_scene(self.entry.name, opening=Opening(parameters=dict(self.chosen)))
+
+    def _open_career(self) -> None:
+        """The career, whose matches keep to what was chosen here."""
+        self._remember()
+        self.host.cards.open_career()
 
     def _go_on(self) -> None:
         self.host.tell("Your game goes on.", "N begins a new one.")
@@ -103,7 +111,7 @@ class StartCard(CardScreen):
         elif name == "lessons":
             self._open_lesson()
         elif name == "career":
-            self.host.cards.open_career()
+            self._open_career()
         else:
             parameter, _, value = name.partition("=")
             if (prize := self.locked.get((parameter, value))) is not None:

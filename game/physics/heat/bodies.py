@@ -166,10 +166,6 @@ class BurningBodies:
             raise ValueError(f"link {link!r}: there are {len(self.links)}")
         self.torn[link] = 1
 
-    def tear_all(self, torn: ArrayLike) -> None:
-        """Take over (m,) which links are torn. ValueError."""
-        self.torn[:] = np.asarray(torn, dtype=np.int64).reshape(len(self.links))
-
     def heat(self) -> float:
         """J in all nodes, from 0 K; of water: as a liquid."""
         laws, n = self.made_of, self.nodes

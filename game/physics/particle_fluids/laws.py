@@ -88,7 +88,7 @@ def _displaced(fluid: FluidStore, work: Scratch, dt: float, twice: bool) -> int:
     """
     settings, rest = fluid.settings, rest_density(POLY6)
     made = 1 if twice else int(settings.iterations)
-    densities = (work.pairs, work.body, work.place, fluid.support, work.work, (CLUMPING, rest))
+    densities = (work.pairs, work.body, work.place, fluid.support, work.work, work.now, (CLUMPING, rest))
     for _ in range(0 if twice else STABILISED):
         meet_densities(*densities)
     before = work.place.copy()

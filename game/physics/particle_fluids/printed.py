@@ -97,8 +97,10 @@ def relax_twice(pairs, body, place, support, moved, work, rules):
 
 
 @lean_kernel
-def meet_densities(pairs, body, place, support, work, rules):
+def meet_densities(pairs, body, place, support, work, now, rules):
     """One iteration of position based fluids on places (n, 2) m; rules: (clumping strength, rest density).
+
+    now: (m, 4) scratch, what pairs feel at these places: both sums over them need it, and roots are dear.
 
     Kernels as printed: poly6 for densities, spiky for gradients. Returns the mean excess of density before.
     """
@@ -115,7 +117,9 @@ def meet_densities(pairs, body, place, support, work, rules):
             j = pairs.other[k]
             gap, nx, ny = between_now(place, i, j, pairs.unit[k, 0], pairs.unit[k, 1])
             q = gap / support
-            value, steep = area * weight(POLY6, q) / rest, area / support * slope(SPIKY, max(q, LEAST))
+            shape, steep = weight(POLY6, q), area / support * slope(SPIKY, max(q, LEAST))
+            value = area * shape / rest
+            now[k, 0], now[k, 1], now[k, 2], now[k, 3] = nx, ny, shape, steep
             density[i] += body.volume[j] * value
             density[j] += body.volume[i] * value
             total[i, 0] += body.volume[j] * steep * nx
@@ -144,10 +148,8 @@ def meet_densities(pairs, body, place, support, work, rules):
         pushed[i, 1] -= body.light[i] * density[i] * body.push[i, 1]
         for k in range(pairs.start[i], pairs.start[i + 1]):
             j = pairs.other[k]
-            gap, nx, ny = between_now(place, i, j, pairs.unit[k, 0], pairs.unit[k, 1])
-            q = gap / support
-            steep = area / support * slope(SPIKY, max(q, LEAST))
-            ratio = weight(POLY6, q) / clump_at
+            nx, ny, steep = now[k, 0], now[k, 1], now[k, 3]
+            ratio = now[k, 2] / clump_at
             heavy = max(body.light[i], body.light[j])
             apart = strength * support * ratio * ratio * ratio * ratio / heavy if heavy > 0.0 else 0.0
             both = (density[i] * body.volume[j] + density[j] * body.volume[i]) * steep - apart

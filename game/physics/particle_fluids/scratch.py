@@ -43,6 +43,7 @@ class Scratch:
         )  # fmt: skip
         self.wall_drag: Floats = np.zeros(rows)
         self.pair_drag: Floats = np.zeros(0)
+        self.now: Floats = np.zeros((0, 4))
         self.felt = Felt(np.zeros(0), np.zeros((0, 2)))
         self.pairs: Pairs = search.pairs
 
@@ -96,6 +97,7 @@ class Scratch:
         if len(self.felt.weight) != made:
             self.felt = Felt(np.zeros(made), np.zeros((made, 2)))
             self.pair_drag = np.zeros(made)
+            self.now = np.zeros((made, 4))
         kinds = (POLY6, SPIKY) if fluid.settings.law == MUELLER else (fluid.settings.kernel,) * 2
         support = self.search.support
         weigh(self.pairs, support, kinds, self.felt)

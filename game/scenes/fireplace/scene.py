@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from game.lab.studies.heat import conduction_study
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import USUAL
 from game.physics.heat.effects import HEAT
@@ -14,6 +13,7 @@ from game.scenes.fireplace.level import DEFAULT, FireplaceContent
 from game.scenes.fireplace.model import FireplaceModel
 from game.scenes.fireplace.parameters import OF_PICTURE, FireplaceParameters
 from game.scenes.fireplace.room import warm_up_room
+from game.scenes.fireplace.study import ember_study
 from game.scenes.fireplace.told import hearing, names, readouts_of, saved, sizes, targets
 from game.scenes.fireplace.view import FireplaceView
 from game.stage import Equation, Frame, Hint, SceneAction, Strip
@@ -58,7 +58,7 @@ class Fireplace(WorldScene):
     not_of_model = OF_PICTURE
     of_tier = ("cells",)
     default_content = DEFAULT
-    study = conduction_study
+    study = ember_study
     may_be_infinite = frozenset(("wood.world.joints",))
 
     strips = (

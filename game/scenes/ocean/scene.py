@@ -22,8 +22,9 @@ class Ocean(WorldScene):
     they are, the wind says, by a spectrum that was measured at sea.
 
     The water lifts the hull by the volume that is under its surface, section by section. So it heaves,
-    pitches and heels, and rights itself as long as its lift is beside its weight. The sail is a cloth: the
-    wind presses it, its force drives the boat and heels it. Where sections strike the water, drops fly.
+    pitches and heels, and rights itself as long as its lift is beside its weight. Sections count as upright
+    when it pitches, so steep pitch is not exact. The sail is a cloth: the wind presses it, its force drives
+    the boat and heels it. Where sections strike the water, drops fly.
 
     A helmsman keeps the course: drift and turning are left out, and waves do not feel the boat. Waves are low
     ones that do not break: foam stands where they would. The sea grows in seconds, not hours. Mast and sail

@@ -69,5 +69,5 @@ DEFAULT = PondContent(
         FloatEntry(x=6.0, y=3.0), FloatEntry(x=6.6, y=6.2, radius=0.26), FloatEntry(x=12.8, y=3.4),
         FloatEntry(x=9.0, y=2.2, radius=0.22), FloatEntry(x=13.6, y=6.9, radius=0.3),
     ),
-    boat=BoatEntry(x=3.0, y=4.5),
+    boat=BoatEntry(x=3.0, y=4.2, along=1.3, up=0.35),
 )  # fmt: skip

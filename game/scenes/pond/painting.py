@@ -85,9 +85,9 @@ def paint_pond(pixels, clip, slopes, bed, zero, scale, cell, tones):
             x_at = int((column - zero[0]) / scale * BED_SCALE * FIXED) + int(BEND * sx)
             stone = np.int64(bed[((y_bed + int(BEND * sy)) >> 8) & (TILE - 1), (x_at >> 8) & (TILE - 1)])
             # crests gather the light of the sun on the bed, troughs spread it
-            lit = min(max(FIXED - (int(GATHER * curve) >> 3), 150), 440)
+            lit = min(max(FIXED - (int(GATHER * curve) >> 3), 150), 350)
             sky = min(max((int(SHINE * (sy - sx)) >> 8) + 10, 0), 150)
-            glint = max((sy - sx) - light, 0) >> 4
+            glint = min(max((sy - sx) - light, 0) >> 4, 60)
             red = ((stone >> 16 & 255) * lit * through >> 16) + ((deep >> 16 & 255) * dark >> 8)
             green = ((stone >> 8 & 255) * lit * through >> 16) + ((deep >> 8 & 255) * dark >> 8)
             blue = ((stone & 255) * lit * through >> 16) + ((deep & 255) * dark >> 8)
@@ -104,7 +104,7 @@ def paint_pond(pixels, clip, slopes, bed, zero, scale, cell, tones):
 def tones_of(night: bool) -> Ints:
     """Share of the bed and of the deep (of 256), colour of the deep, slope that glints."""
     if night:
-        return np.array((120, 176, 0x0B3A55, 9000), np.int32)
+        return np.array((116, 190, 0x0C465E, 9000), np.int32)
     return np.array((150, 150, 0x1A7C9C, 9000), np.int32)
 
 

@@ -15,7 +15,7 @@ from game.worlds.hands.hand import Tool, choose_tool
 WIDE, HIGH = 2.7, 1.35  # m, of the pool's box
 STEP = 1.0 / 120.0  # s
 TOOLS = (
-    Tool("drop", "Drop", "tool: drop", "click where a drop begins its fall", icon="pour"),
+    Tool("drop", "Drop", "tool: drop", "click: a drop falls; drag: it is thrown", icon="pour"),
     Tool("stir", "Stir", "tool: stir", "drag the water along", icon="push"),
 )
 

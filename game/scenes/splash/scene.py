@@ -58,10 +58,11 @@ class Splash(WorldScene):
     )
     hints = (
         Hint(("D",), "let a drop fall"), Hint(("T",), "two drops"), Hint(("C",), "still water"),
-        Hint(("Right click",), "a drop from there"),
+        Hint(("Right click",), "a drop from there"), Hint(("V",), "five drops"),
     )  # fmt: skip
     actions = (
         SceneAction("drop", "let a drop fall", "D"), SceneAction("two", "two drops", "T"),
+        SceneAction("five", "five drops", "V"),
         SceneAction("calm", "still water", "C"), SceneAction("foresee", "foresee the ripples", "O"),
         *tool_keys(TOOLS, "tool-"),
     )  # fmt: skip
@@ -79,6 +80,7 @@ class Splash(WorldScene):
         "Make the pool 6 cm deep: where does the energy go now?",
         "Choose PIC and FLIP with no share of FLIP: how high is the jet?",
         "Let a second drop fall into the crater of the first.",
+        "Throw a drop flat along the water: drag from it to where it should fly.",
     )
 
     def do(self, name: str) -> str:

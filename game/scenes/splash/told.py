@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from game.arrays import Point
+from game.physics.kernels import elementary
 from game.scenes.splash.measures import surface_length
 from game.scenes.splash.parameters import HIGH, WIDE
 from game.scenes.splash.world import APART, BUBBLE, MINNAERT, SPLASH, SplashWorld
@@ -19,6 +20,8 @@ TENSION = 0.0728  # N/m: of water with air, at 20 °C
 GAUGE = 0.62  # m: where the height of ripples is read
 LOUD = 1500.0  # W/m of blows that roar as loud as can be
 HAND_RATE = 30.0  # 1/s: speed of stirred water for a move of the hand
+FIVE = (0.55, 0.75, 1.0, 0.75, 0.55)  # radii of five drops, of the chosen one
+THROW, FASTEST, DRAGGED = 10.0, 9.0, 0.03  # 1/s: speed for the way of a drag; m/s at most; m at least
 NAMES = {SPLASH: "splash"} | {BUBBLE + k: kind for k, kind in enumerate(BUBBLES)}
 MM = 1000.0
 
@@ -52,7 +55,7 @@ def readouts(model: SplashWorld) -> list[Readout]:
         Readout("highest water", 100.0 * now.highest, "cm"), Readout("can fly", 100.0 * now.flies, "cm"),
         Readout("free flight error", off, "%"),
         Readout("jet", 100.0 * now.jet(), "cm"), Readout("jet's height", 100.0 * now.jet_most, "cm"),
-        Readout("momentum", now.momentum_now(), "kg/s"), Readout("momentum brought", now.momentum, "kg/s"),
+        Readout("momentum", now.momentum_now(), "N s/m"), Readout("momentum brought", now.momentum, "N s/m"),
         Readout("momentum kept", kept, "%"),
         Readout("ripple", MM * float(now.last[-1][at] - now.last[-1].mean()), "mm"),
         Readout("ripple by law", MM * float(law[at] - law.mean()) if law is not None else nan, "mm"),
@@ -125,9 +128,26 @@ def let_go(model: SplashWorld, name: str) -> str:
         model.calm()
     elif name == "foresee":
         model.foresee()
+    elif name == "five":
+        return model.let_go([middle + k * min(1.1 * apart, 0.5) for k in range(-2, 3)], FIVE)
     else:
         return model.let_go([middle] if name == "drop" else [middle - apart, middle + apart])
     return ""
+
+
+def thrown(hand: Hand) -> Point | None:
+    """m/s that a drag gives to the drop in the hand; None: it is not dragged."""
+    if hand.start is None or elementary.dist(hand.start, hand.at) < DRAGGED:
+        return None
+    along, up = THROW * (hand.at[0] - hand.start[0]), THROW * (hand.at[1] - hand.start[1])
+    share = min(1.0, FASTEST / elementary.length(along, up))
+    return share * along, share * up
+
+
+def _let_fall(hand: Hand) -> str:
+    """A drop from where the button went down: as the parameters say, or as it is thrown."""
+    start, speed = hand.start or hand.at, thrown(hand)
+    return str(hand.model.drop_at(start) if speed is None else hand.model.throw(start, speed))
 
 
 def _stir(hand: Hand) -> str:
@@ -138,5 +158,5 @@ def _stir(hand: Hand) -> str:
 
 def splash_hand(model: SplashWorld) -> Hand:
     """The left button uses the tool, the right one lets a drop go."""
-    uses = {"drop": Use(lambda hand: str(hand.model.drop_at(hand.at))), "stir": Use(move=_stir)}
+    uses = {"drop": Use(release=_let_fall), "stir": Use(move=_stir)}
     return Hand(model, uses, (0.0, 0.0), (WIDE, HIGH), right="drop")

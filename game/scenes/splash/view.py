@@ -11,7 +11,7 @@ import pygame
 
 from game.arrays import Singles
 from game.scenes.splash.parameters import HIGH, TOOLS, WIDE
-from game.scenes.splash.told import GAUGE
+from game.scenes.splash.told import GAUGE, THROW, thrown
 from game.scenes.splash.world import SplashState, SplashWorld
 from game.ui.canvas.canvas import Canvas
 from game.ui.painters.wall import is_dark
@@ -27,14 +27,15 @@ DAY_LIGHTS: tuple[Light, Light] = ((1.0, 1.0, 1.0), (0.85, 0.8, 0.7))
 DUSK_LIGHTS: tuple[Light, Light] = ((0.2, 0.25, 0.36), (0.75, 0.52, 0.34))
 STONE = (0x8A8378, 0x34343A)  # of the pool's floor and walls, by day, at dusk
 DYE = 0xFFC46B
+SOFT = 4  # means of the field, as craters draw the rows of particles far out
 
 
 class SplashView:
     """Draws the pool between the last two steps."""
 
     def __init__(self, model: SplashWorld, hand: Hand):
-        self.model = model
-        self.painter = LiquidPainter(model.liquid)
+        self.model, self.hand = model, hand
+        self.painter = LiquidPainter(model.liquid, SOFT)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """Lines of theory, and what the hand does."""
@@ -58,6 +59,7 @@ class SplashView:
         self.painter.draw(canvas, places)
         self._draw_stone(canvas, color_of(STONE[dark]))
         self._draw_theory(canvas)
+        self._draw_throw(canvas)
         if canvas.teaching:
             own = places[self.model.measures.first :]
             canvas.discs(own, 0.4 * math.sqrt(liquid.area), DYE)
@@ -72,6 +74,15 @@ class SplashView:
         for a, b in ((seen.left, 0.0), (WIDE, seen.right)):
             if a < b:
                 canvas.polygon([(a, 0.0), (b, 0.0), (b, min(edge, HIGH)), (a, min(edge, HIGH))], ink)
+
+    def _draw_throw(self, canvas: Canvas) -> None:
+        """The drop in the hand, and its velocity."""
+        hand, speed = self.hand, thrown(self.hand)
+        if hand.start is None or hand.verb != "drop":
+            return
+        canvas.circle(hand.start, float(self.model.parameters.size), outline="accent", width=2.0)
+        if speed is not None:
+            canvas.arrow(hand.start, speed, "accent", "v", 1.0 / THROW)
 
     def _draw_theory(self, canvas: Canvas) -> None:
         now = self.model.measures

@@ -88,13 +88,17 @@ class SplashWorld(World):
 
     # -- drops --------------------------------------------------------------------------------------------
 
-    def let_go(self, targets: Sequence[float]) -> str:
-        """Drops that come down at x m with the speed and at the angle of the parameters; why not, or ""."""
+    def let_go(self, targets: Sequence[float], sizes: Sequence[float] = (1.0, 1.0)) -> str:
+        """Drops that come down at x m with the speed and at the angle of the parameters; why not, or "".
+
+        sizes: their radii, of the chosen one.
+        """
         chosen, pull = self.parameters, self.measures.pull()
-        radius, turn = float(chosen.size), math.radians(float(chosen.angle))
+        turn = math.radians(float(chosen.angle))
         along, down = chosen.speed * elementary.sin(turn), chosen.speed * elementary.cos(turn)
         cell, first, given = self.liquid.grid.cell, self.liquid.count, 0
-        for x in targets:
+        for x, size in zip(targets, sizes, strict=False):
+            radius = size * float(chosen.size)
             top = self._top(x, 1.5 * radius)
             fall = min(CLEAR, HIGH - top - 2.0 * radius - 3.0 * cell)
             if pull > 0.0:
@@ -106,7 +110,7 @@ class SplashWorld(World):
             at = (x - along * time, top + radius + cell + fall)
             given += self.water.let_fall(at, radius, (along, -begins))
         if given:
-            self.measures.begin(first, radius)
+            self.measures.begin(first, float(chosen.size) * max(sizes[: len(targets)]))
         return "" if given else "There is no space above the water."
 
     def _top(self, x: float, reach: float) -> float:
@@ -121,6 +125,10 @@ class SplashWorld(World):
         along, down = chosen.speed * elementary.sin(turn), chosen.speed * elementary.cos(turn)
         begins = math.sqrt(max(down * down - 2.0 * self.measures.pull() * fall, 0.0))
         return self._put(at, float(chosen.size), (along, -begins))
+
+    def throw(self, at: Point, speed: Point) -> str:
+        """A drop with its middle here, at a speed (m/s); why not."""
+        return self._put(at, float(self.parameters.size), speed)
 
     def _put(self, at: Point, radius: float, speed: Point) -> str:
         first = self.liquid.count

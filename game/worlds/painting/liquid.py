@@ -110,7 +110,8 @@ def _find_depth(field, full, depth):
 def see_liquid(places, white, full, fields, frame):
     """Fields (4, rows, columns): liquid, foam, depth below the surface (points), spare.
 
-    places (n, 2) m; white: (n,) 0 to 1; frame: x, y (m) of the first point, points a metre, amount of each.
+    places (n, 2) m; white: (n,) 0 to 1; frame: x, y (m) of the first point, points a metre, amount of each,
+    how often means are taken of the liquid.
     """
     field, foam, depth, spare = fields[0], fields[1], fields[2], fields[3]
     field[:], foam[:] = 0.0, 0.0
@@ -119,8 +120,8 @@ def see_liquid(places, white, full, fields, frame):
         _spread(field, x, y, frame[3])
         if white[k] > 0.0:
             _spread(foam, x, y, frame[3] * white[k])
-    _blur(field, spare)
-    _blur(field, spare)
+    for _ in range(frame[4]):
+        _blur(field, spare)
     _blur(foam, spare)
     rows, columns = field.shape
     for j in range(rows):
@@ -234,9 +235,11 @@ def shades_of(above: int, below: int) -> Inks:
 
 
 class LiquidPainter:
-    """Keeps the fields of one liquid's picture."""
+    """Keeps the fields of one liquid's picture. soft: how often means are taken, which takes teeth off its
+    edge where a flow has drawn out the rows of particles."""
 
-    def __init__(self, liquid: Liquid):
+    def __init__(self, liquid: Liquid, soft: int = 2):
+        self.soft = soft
         shape = (2 * liquid.grid.ny + 1, 2 * liquid.grid.nx + 1)
         self.liquid = liquid
         self._fields: Floats = np.zeros((4, *shape))
@@ -250,7 +253,7 @@ class LiquidPainter:
         points = 2.0 / grid.cell
         fill_full(liquid.quarters, self._full, self._fields[3])
         amount = (2.0 / liquid.spread) ** 2
-        frame = (grid.lower[0], grid.lower[1], points, amount)
+        frame = (grid.lower[0], grid.lower[1], points, amount, self.soft)
         white = foam_of(liquid)
         see_liquid(np.ascontiguousarray(places), white, self._full, self._fields, frame)
         x, y = canvas.place(grid.lower)
@@ -290,7 +293,7 @@ def warm_up_liquid() -> None:
     warm_up_backdrop()
     fields, full = np.zeros((4, 5, 5)), np.zeros((5, 5))
     fill_full(np.ones((4, 4)), full, fields[3])
-    see_liquid(np.full((1, 2), 0.5), np.ones(1), full, fields, (0.0, 0.0, 4.0, 1.0))
+    see_liquid(np.full((1, 2), 0.5), np.ones(1), full, fields, (0.0, 0.0, 4.0, 1.0, 2))
     shades = shades_of(*DAY)
     pixels, clip = np.zeros((8, 8), np.uint32), np.array((0, 0, 8, 8), np.int64)
     paint_field(pixels, clip, fields, np.zeros((4, 5)), shades, (0.0, 8.0, 2.0))

@@ -1,17 +1,19 @@
 """The card of a career: a name is asked for once, a match begins at its table, its result comes back."""
 
+import itertools
+
 import msgspec
 import pygame
 import pytest
 
 from game.app.screens.career_card import CareerCard
-from game.app.screens.career_parts import unrated
+from game.app.screens.career_parts import paint_cups, unrated
 from game.app.screens.career_prizes import prize_words
 from game.app.screens.choices import ChoiceCard
 from game.app.screens.name_card import NameCard
 from game.app.stagehand.career_file import career_path, keep_career, read_career
-from game.billiards.career.career import Career, Match, Player, Result, counted
-from game.billiards.career.matches import cup_match, opponents_at
+from game.billiards.career.career import Career, CupResult, Match, Player, Result, counted
+from game.billiards.career.matches import cup_match, new_cup, opponents_at
 from game.billiards.career.prizes import PRIZES
 from game.billiards.game.register import REGISTER
 from game.scenes import CATALOGUE
@@ -218,3 +220,23 @@ def test_the_first_tournament_of_a_career_is_that_of_newcomers(driver):
     driver.frames(30)
     press(driver, "cup")
     assert driver.top.rows[driver.top.focus].value == "eight"
+
+
+@pytest.mark.parametrize("newcomers", [True, False])
+def test_lines_of_the_shelf_stand_below_each_other_and_say_what_was_won(driver, monkeypatch, newcomers):
+    player = new_cup(Player("Mia"), "nine-ball", seed=3, newcomers=newcomers)
+    when = "2026-01-02T03:04:05"
+    cups = (CupResult("six-red", when, 1, newcomers=True), CupResult("six-red", when, 3, newcomers=True))
+    player = player.replace(cups=cups)
+    look, lines = driver.app.look, []
+    monkeypatch.setattr(
+        type(look), "text", lambda self, picture, words, at, *_: lines.append((round(at[1]), words))
+    )
+    area = pygame.Rect(0, 0, look.px(319), look.px(420))
+    paint_cups(pygame.Surface((400, 500)), look, area, player)
+    heights = sorted({height for height, _ in lines})
+    assert [height for height, _ in lines] == sorted(height for height, _ in lines)
+    assert min(after - one for one, after in itertools.pairwise(heights)) >= look.px(18)
+    assert [words for _, words in lines[-2:]] == [
+        "Newcomers' cup, Six-red snooker, 2026-01-02", "Newcomers' cup, Six-red snooker: semi-final"
+    ]  # fmt: skip

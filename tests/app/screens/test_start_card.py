@@ -292,8 +292,10 @@ def test_no_choice_is_cut_off_and_the_card_leads_to_the_career(begin: Callable[.
             assert fonts.fit(words, 13, "semibold", inner) == words
             assert after is None or after.x == place.right
         assert card.veil.card.contains(places[0].unionall(places[1:]))
+    press(driver, "hand=average")
     press(driver, "career")
     driver.frames(20)
+    assert load_settings(driver.app.folder).settings.start[name]["hand"] == "average", "a match keeps to it"
     assert isinstance(driver.top, NameCard)
 
 

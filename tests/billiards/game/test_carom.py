@@ -73,6 +73,19 @@ def test_points(kind, path, scores):
     assert verdict.game.turn == (0 if scores else 1)
 
 
+@pytest.mark.parametrize(
+    ("path", "more", "said"),
+    [
+        ("r<^y", {}, "Only 2 of 3 cushions before the second ball."),
+        ("<^>", {}, "Not touched: yellow and red."),
+        ("r<^>y", {"into": (RED,)}, "The cue ball was played into the red ball it touched."),
+    ],
+)
+def test_a_stroke_without_a_point_says_why(path, more, said):
+    words = game().judge(did(path, **more)).words
+    assert words[0] == said and not any("Only" in one or "Not" in one for one in words[1:])
+
+
 def test_the_second_player_plays_the_yellow_ball():
     verdict = game(turn=1, innings=(1, 1)).judge(did("r<^>w"))
     assert verdict.game.points == (0, 1)

@@ -94,6 +94,8 @@ def test_balls_lie_where_the_round_before_left_them(matches, seed):
 def test_a_match_is_long_enough_to_watch_and_its_balls_differ(matches):
     match = matches[1]
     assert match.playing_time > 45.0
+    breaks = [one.rounds[0].stroke.cue_speed for one in matches.values()]
+    assert all(4.0 <= speed <= 6.0 for speed in breaks), "a match begins with a break"
     assert len(set(match.balls.radii.tolist())) == len(set(match.balls.masses.tolist())) == 16
     assert match.balls.radii[0] == BALL_RADIUS and match.balls.masses[0] == BALL_MASS
     assert not np.array_equal(unlike_balls(1).radii, unlike_balls(2).radii)

@@ -77,6 +77,25 @@ def test_the_last_part_of_the_push_counts_and_not_the_whole_of_it():
     assert stage.scene.play.done.cue_speed == pytest.approx(0.03 / (2 * stage.dt), rel=1e-9)
 
 
+def test_a_hand_that_trembles_has_the_speed_of_its_last_60_ms():
+    stage = ready()
+    x, y = stage.scene.model.frame.cue_ball
+    along = (math.cos(AT_THE_CORNER), math.sin(AT_THE_CORNER))
+    gaps, places = [0.02, 0.05], []
+    reach = 0.3
+    for k in range(40):
+        kind = "down" if not k else "move"
+        reach += 0.0 if not k else -0.01 if k < 21 else gaps[k % 2]
+        stage.post(Pointer(kind, x + reach * along[0], y + reach * along[1], button=1))
+        stage.run(2)
+        places.append((stage.time_s, reach))
+        if k and not stage.scene.play.push.held:
+            break
+    last = np.array([place for place in places if place[0] >= places[-1][0] - 0.06 - 1e-9])
+    slope = np.polyfit(last[:, 0] - last[0, 0], last[:, 1], 1)[0]
+    assert len(last) > 3 and stage.scene.play.done.cue_speed == pytest.approx(slope, rel=1e-9)
+
+
 @pytest.mark.parametrize("drift", [0.05, -0.1])
 def test_a_hand_that_drifts_aside_turns_the_cue_about_the_bridge(drift: float):
     stage = ready(miscues="off")

@@ -6,6 +6,7 @@ import pytest
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.players.opponents import Decision
+from game.billiards.search.finding import FoundShot
 from game.scenes.billiards.scene import Billiards
 from game.scenes.carom.scene import CaromScene
 from game.scenes.shared.tables.minds.thoughts import Told, told_of
@@ -57,6 +58,9 @@ def test_what_was_thought_is_two_sentences():
     )
     safe = pot._replace(kind="safety", chance=0.9)
     assert told_of("Greta", safe, "")[0] == "Greta played safe: no foul in 90 of 100."
+    assert told_of("Greta", safe, "").instead == "No pot was to be seen."
+    seen = tuple(FoundShot(Stroke(2.0, 1.0), 3, 1, "direct", None, chance, 0.0) for chance in (0.2, 0.3))
+    assert told_of("Greta", safe._replace(considered=seen), "").instead == "The surest pot: 30 of 100."
     assert told_of("Greta", pot._replace(safe=math.nan), "it").instead.startswith("Sure enough")
     assert told_of("Greta", Decision(option="play"), "") == Told()
 

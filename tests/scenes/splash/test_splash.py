@@ -326,3 +326,25 @@ def test_finer_cells_and_less_pic_come_nearer_to_it() -> None:
 
     assert error("apic", 56) < 0.5 * error("apic", 20)
     assert error("flip-half", 40) > error("flip-95", 40)
+
+
+def test_a_drop_is_thrown_as_far_as_it_is_dragged() -> None:
+    stage = opened(gravity=0.0)
+    stage.post(Pointer("down", 0.6, 1.0, 1))
+    stage.post(Pointer("move", 0.8, 0.9, 1))
+    stage.post(Pointer("up", 0.8, 0.9, 1))
+    stage.run(20)
+    model = stage.scene.model
+    places = model.liquid.places[model.measures.first :].mean(axis=0)
+    assert places == pytest.approx((0.6 + 2.0 * stage.time_s, 1.0 - stage.time_s), abs=0.02)
+
+
+def test_five_drops_are_larger_in_the_middle() -> None:
+    stage = opened(size=0.06)
+    before = stage.scene.model.liquid.count
+    stage.post(Action("five"))
+    stage.run(1)
+    model = stage.scene.model
+    x = model.liquid.places[before:, 0]
+    one, middle = ((np.abs(x - at) < 0.08).sum() for at in (1.35 - 2.2 * 3.3 * 0.06, 1.35))
+    assert 0 < one < 0.5 * middle

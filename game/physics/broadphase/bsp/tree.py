@@ -29,7 +29,6 @@ class TreeWork(NamedTuple):
     """What the tree has done since it was made."""
 
     repairs: int  # boxes put in anew
-    splits: int
     merges: int
     moved: int  # boxes in parts that were cut anew
 
@@ -68,7 +67,7 @@ class BspTree(BroadPhase):
     def work(self) -> TreeWork:
         """What has been done so far."""
         numbers = self._tree.numbers
-        return TreeWork(*(int(numbers[k]) for k in (n.REPAIRS, n.SPLITS, n.MERGES, n.MOVED)))
+        return TreeWork(*(int(numbers[k]) for k in (n.REPAIRS, n.MERGES, n.MOVED)))
 
     def leaves(self) -> NDArray[np.float64]:
         """(k, 5) lower and upper corners of the parts of all leaves, infinite at the rim, and their boxes."""

@@ -2,7 +2,8 @@
 
 Beside what is measured on the paths stands the law of Alciatore (2006), technical proof A.14: the tangent of
 the throw is the friction at the speed of the slip. Where the slip ends during the contact, it is a seventh of
-the slip over the closing speed.
+the slip over the closing speed. The table rubs by the same friction, Alciatore's fit to Marlow's figures: so
+the law is a check of the computed contact, not of how real balls rub.
 """
 
 from __future__ import annotations

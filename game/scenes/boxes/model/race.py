@@ -30,7 +30,7 @@ from game.scenes.boxes.model.managers import matrix_for
 from game.scenes.boxes.parameters import CONTESTANTS, RaceParameters
 
 MOST_CELLS = 1 << 22
-NO_WORK = TreeWork(0, 0, 0, 0)
+NO_WORK = TreeWork(0, 0, 0)
 
 
 class RaceModel(BoxesModel):
