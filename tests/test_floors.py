@@ -83,7 +83,7 @@ FOLDERS = {
     ),
     "ui": ("look raster steady", "sound", "text", "canvas", "painters widgets", "charts panel"),
     "worlds": (
-        "entries stopwatch tables",
+        "entries shards stopwatch tables",
         "world",
         "painting hearing rubbing",
         "members",

@@ -48,6 +48,7 @@ from game.scenes import (
     tracks,
     trebuchet,
     two_balls,
+    valley,
     waves,
     wind_tunnel,
 )
@@ -99,6 +100,7 @@ CATALOGUE = Catalogue(
         *trebuchet.ENTRIES,
         *splash.ENTRIES,
         *candle.ENTRIES,
+        *valley.ENTRIES,
         *ocean.ENTRIES,
     )
 )

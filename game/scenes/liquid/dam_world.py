@@ -10,9 +10,9 @@ import numpy as np
 
 from game.arrays import Floats
 from game.physics.effects import EffectSet
-from game.physics.kernels import linear
 from game.physics.particle_fluids import FluidSettings
 from game.physics.waves import DamBreak, dam_break
+from game.physics.waves.experiments import filmed_front
 from game.scenes.liquid.level import Size
 from game.scenes.liquid.methods import COLUMNS, TALL, Column, DamMethod, DamState
 from game.stage import Choice, Param, Parameters, Readout, Toggle, control_of
@@ -20,8 +20,6 @@ from game.worlds.entries.entry import LevelEntry, View
 from game.worlds.expectations import Expectations
 from game.worlds.world import World
 
-# Front over width against t sqrt(2 g / width), of a column twice as high as wide (Martin and Moyce 1952)
-EXPERIMENT = ((0.832, 1.217), (1.219, 1.474), (1.997, 2.292), (2.547, 2.995))
 EARTH = 9.81  # m/s²
 OTHER_CODE = 13.8  # s of processor for a second of a column 1 m wide there: PySPH, 3,938 particles
 GAP = 0.12  # of the column's height, between two tanks and above the upper one
@@ -115,10 +113,8 @@ class DamWorld(World):
 
     def measured(self) -> float:
         """The front of the experiment now, m; NaN for other columns, before and after what was measured."""
-        times, fronts = zip(*EXPERIMENT, strict=True)
-        if not self.alike or not times[0] <= self.scaled <= times[-1]:
-            return math.nan
-        return self.column.width * float(linear.interpolated(np.array([self.scaled]), times, fronts)[0])
+        front = filmed_front(self.column.height, self.time, self.column.gravity)
+        return self.column.width + front if self.alike else math.nan
 
     def exact_front(self) -> float:
         """Ritter's, m; NaN as soon as it is at the end of the floor."""

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from game.arrays import Floats, Longs, Point
 from game.physics.effects import EffectSet
 from game.physics.fields import QUADRATIC_DRAG
-from game.physics.kernels import elementwise, linear
+from game.physics.kernels import elementwise
 from game.physics.solids import Chain, Material, SolidState
 from game.physics.solids.arrays.state import SEGMENT
 from game.scenes.trebuchet.machine import LOOSE, THROWING, Machine, stone_radius
 from game.scenes.trebuchet.parameters import TrebuchetContent, TrebuchetParameters
 from game.worlds.hands.hand import NOBODY
-from game.worlds.hearing import Heard, Impacts, impacts
-from game.worlds.members.dust import Dust, advance_dust
+from game.worlds.hearing import Heard, impacts
+from game.worlds.members.dust import Dust, Dusty, advance_dust
 from game.worlds.members.solids import Solids, drag_sphere, momentum, resist_rolling
 from game.worlds.world import World
 
@@ -26,12 +26,7 @@ MOVED = 0.3  # m: a block that is farther from its place than that is out of pla
 EVERY, MOST = 0.15, 200  # s between two points of the trail, and how many there are
 EARTH, STONES, LANDING = range(3)  # sounds
 LEAST_HEARD, USUAL = 0.3, 60.0  # m/s of approach; kg that sounds as it is
-DUSTY, MANY, HANGS, QUICK = (
-    240.0,
-    14,
-    2.2,
-    6.0,
-)  # N s for a puff of dust; of one blow; s; m/s, of the quickest
+DUSTY = Dusty(each=240.0, most=14, quick=6.0, size=0.36, life=2.2)
 ROLLS = (
     0.3  # rolling resistance on turf: that of wheels in sand (0.2 to 0.4), so that no stone rolls to the wall
 )
@@ -115,20 +110,11 @@ class TrebuchetWorld(World):
                 self.trail.append((float(rows.positions[stone, 0]), float(rows.positions[stone, 1])))
         loud = found.take(found.rows[:, 3] > LEAST_HEARD)
         kinds = np.where((loud.shapes == SEGMENT).any(axis=1), EARTH, STONES)
-        self._raise_dust(loud, kinds == EARTH)
+        random = np.random.default_rng((self.seed, round(1e4 * self.time)))
+        self.dust.rise(loud.rows, kinds == EARTH, DUSTY, random)
         kinds[(kinds == EARTH) & np.isin(loud.bodies, self.machine.stones).any(axis=1)] = LANDING
         self.heard.remember(loud.heard(self.time - dt, kinds, loud.by_impulse(USUAL, 3.0)), self.time - dt)
         return said
-
-    def _raise_dust(self, loud: Impacts, earth: Any) -> None:
-        """What strikes hard raises dust, the more the greater its impulse; from earth it goes upwards."""
-        counts = np.minimum(loud.rows[:, 2] / DUSTY, MANY).astype(np.int64)
-        rows, up = np.repeat(loud.rows, counts, axis=0), np.repeat(earth, counts)
-        random = np.random.default_rng((self.seed, round(1e4 * self.time)))
-        aim = linear.uniform(random, -1.0, 1.0, (len(rows), 2)) * np.minimum(rows[:, 3:4], QUICK)
-        aim[:, 1] = np.where(up, np.abs(aim[:, 1]), 0.5 * aim[:, 1])
-        if len(rows):
-            self.dust.add(rows[:, :2] + 0.1 * aim, aim, 0.36, HANGS, random)
 
     def range_by_law(self) -> float:
         """m from where the sling let go to the height of landing, by the parabola without air; NaN before."""

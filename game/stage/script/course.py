@@ -86,6 +86,10 @@ class Course:
             self._ended[entry.line] = entry.film_s
         elif isinstance(entry, Dropped):
             self.dropped.append(entry.line)
+            if self._held is not None and self._held.line == entry.line:
+                self._held = None
+                time_s = self._anchor[0] + (entry.film_s - self._anchor[1]) * self.speed
+                self._set_pace(time_s, entry.film_s, self._told_pace)
         elif isinstance(entry, Held):
             self._held = entry
             self._set_pace(entry.time_s, entry.film_s, entry.pace)

@@ -7,6 +7,7 @@ as what mixes does. They show the dust; where its mass counts, it is elsewhere.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,6 +34,18 @@ def puffs(places: Floats, speeds: Floats, size: float, life: float, random: np.r
     found[:, LIFE] = life * linear.uniform(random, 0.6, 1.3, count)
     found[:, SIZE] = size * linear.uniform(random, 0.6, 1.5, count)
     return found
+
+
+class Dusty(NamedTuple):
+    """How blows raise dust. each: N s for a puff; most: of one blow; quick: m/s of the quickest; size: m;
+    life: s.
+    """
+
+    each: float
+    most: int
+    quick: float
+    size: float
+    life: float
 
 
 def advance_dust(dust: Floats, dt: float, wind: Callable[[Floats], Floats] | None = None) -> Floats:
@@ -66,6 +79,18 @@ class Dust(Member):
     ) -> None:
         """New ones, see `puffs`."""
         self.rows = np.concatenate([self.rows, puffs(places, speeds, size, life, random)])
+
+    def rise(self, blows: Floats, up: Any, dusty: Dusty, random: np.random.Generator) -> None:
+        """What strikes hard raises dust, the more the greater its impulse; where ``up`` it goes upwards.
+
+        blows (n, 4 or more): place m, impulse N s, speed m/s of each, as `impacts` finds them; up: (n,).
+        """
+        counts = np.minimum(blows[:, 2] / dusty.each, dusty.most).astype(np.int64)
+        rows, rises = np.repeat(blows, counts, axis=0), np.repeat(up, counts)
+        aim = linear.uniform(random, -1.0, 1.0, (len(rows), 2)) * np.minimum(rows[:, 3:4], dusty.quick)
+        aim[:, 1] = np.where(rises, np.abs(aim[:, 1]), 0.5 * aim[:, 1])
+        if len(rows):
+            self.add(rows[:, :2] + 0.1 * aim, aim, dusty.size, dusty.life, random)
 
 
 def as_seen(dust: Floats) -> tuple[Floats, Floats, Floats]:

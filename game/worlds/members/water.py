@@ -14,11 +14,12 @@ from game.physics.grid.layout import Grid
 from game.physics.kernels import elementary, elementwise
 from game.physics.liquid import Liquid, LiquidSettings
 from game.physics.liquid.effects import LIQUID
-from game.physics.solids.arrays.state import DYNAMIC
-from game.physics.surfaces import SolidSurface
+from game.physics.solids.arrays.state import ASLEEP, DYNAMIC
+from game.physics.surfaces import SolidSurface, Surface
 from game.settings import taken
 from game.stage import Parameters, Steady
 from game.worlds.hearing import LOUDEST
+from game.worlds.members.beds import NearBodies, StillGround
 from game.worlds.members.solids import Solids
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Member
@@ -50,8 +51,11 @@ class Water(Member):
     have moved.
 
     start: m² at the beginning, as `begin` found it; parts: part steps of the last step; blow: what was heard
-    of it, where ``listens``.
+    of it, where ``listens``. limit: m/s; a pocket of less than a cell that solids close squeezes out drops
+    that are faster than any water there could be. They are slowed down to the limit, and counted in slowed.
     """
+
+    limit = math.inf
 
     def __init__(
         self,
@@ -71,16 +75,27 @@ class Water(Member):
             grid, settings_of(parameters), most=most, spread=spread, density=DENSITY,
             effects=active & LIQUID.known, open_sides=open_sides,
         )  # fmt: skip
-        self.surface: SolidSurface | None = None
-        self.parts, self.stale, self.start = 0, True, 1e-12
+        self.surfaces: tuple[Surface, ...] = ()
+        self.parts, self.stale, self.start, self.slowed = 0, True, 1e-12, 0
         self.listens, self.blow = listens, Blow()
 
-    def meet(self, without: tuple[int, ...] = ()) -> None:
-        """From now on the water meets the solids but for bodies ``without``, such as walls of its tank."""
-        if self.solids is not None:
-            self.surface = SolidSurface(self.solids.world, without=without)
-            self.liquid.set_solids(self.surface)
-            self.stale = True
+    def meet(self, without: tuple[int, ...] = (), ground: int | None = None) -> None:
+        """From now on the water meets the solids but for bodies ``without``, such as walls of its tank.
+
+        ground: a body that never moves. It is sampled once, and others only where they are: that pays on
+        large grids.
+        """
+        if self.solids is None:
+            return
+        world, grid = self.solids.world, self.liquid.grid
+        if ground is None:
+            self.surfaces = (SolidSurface(world, without=without),)
+        else:
+            others = [body for body in world.ids().tolist() if body != ground]
+            still = StillGround(SolidSurface(world, without=others), grid)
+            self.surfaces = (still, NearBodies(world, grid, without=(*without, ground)))
+        self.liquid.set_solids(*self.surfaces)
+        self.stale = True
 
     def begin(self) -> None:
         """All water of the beginning is there."""
@@ -90,17 +105,30 @@ class Water(Member):
     # -- a step ---------------------------------------------------------------------------------------------
 
     def step(self, dt: float) -> None:
-        if self.surface is not None and (self.stale or self._may_have_moved()):
-            self.liquid.set_solids(self.surface)
+        if self.surfaces and (self.stale or self._may_have_moved()):
+            self.liquid.set_solids(*self.surfaces)
             self.stale = False
+        if self.limit < math.inf:
+            self._slow_down()
         before = self.liquid.speeds.copy() if self.listens else None
         with self.watch.time("step"):
             self.parts = self.liquid.advance(dt)
         if before is not None:
             self._listen(before, dt)
 
+    def _slow_down(self) -> None:
+        speeds = elementary.square(self.liquid.speeds).sum(axis=1)
+        fast = np.flatnonzero(speeds > elementary.square(self.limit))
+        if len(fast):
+            share = (self.limit / np.sqrt(speeds[fast]))[:, None]
+            self.liquid.speeds[fast] *= share
+            self.liquid.particles.affine[fast] *= share
+            self.slowed += len(fast)
+
     def _may_have_moved(self) -> bool:
-        return self.solids is not None and bool((self.solids.world.bodies.flags & DYNAMIC).any())
+        if self.solids is None:
+            return False
+        return bool((self.solids.world.bodies.flags & (DYNAMIC | ASLEEP) == DYNAMIC).any())
 
     def _listen(self, before: Floats, dt: float) -> None:
         """Find the blow of a step of dt (s) from the speeds (n, 2) m/s before it."""
@@ -123,8 +151,8 @@ class Water(Member):
 
     def measure(self) -> None:
         """Find surface and fill of what is there now. Nothing that later steps depend on changes."""
-        if self.surface is not None:
-            self.liquid.sample_solids(self.surface)
+        if self.surfaces:
+            self.liquid.sample_solids(*self.surfaces)
             self.stale = True
         self.liquid.refresh()
 

@@ -10,9 +10,10 @@ import pytest
 
 from game.app.stagehand.headless import picture_of_stage
 from game.levels import level_files, load_level
+from game.physics.waves.experiments import COLUMN_TWICE_AS_HIGH
 from game.scenes.liquid.dam_scene import Dam
 from game.scenes.liquid.dam_view import BRUSHES, said_of
-from game.scenes.liquid.dam_world import EXPERIMENT, DamContent
+from game.scenes.liquid.dam_world import DamContent
 from game.scenes.liquid.methods import COLUMNS, DamState
 from game.stage import Stage
 from game.ui.look.numerals import format_number, format_si
@@ -64,7 +65,7 @@ def test_the_experiment_is_that_of_its_table_and_of_no_other_column():
     stage = opened()
     stage.run(40)
     late = measured(stage, "scaled time")
-    times, fronts = zip(*EXPERIMENT, strict=True)
+    times, fronts = zip(*COLUMN_TWICE_AS_HIGH, strict=True)
     assert measured(stage, "front, experiment") == pytest.approx(0.5 * np.interp(late, times, fronts))
     assert math.isnan(measured(opened("low"), "front, experiment"))
 

@@ -95,6 +95,16 @@ def test_the_clock_waits_for_words_to_be_read(letters):
     assert found.paces[-1][2] == 1.0  # and then on as before
 
 
+def test_the_clock_goes_on_as_before_when_the_words_it_waited_for_are_dropped():
+    """The ball has left the ground again before the words of its bounce could come: they are passed over."""
+    runner, found = run(say("x" * 60), ONE, say("It bounces."), moment("up", "height > 0.5"), TWO)
+    assert found.dropped == ("It bounces.",)
+    assert found.paces[-2][2] < 0.5 and found.paces[-1][2] == 1.0
+    reached = runner.course.reached
+    simulated = reached["two"].time_s - reached["up"].time_s
+    assert reached["two"].film_s - reached["up"].film_s == pytest.approx(simulated, abs=0.02)
+
+
 def test_words_too_long_to_wait_for_fail():
     _, found = run(say("x" * 280), ONE, say("It bounces."))
     assert any("the words of 'one' come" in line for line in found.failures)

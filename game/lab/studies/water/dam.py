@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -113,3 +114,12 @@ front_study = Study(
     present=_present,
     workload=Workload("a column 1 m wide and 2 m high"),
 )
+
+
+def _of_the_valley(parameters: Mapping[str, Any]) -> Setting:
+    """Cells along 128 m, and a column half as wide as its water is deep."""
+    cells = 0.5 * float(parameters["level"]) * int(parameters["cells"]) / 128.0
+    return _present({"cells": max(round(cells), 1), "carrier": parameters["carrier"]})
+
+
+valley_study = replace(front_study, name="valley", present=_of_the_valley)
