@@ -24,7 +24,7 @@ from unittest import mock
 
 import pygame
 
-from game.app.fuzz.driver import SCANCODES, Driver
+from game.app.fuzz.driver import LONGEST_LOAD_S, SCANCODES, Driver
 from game.app.screens import settings_card
 from game.app.stagehand.headless import prepare
 from game.app.stagehand.opening import Opening
@@ -293,7 +293,10 @@ def widgets(tour: Tour) -> None:
 def games(tour: Tour) -> None:
     """The cards before games."""
     for name in ("billiards", "carom"):
-        tour.driver.app.open_scene(name)
+        driver = tour.driver
+        driver.app.open_scene(name)
+        list(driver.app.screens)[-2].loader.wait(LONGEST_LOAD_S)  # else it may come while one looks
+        driver.frames(2)
         tour.see(f"{name}: start")
         tour.go_through(f"{name}: start", ("down", "right", "end"))
 

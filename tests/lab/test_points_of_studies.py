@@ -29,6 +29,7 @@ ELSEWHERE = {
     "carom-chances": {"stepped", "lecture"},
     "snooker-long-pot": {"geometry"},
     "dam": {"shallow"},
+    "valley": {"dfsph", "shallow"},
     "splash-blend": {"plain"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points

@@ -68,7 +68,7 @@ def test_a_match_lights_the_kindling():
     stage.run(240)
     assert measured(stage, "burning pieces") >= 1
     stage.run(300)
-    assert measured(stage, "match") == 0.0 and stage.scene.model.match.place(stage.scene.model.time) is None
+    assert measured(stage, "match") == 0.0 and stage.scene.model.match.hidden(stage.scene.model.time)
 
 
 def test_the_books_close_and_nothing_is_lost_in_carrying_however_fine_the_gas_is():

@@ -122,4 +122,9 @@ def _of_the_valley(parameters: Mapping[str, Any]) -> Setting:
     return _present({"cells": max(round(cells), 1), "carrier": parameters["carrier"]})
 
 
-valley_study = replace(front_study, name="valley", present=_of_the_valley)
+def _settings_of_the_valley() -> list[Setting]:
+    """As they are, but for particles and shallow water, which the valley does not have."""
+    return [setting if setting.method in CARRIERS else replace(setting, scene={}) for setting in _settings()]
+
+
+valley_study = replace(front_study, name="valley", settings=_settings_of_the_valley, present=_of_the_valley)
