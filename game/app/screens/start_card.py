@@ -11,7 +11,7 @@ from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.host import Host
 from game.app.stagehand.level_index import lessons_of, next_lesson
 from game.app.stagehand.opening import Opening
-from game.app.stagehand.start_choices import locked_for, remembered
+from game.app.stagehand.start_choices import keep_own, locked_for, remembered
 from game.app.window.commands import Actions
 from game.stage.catalogue import Entry
 from game.stage.declarations import StartLine
@@ -83,6 +83,8 @@ class StartCard(CardScreen):
     def _remember(self) -> None:
         self.host.settings.start = {**self.host.settings.start, self.entry.name: dict(self.chosen)}
         self.host.save_settings()
+        if complaint := keep_own(self.entry.name, self.chosen):
+            self.host.tell("Not all that was chosen is kept.", complaint, "warning")
 
     def _open_career(self) -> None:
         """The career, whose matches keep to what was chosen here."""

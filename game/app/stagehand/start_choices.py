@@ -24,8 +24,12 @@ def locked_for(player: Player | None, family: str) -> dict[tuple[str, str], Priz
 
 
 def remembered(entry: Entry, chosen: Chosen, player: Player | None) -> dict[str, str]:
-    """What a game is begun with: as chosen last where that is there still and unlocked, else the default."""
-    shut, last = locked_for(player, entry.name), chosen.get(entry.name, {})
+    """What a game is begun with: as chosen last where that is there still and unlocked, else the default.
+
+    What is a person's own is as this person chose it, if it has.
+    """
+    mine = {} if player is None else player.choices.get(entry.name, {})
+    shut, last = locked_for(player, entry.name), {**chosen.get(entry.name, {}), **mine}
     found = {}
     for line in entry.start_lines():
         value = last.get(line.parameter, line.default)
@@ -40,3 +44,17 @@ def own_choices(catalogue: Catalogue, scene: str, chosen: Chosen, player: Player
     if entry is None:
         return {}
     return {name: value for name, value in remembered(entry, chosen, player).items() if name in PERSONAL}
+
+
+def keep_own(scene: str, chosen: Mapping[str, str]) -> str:
+    """Keep what is a person's own of what was chosen, with its career, if there is one. What there is to
+    complain of, in a line.
+    """
+    from game.app.stagehand.career_file import keep_career, load_career
+
+    career, complaint = load_career()
+    own = {name: value for name, value in chosen.items() if name in PERSONAL}
+    if career.player is None or career.player.choices.get(scene) == own:
+        return complaint
+    choices = {**career.player.choices, scene: own}
+    return keep_career(career.with_player(career.player.replace(choices=choices))) or complaint

@@ -23,6 +23,9 @@ LONGEST_NAME = 16
 Count = Annotated[int, msgspec.Meta(ge=0, le=10**6)]
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=LONGEST_NAME)]
 Word = Annotated[str, msgspec.Meta(max_length=40)]
+Choices = Annotated[
+    dict[Word, Annotated[dict[Word, Word], msgspec.Meta(max_length=40)]], msgspec.Meta(max_length=40)
+]
 When = Annotated[str, msgspec.Meta(pattern=r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,6})?$")]
 
 
@@ -88,6 +91,7 @@ class Hand(Entry, frozen=True):
 class Player(Entry, frozen=True):
     """One person's career. pending: the match that was begun last, until its result is in.
     unlocked: names of the prizes that were won. hand: as of the last match in which it was measured.
+    choices: by scene and parameter, what the person has chosen for itself on the card before a game.
     """
 
     name: Name
@@ -97,6 +101,7 @@ class Player(Entry, frozen=True):
     pending: Match | None = None
     unlocked: Annotated[tuple[Word, ...], msgspec.Meta(max_length=100)] = ()
     hand: Hand | None = None
+    choices: Choices = {}
 
     def replace(self, **changes: Any) -> Player:
         """The same with some fields changed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import msgspec
@@ -16,7 +17,6 @@ from game.billiards.game.strengths import chance_of
 from game.billiards.players.ladder import LadderPlayer, ladder_of
 
 WON = 3  # of `CupResult.reached`
-START = 400.0  # rating of a person that has none yet, for a fair head start and the draw
 FRAMES, RACKS, POINTS = 3, 3, 10  # of a match
 SHORT_POINTS = 3  # of a match of the newcomers' cup, which else is one rack or frame
 # Games of an hour and more have a shorter one in their place in the newcomers' cup.
@@ -54,7 +54,18 @@ def length_of(entry: Registered, short: bool = False) -> Length:
 def own_strength(player: Player, game: str) -> float:
     """A person's rating in a game's family, else in all games, else that of a beginner."""
     rating = rating_of(player, REGISTER[game].family) or rating_of(player)
-    return START if rating is None else rating.points
+    return beginners_strength(game) if rating is None else rating.points
+
+
+def beginners_strength(game: str) -> float:
+    """The rating of who has none yet: as measured, that of the ladder's weakest at a game."""
+    return min(_strengths_of(ladder_of(REGISTER[game].family), game).values())
+
+
+def _strengths_of(players: Iterable[LadderPlayer], game: str) -> dict[str, float]:
+    """Measured ratings by name."""
+    found = {one.name: strength_of(one.name, game) for one in players}
+    return {name: points for name, points in found.items() if points is not None}
 
 
 def fair_head_start(player: Player, opponent: str, game: str, short: bool = False) -> int:
@@ -104,8 +115,7 @@ def new_cup(player: Player, game: str, seed: int, newcomers: bool = False) -> Pl
     game = SHORTER.get(game, game) if newcomers else game
     ladder = opponents_at(game)
     others = ladder[: FOUR - 1] if newcomers else ladder[1 - EIGHT :]
-    field = {one.name: strength_of(one.name, game) or START for one in others}
-    field[player.name] = own_strength(player, game)
+    field = {**_strengths_of(others, game), player.name: own_strength(player, game)}
     begun = RunningCup(game, draw(field), seed, newcomers=newcomers)
     return _played_on(player.replace(cup=begun))
 
@@ -129,10 +139,10 @@ def _played_on(player: Player) -> Player:
     assert cup is not None
     entry = REGISTER[cup.game]
     needed = length_of(entry, cup.newcomers).needed
+    points = _strengths_of(ladder_of(entry.family), cup.game)
 
     def decide(a: str, b: str, match: int) -> str:
-        strengths = [strength_of(name, cup.game) or START for name in (a, b)]
-        chance = race_chance(chance_of(strengths[0] - strengths[1]), needed, needed)
+        chance = race_chance(chance_of(points[a] - points[b]), needed, needed)
         return a if np.random.default_rng((cup.seed, match)).random() < chance else b
 
     knockout = play_on(cup.knockout, player.name, decide)

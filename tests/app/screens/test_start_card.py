@@ -13,7 +13,7 @@ from game.app.scene.tour import TourScreen
 from game.app.screens.level_card import LevelCard, level_picture
 from game.app.screens.name_card import NameCard
 from game.app.screens.start_card import StartCard
-from game.app.stagehand.career_file import keep_career
+from game.app.stagehand.career_file import keep_career, read_career
 from game.app.stagehand.stars import Stars, keep_stars
 from game.app.window.settings import load_settings
 from game.billiards.career.career import Career, Player
@@ -95,6 +95,27 @@ def test_what_was_chosen_is_the_next_default(begin: Callable[..., Driver]):
     again = begin(start=kept.start)
     assert again.top.chosen == driver.app.settings.start["billiards"]
     assert again.top.chosen["second_player"] == "master" and again.top.chosen["race"] == "5"
+
+
+def test_each_person_of_a_career_keeps_what_is_its_own(begin: Callable[..., Driver]):
+    keep_career(Career((Player("Mia"), Player("Jo")), 0))
+    driver = begin()
+    for name in ("second_player=master", "stroke_by=push", "hand=average", "play"):
+        press(driver, name)
+    kept = load_settings(driver.app.folder).settings.start
+    mia, jo = read_career().players
+    assert mia.choices["billiards"]["hand"] == "average" and jo.choices == {}
+    assert "second_player" not in mia.choices["billiards"], "who plays against it is no trait of a person"
+    keep_career(Career((mia, jo), 1))
+    again = begin(start=kept)
+    press(again, "hand=steady")
+    press(again, "play")
+    assert read_career().players[0] == mia
+    assert read_career().players[1].choices["billiards"]["hand"] == "steady"
+    keep_career(Career(read_career().players, 0))
+    third = begin(start=load_settings(again.app.folder).settings.start)
+    assert third.top.chosen["hand"] == "average" and third.top.chosen["stroke_by"] == "push"
+    assert third.top.chosen["second_player"] == "master"
 
 
 def test_a_remembered_choice_that_there_is_no_more_gives_way_to_the_default(begin: Callable[..., Driver]):

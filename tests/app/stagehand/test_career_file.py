@@ -37,6 +37,7 @@ DAMAGED = (
     '{"format": 1, "career": {"current": -1}}',
     '{"format": 1, "career": {"players": [{"name": ""}]}}',
     '{"format": 1, "career": {"players": [{"name": "a"}], "current": 3}}',
+    '{"format": 3, "career": {"players": [{"name": "a", "choices": {"billiards": {"hand": 3}}}]}}',
 )
 
 

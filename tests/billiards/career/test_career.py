@@ -18,13 +18,14 @@ from game.billiards.career.career import (
 )
 from game.billiards.career.handicap import fair_start, needed_of_best, point_chance, race_chance
 from game.billiards.career.matches import (
-    START,
+    beginners_strength,
     cup_match,
     fair_head_start,
     length_of,
     new_cup,
     next_opponent,
     opponents_at,
+    own_strength,
     with_result,
 )
 from game.billiards.game.rating import rating_of as against_ghost
@@ -186,7 +187,12 @@ def test_the_next_opponent_is_the_weakest_that_is_not_beaten():
 def test_the_head_start_is_fair_by_the_ratings():
     novice = Player("Mia")
     strongest = opponents_at("eight-ball")[-1].name
-    assert strength_of(strongest, "eight-ball") > START
+    assert (
+        own_strength(novice, "eight-ball")
+        == beginners_strength("eight-ball")
+        == strength_of("tom", "eight-ball")
+    )
+    assert strength_of(strongest, "eight-ball") > beginners_strength("eight-ball")
     assert fair_head_start(novice, strongest, "eight-ball") > 0
     assert fair_head_start(novice, "tom", "eight-ball") <= 0
     assert fair_head_start(novice, "vera", "three-cushion") > 0
