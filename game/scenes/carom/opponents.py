@@ -31,7 +31,7 @@ def think(question: Question) -> Thought:
 def told_of_ways(player: str, choices: tuple[Choice, ...]) -> Told:
     """What a player thought: its way and chance, and the surest other one."""
     if not choices:
-        return Told(f"{player} saw no way to score.", "The red ball had to be hit.")
+        return Told(f"{player} saw no way to score.", "The red ball had to be hit.", False)
     first, *others = choices
     left = f", then {share(first.left)}" if first.left > 0.0 else ""
     way = f"a way by {cushions_of(first.group.code)} cushions"

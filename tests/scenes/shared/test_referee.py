@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import msgspec
+import pygame
 import pytest
 
 from game.billiards.game.games.carom import Carom, CaromVerdict
 from game.billiards.game.games.eight_ball import EightBall
 from game.billiards.game.games.nine_ball import NineBall
-from game.billiards.game.rules import Foul, Verdict
+from game.billiards.game.rules import Call, Foul, Verdict
 from game.billiards.game.snooker.rules import AGAIN, FREE, REPLAY, Snooker
+from game.billiards.players.remarks import FOUL as ABOUT_FOUL
+from game.billiards.players.remarks import REMARKS, Happened
+from game.scenes.billiards import layout
+from game.scenes.shared.tables.boxes import look_of, rect_of
 from game.scenes.shared.tables.referee.calls import (
     END,
     FOUL,
@@ -21,7 +28,12 @@ from game.scenes.shared.tables.referee.calls import (
     snooker_call,
 )
 from game.scenes.shared.tables.referee.card import share_words, time_words
-from game.stage import Action
+from game.scenes.shared.tables.referee.remark import AFTER_S, SHOWN_S, draw_remark, happened_at, said
+from game.stage import Action, SetParameter
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
 from tests.scenes.billiards import billiards_stages as pool
 from tests.scenes.shared.test_eye import differ, drawn
 
@@ -111,6 +123,65 @@ def test_a_call_is_seen_over_the_rail_and_goes():
     pool.seconds(stage, 4.0)
     late = drawn(stage)
     assert 0.002 < differ(early, late) < 0.05
+
+
+def test_a_player_of_the_ladder_says_a_word_below_its_name_and_no_other_does():
+    seen = {}
+    for grade in ("person", "tom"):
+        stage = pool.straight_pot("nine-ball")
+        stage.post(SetParameter("second_player", grade))
+        stage.scene.aiming.point_along(2.0)
+        stage.scene.parameters.power = 0.3
+        stage.post(Action("strike"))
+        pool.until_aiming(pool.seconds(stage, 0.3))
+        happened = happened_at(stage.scene.play)
+        assert (happened.by, happened.scored, happened.foul, happened.winner) == (0, False, True, None)
+        seen[grade] = said(stage.scene.play)
+    assert seen == {"person": "", "tom": REMARKS["tom"][ABOUT_FOUL][1 % len(REMARKS["tom"][ABOUT_FOUL])]}
+    assert stage.scene.model.frame.strokes == 1
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080), (900, 506)])
+def test_a_remark_lies_on_the_table_beside_the_call_and_below_the_board(size):
+    stage = pool.straight_pot("nine-ball")
+    surface = pygame.Surface(size, 0, 32)
+    canvas, camera = Canvas(Look(DARK, size[0] / 1280.0)), Camera(quarter_turns=1)
+    camera.fit(stage.scene.frame(), surface.get_rect(), 0.0)
+    canvas.begin(surface, surface.get_rect(), camera)
+    look, table = look_of(canvas, layout.PIXELS), rect_of(canvas, layout.TABLE)
+    longest = max((one for words in REMARKS.values() for few in words.values() for one in few), key=len)
+    place = draw_remark(canvas, look, layout.TABLE, longest, 2.0)
+    assert place.w > look.px(100) and table.inflate(0, look.px(8)).contains(place)
+    assert place.left > table.centerx + look.px(150)
+    for age_s in (0.0, AFTER_S - 0.01, SHOWN_S):
+        assert draw_remark(canvas, look, layout.TABLE, longest, age_s).w == 0
+
+
+def course_after(before, verdict, call=None, runs=(0, 2)):
+    """What is known after a stroke: runs after and before it of each player at a pool table."""
+    after, then = (SimpleNamespace(game=before, tallies=[SimpleNamespace(run=run)] * 2) for run in runs)
+    last = SimpleNamespace(frame=then, call=call or Call())
+    frame = SimpleNamespace(game=verdict.game, last=last)
+    return SimpleNamespace(
+        model=SimpleNamespace(frame=frame, played=SimpleNamespace(verdict=verdict, frame=after))
+    )
+
+
+def test_who_played_what_counted_and_whether_it_was_to():
+    nine = NineBall(players=("Ada", "Tom"), turn=1, opening=False)
+    missed = Verdict(msgspec.structs.replace(nine, turn=0))
+    assert happened_at(course_after(nine, missed)) == Happened(1, False, False, 0, 2)
+    assert happened_at(course_after(nine, missed), tried=False).safe
+    assert happened_at(course_after(nine, missed, Call(safety=True))).safe
+    assert happened_at(course_after(nine, missed, Call(push_out=True))).safe
+    assert happened_at(course_after(msgspec.structs.replace(nine, opening=True), missed)).safe
+    won = Verdict(msgspec.structs.replace(nine, winner=1), scored=(9,))
+    assert happened_at(course_after(nine, won, runs=(3, 2))) == Happened(1, True, False, 3, 2, winner=1)
+    alone = NineBall(players=("Ada",), opening=False)
+    assert happened_at(course_after(alone, Verdict(alone))) is None
+    break_of = snooker((8, 0), run=8)
+    gone_on = Verdict(msgspec.structs.replace(break_of, run=9), scored=(1,))
+    assert happened_at(course_after(break_of, gone_on)) == Happened(0, True, False, 9, 8)
 
 
 def test_figures_of_the_card():

@@ -33,6 +33,7 @@ from game.scenes.shared.tables.odds import Asked, Odds, OddsMeter
 from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.referee.banner import draw_call
 from game.scenes.shared.tables.referee.calls import pool_call
+from game.scenes.shared.tables.referee.remark import draw_remark, said
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.shared.tables.through.recoil import draw_recoil
@@ -198,6 +199,7 @@ class BilliardsView:
         run = played.frame.tallies[played.frame.game.turn].run
         spoken = pool_call(played.verdict, run, play.match_over)
         draw_call(canvas, look, layout.TABLE, spoken, play.called_s)
+        draw_remark(canvas, look, layout.TABLE, said(play, self.opponents.told.tried), play.called_s)
 
     def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""

@@ -42,6 +42,7 @@ from game.scenes.shared.tables.minds.walking import draw_walk
 from game.scenes.shared.tables.referee.banner import draw_call
 from game.scenes.shared.tables.referee.calls import carom_call
 from game.scenes.shared.tables.referee.card import draw_card
+from game.scenes.shared.tables.referee.remark import draw_remark, said
 from game.scenes.shared.tables.through.recoil import draw_recoil
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
 from game.ui.canvas.canvas import Canvas
@@ -107,6 +108,7 @@ class CaromView:
         if course.phase != AIMING or played is None:
             return
         draw_call(canvas, look, layout.TABLE, carom_call(played.verdict), course.called_s)
+        draw_remark(canvas, look, layout.TABLE, said(course, self.opponents.told.tried), course.called_s)
         if game.ended and len(game.players) == 2:
             draw_card(canvas, look, layout.TABLE, counted_of(course))
 

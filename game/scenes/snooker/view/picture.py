@@ -25,6 +25,7 @@ from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.shared.tables.referee.banner import draw_call
 from game.scenes.shared.tables.referee.calls import snooker_call
 from game.scenes.shared.tables.referee.card import draw_card
+from game.scenes.shared.tables.referee.remark import draw_remark, said
 from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.shared.tables.through.recoil import draw_recoil
@@ -142,6 +143,7 @@ class SnookerView:
             before = frame.last.frame.game
             assert isinstance(before, Snooker)
             draw_call(canvas, look, layout.TABLE, snooker_call(before, played.verdict), course.called_s)
+            draw_remark(canvas, look, layout.TABLE, said(course, self.opponents.told.tried), course.called_s)
         if frame.game.over and len(frame.game.players) == 2:
             draw_card(canvas, look, layout.TABLE, counted_of(course))
 

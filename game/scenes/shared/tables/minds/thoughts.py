@@ -13,10 +13,11 @@ if TYPE_CHECKING:
 
 
 class Told(NamedTuple):
-    """The stroke that was chosen with its chance, and what there was instead."""
+    """The stroke that was chosen with its chance, and what there was instead. tried: it was to score."""
 
     chosen: str = ""
     instead: str = ""
+    tried: bool = True
 
     def beside(self, line: Any) -> Any:
         """A line below the table (a tuple with ``lead`` and ``more``) that tells this, too."""
@@ -47,10 +48,11 @@ def told_of(player: str, made: Decision, pot: str, in_points: bool = False) -> T
     else:
         chosen = f"{player} meant {pot}{ways.get(made.kind, '')}: {share(made.chance)}."
     if math.isnan(made.safe):
-        return Told(chosen, "Sure enough not to look for a safety.")
+        return Told(chosen, "Sure enough not to look for a safety.", made.kind != SAFETY)
     if made.kind == SAFETY:
         best = max((shot.chance for shot in made.considered), default=0.0)
-        return Told(chosen, f"The surest pot: {share(best)}." if best > 0.0 else "No pot was to be seen.")
+        surest = f"The surest pot: {share(best)}." if best > 0.0 else "No pot was to be seen."
+        return Told(chosen, surest, False)
     if in_points:
         return Told(chosen, f"Worth {made.worth:+.1f} points; the best safety {made.safe:+.1f}.")
     return Told(chosen, f"It then wins {share(made.worth)}; after the best safety {share(made.safe)}.")
