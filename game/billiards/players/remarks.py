@@ -57,7 +57,7 @@ REMARKS: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "rocco": {
         RUN: ("I know luck when I see it.", "Bet you cannot do that again."),
-        OWN_RUN: ("Fortune likes the brave.", "And nobody had a bet on it."),
+        OWN_RUN: ("Fortune likes the brave.", "And no bet on it. Pity."),
         FOUL: ("Thank you kindly.", "I will take that."),
         MISSED: ("I would play it again.", "It was worth the try.", "Next time I bank it."),
         WON: ("Double or nothing?",),
