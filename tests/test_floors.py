@@ -83,7 +83,7 @@ FOLDERS = {
     ),
     "ui": ("look raster steady", "sound", "text", "canvas", "painters widgets", "charts panel"),
     "worlds": (
-        "entries shards stopwatch tables",
+        "entries quality shards stopwatch tables",
         "world",
         "painting hearing rubbing",
         "members",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from game.stage import Choice, Param, Parameters, Toggle
 from game.worlds.hands.hand import Tool, choose_tool
 from game.worlds.members.solids import choose_step
+from game.worlds.quality import Quality
 
 TOOLS = (
     Tool("match", "Match"), Tool("write", "Write"), Tool("wash", "Wash out"), Tool("water", "Wet"),
@@ -12,7 +13,7 @@ TOOLS = (
 )  # fmt: skip
 OF_PICTURE = ("marks", "view")
 VIEWS = ("fire", "heat", "saltpetre", "gas")
-TIERS = {"play": 56, "teach": 80, "film": 112}  # meshes across
+QUALITY = Quality(56, 80, 112, "meshes of the cloth across")
 WORDS = ("FIRE", "CAROM", "HEAT", "1952", "♥", "blank")
 
 
@@ -37,12 +38,7 @@ class BurningClothParameters(Parameters):
     wind = Param(
         0.0, -4.0, 4.0, unit="m/s", group="Air", label="Wind", help="to the right, and slantwise at the cloth"
     )
-    tier = Choice(
-        "teach", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Accuracy", label="Quality",
-        help=f"meshes of the cloth across: {', '.join(map(str, TIERS.values()))}, or as many as you say; the "
-        "gas follows",
-        rebuild=True,
-    )  # fmt: skip
+    tier = QUALITY.choose("teach", "Accuracy", "; the gas follows")
     meshes = Param(
         80, 16, 160, step=8, whole=True, group="Accuracy", rebuild=True, help="of the cloth across, with Own"
     )
@@ -59,7 +55,7 @@ class BurningClothParameters(Parameters):
 
     def meshes_now(self) -> int:
         """By the quality that is chosen."""
-        return TIERS.get(self.tier, int(self.meshes))
+        return QUALITY.parts(self.tier, self.meshes)
 
     def cells_now(self) -> int:
         """Of the gas across, by the meshes of the cloth."""

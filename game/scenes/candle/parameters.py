@@ -6,8 +6,9 @@ from game.stage import Choice, Param, Parameters
 from game.worlds.entries.entry import LevelEntry, View
 from game.worlds.expectations import Expectations
 from game.worlds.members.solids import choose_step
+from game.worlds.quality import Quality
 
-TIERS = {"play": 64, "teach": 96, "film": 128}  # cells across
+QUALITY = Quality(64, 96, 128, "cells across")
 
 
 class CandleContent(LevelEntry, frozen=True, kw_only=True):
@@ -31,10 +32,7 @@ class CandleParameters(Parameters):
                      help="share of the greatest power that keeps up the greatest supply")  # fmt: skip
     limit = Param(16.0, 0.0, 20.0, unit="%", group="Wick", label="Limit of oxygen",
                   help="by volume, in the air beside the flame: with less no candle burns")  # fmt: skip
-    tier = Choice(
-        "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Gas", label="Quality",
-        help=f"cells across: {', '.join(map(str, TIERS.values()))}, or as many as you say", rebuild=True,
-    )  # fmt: skip
+    tier = QUALITY.choose("play", "Gas")
     cells = Param(64, 32, 160, step=16, whole=True, group="Gas", rebuild=True, help="across, with Own")
     cycles = Param(6, 3, 20, whole=True, group="Gas", label="V-cycles",
                    help="of the pressure in a step, at most")  # fmt: skip
@@ -44,4 +42,4 @@ class CandleParameters(Parameters):
 
     def cells_now(self) -> int:
         """By the quality that is chosen."""
-        return TIERS.get(self.tier, int(self.cells))
+        return QUALITY.parts(self.tier, self.cells)

@@ -11,7 +11,7 @@ from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workloa
 from game.lab.trials import Computation
 from game.physics.combustion.effects import COMBUSTION
 from game.physics.gas.effects import USUAL
-from game.scenes.candle.parameters import TIERS, CandleContent, CandleParameters
+from game.scenes.candle.parameters import QUALITY, CandleContent, CandleParameters
 from game.scenes.candle.world import CandleWorld
 
 CELLS, RATES = (32, 48, 64, 96), (60, 120)  # across; steps in a second
@@ -74,7 +74,7 @@ def _settings() -> list[Setting]:
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting | None:
-    cells = TIERS.get(str(parameters["tier"]), int(parameters["cells"]))
+    cells = QUALITY.parts(str(parameters["tier"]), parameters["cells"])
     near = RATES[float(parameters["step_length"]) < 1.0 / 90.0]
     return Setting("flux-form", float(cells), {"rate": float(near)})
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from game.stage import Choice, Param, Parameters, Toggle
 from game.worlds.hands.hand import Tool, choose_tool
 from game.worlds.members.solids import choose_step
+from game.worlds.quality import Quality
 
 TOOLS = (
     Tool("blow", "Blow"), Tool("drag", "Drag"), Tool("log", "Add a log"), Tool("match", "Match"),
@@ -12,7 +13,7 @@ TOOLS = (
 )  # fmt: skip
 OF_PICTURE = ("marks", "view")
 VIEWS = ("fire", "temperature", "speed", "oxygen")
-TIERS = {"play": 64, "teach": 96, "film": 128}  # cells across
+QUALITY = Quality(64, 96, 128, "cells across")
 
 
 class FireplaceParameters(Parameters):
@@ -31,10 +32,7 @@ class FireplaceParameters(Parameters):
         0.0, 0.0, 1.0, group="Wood", rebuild=True,
         help="kg of water in a kg of logs, beside what a level says",
     )  # fmt: skip
-    tier = Choice(
-        "teach", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Gas", label="Quality",
-        help=f"cells across: {', '.join(map(str, TIERS.values()))}, or as many as you say", rebuild=True,
-    )  # fmt: skip
+    tier = QUALITY.choose("teach", "Gas")
     cells = Param(96, 16, 256, step=16, whole=True, group="Gas", rebuild=True, help="across, with Own")
     cycles = Param(
         6, 3, 20, whole=True, group="Gas", label="V-cycles",
@@ -46,4 +44,4 @@ class FireplaceParameters(Parameters):
 
     def cells_now(self) -> int:
         """By the quality that is chosen."""
-        return TIERS.get(self.tier, int(self.cells))
+        return QUALITY.parts(self.tier, self.cells)

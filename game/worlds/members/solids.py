@@ -26,6 +26,7 @@ from game.physics.solids.arrays import state as s
 from game.physics.solids.effects import SOLIDS
 from game.physics.solids.settings import USUAL_HERTZ
 from game.stage import Choice, Param, ParameterError, Parameters
+from game.worlds.quality import Quality
 from game.worlds.stopwatch import Stopwatch
 from game.worlds.world import Member
 
@@ -37,10 +38,7 @@ AIR_DENSITY, SPHERE_DRAG = 1.2, 0.47  # kg/m³; coefficient of a smooth sphere a
 
 def choose_quality(group: str = "Solver") -> Choice:
     """``tier``: how many substeps."""
-    return Choice(
-        "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group=group, label="Quality",
-        help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say",
-    )  # fmt: skip
+    return Quality(**TIERS, of="substeps").choose("play", group, rebuild=False)
 
 
 def choose_substeps(most: int, group: str = "Solver") -> Param:
