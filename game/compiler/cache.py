@@ -185,7 +185,7 @@ def remove_old_folders(current: Path) -> None:
 def _weight(folder: Path) -> int:
     """Bytes of the files in a folder; one that vanishes meanwhile counts as far as it was seen."""
     total = 0
-    with contextlib.suppress(OSError):
-        for entry in os.scandir(folder):
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
             total += entry.stat().st_size
     return total

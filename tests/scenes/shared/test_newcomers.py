@@ -7,7 +7,7 @@ import pytest
 from game.billiards.career.career import CupResult, Player, strength_of
 from game.billiards.career.handicap import race_chance
 from game.billiards.career.matches import (
-    START,
+    beginners_strength,
     cup_match,
     fair_head_start,
     is_newcomer,
@@ -22,15 +22,15 @@ from tests.scenes.shared.newcomers import WHEN, cup_s
 HALF_AN_HOUR_S = 1800.0
 
 
-def chance_of_cup(game: str, newcomers: bool) -> float:
-    """Chance that a person without a rating wins a cup, all opponents met being the strongest in it."""
+def chance_of_cup(game: str, newcomers: bool, points: float) -> float:
+    """Chance that a person of so many points wins a cup, all opponents met being the strongest in it."""
     player = new_cup(Player("Mia"), game, 1, newcomers)
     needed = length_of(REGISTER[player.cup.game], newcomers).needed
     field = sorted(strength_of(name, player.cup.game) for name in player.cup.knockout.field if name != "Mia")
     rounds = len(player.cup.knockout.rounds)
     chance = 1.0
     for other in field[-rounds:]:
-        chance *= race_chance(chance_of(START - other), needed, needed)
+        chance *= race_chance(chance_of(points - other), needed, needed)
     return chance
 
 
@@ -48,8 +48,15 @@ def test_opponents_are_of_the_lower_half_and_matches_short(game):
 
 
 def test_it_is_won_far_more_often_than_the_tournament_of_eight():
-    assert chance_of_cup("eight-ball", True) > 0.3
-    assert chance_of_cup("eight-ball", False) < 0.02
+    weakest, _, third = (strength_of(one.name, "eight-ball") for one in opponents_at("eight-ball")[:3])
+    assert weakest == beginners_strength("eight-ball")
+    assert chance_of_cup("eight-ball", True, third) > 0.25, (
+        "even with the strongest there: at least half twice"
+    )
+    assert chance_of_cup("eight-ball", False, third) < 0.02
+    assert (
+        chance_of_cup("eight-ball", True, weakest) > 0.05 > 1e6 * chance_of_cup("eight-ball", False, weakest)
+    )
 
 
 def test_one_is_a_newcomer_until_a_cup_is_won():
