@@ -50,13 +50,10 @@ def test_opponents_are_of_the_lower_half_and_matches_short(game):
 def test_it_is_won_far_more_often_than_the_tournament_of_eight():
     weakest, _, third = (strength_of(one.name, "eight-ball") for one in opponents_at("eight-ball")[:3])
     assert weakest == beginners_strength("eight-ball")
-    assert chance_of_cup("eight-ball", True, third) > 0.25, (
-        "even with the strongest there: at least half twice"
-    )
+    assert chance_of_cup("eight-ball", True, third) > 0.25, "the strongest there is met as an equal"
     assert chance_of_cup("eight-ball", False, third) < 0.02
-    assert (
-        chance_of_cup("eight-ball", True, weakest) > 0.05 > 1e6 * chance_of_cup("eight-ball", False, weakest)
-    )
+    of_eight = chance_of_cup("eight-ball", False, weakest)
+    assert chance_of_cup("eight-ball", True, weakest) > 0.05 > 1e6 * of_eight
 
 
 def test_one_is_a_newcomer_until_a_cup_is_won():
@@ -68,6 +65,8 @@ def test_one_is_a_newcomer_until_a_cup_is_won():
 @pytest.mark.parametrize("game", ["eight-ball", "three-cushion"])
 def test_it_is_over_within_half_an_hour(game):
     """A club player's hand in the person's place, who looks at the table for a while before each stroke."""
-    took, won = cup_s(game, "club", seed=1)
-    assert 60.0 < took < HALF_AN_HOUR_S
-    assert won or game != "eight-ball", "a cup that was lost at once would take half as long"
+    cups = [cup_s(game, "club", seed) for seed in (1, 2, 3)]
+    assert all(60.0 < took < HALF_AN_HOUR_S for took, _ in cups)
+    assert any(won for _, won in cups) or game != "eight-ball", (
+        "cups that were lost at once take half as long"
+    )
